@@ -1,0 +1,14 @@
+//! Exact numbers and formulas.
+//!
+//! Everything here is exact or certified: [`Rational`] numbers, sparse polynomials ([`Poly`]) over
+//! the rationals in named symbols with pi, square roots of primes and pairs sin/cos of a quarter
+//! turn, [`Fraction`]s that remember what they were divided by, truncated power series ([`Jet`]),
+//! intervals that enclose a real number to any number of bits ([`Ball`]), and matrices over all of
+//! these. One trait, [`Scalar`], lets the geometry be written once and run on each of them.
+#![warn(missing_docs)]
+
+pub mod rational;
+pub mod scalar;
+
+pub use rational::{Integer, Rational};
+pub use scalar::{ExactError, Scalar};

@@ -1,0 +1,127 @@
+//! One definition, many scalars.
+//!
+//! Bases, curves and plane families are written once over [`Scalar`] and run on `f64` (fast),
+//! [`Rational`] (exact, where no transcendental number enters), balls (certified enclosures), jets
+//! (derivatives) and exact fractions (identities). The trigonometric pair enters through one method,
+//! [`Scalar::quarter_turn`], because every basis of this family uses sin(pi x/2) and cos(pi x/2).
+//!
+//! A scalar carries its own context: a ball its precision, a jet its order. Constants are therefore
+//! made *like* an existing scalar with [`Scalar::constant`].
+
+use crate::rational::{Rational, to_f64};
+use num_traits::Zero;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// Why an exact or certified scalar could not carry out an operation.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ExactError {
+    /// The divisor is zero, or (for enclosures) cannot be told from zero at this precision.
+    #[error("division by zero (or by an enclosure that contains zero): {divisor}")]
+    DivisionByZero {
+        /// The divisor as text.
+        divisor: String,
+    },
+    /// sin and cos of this quarter turn are not numbers of this scalar's kind.
+    #[error("the sine and cosine of a quarter turn times {argument} are not exact here")]
+    NoExactTurn {
+        /// The argument as text.
+        argument: String,
+    },
+    /// The square root is not a number of this scalar's kind.
+    #[error("the square root of {radicand} does not exist here")]
+    NoSquareRoot {
+        /// The radicand as text.
+        radicand: String,
+    },
+}
+
+/// A commutative ring with partial division and the trigonometric pair of a quarter turn.
+///
+/// Implementations: `f64`, [`Rational`], [`Ball`](crate::Ball), [`Jet`](crate::Jet) over any scalar,
+/// and [`Fraction`](crate::Fraction). The ring operators never fail; what may fail says so.
+pub trait Scalar:
+    Clone + std::fmt::Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+{
+    /// The rational number `q` in the context of `self` (precision of a ball, order of a jet).
+    #[must_use]
+    fn constant(&self, q: &Rational) -> Self;
+
+    /// Zero in the context of `self`.
+    #[must_use]
+    fn zero_like(&self) -> Self {
+        self.constant(&Rational::zero())
+    }
+
+    /// One in the context of `self`.
+    #[must_use]
+    fn one_like(&self) -> Self {
+        self.constant(&crate::rational::integer(1))
+    }
+
+    /// `self / divisor`.
+    ///
+    /// # Errors
+    /// [`ExactError::DivisionByZero`] when the divisor is zero or cannot be told from zero. `f64`
+    /// refuses a zero divisor too, so that no infinity enters through the generic layer.
+    fn divided_by(&self, divisor: &Self) -> Result<Self, ExactError>;
+
+    /// `(sin(pi/2 * self), cos(pi/2 * self))`.
+    ///
+    /// # Errors
+    /// [`ExactError::NoExactTurn`] where the pair is not a number of this kind: for rationals unless
+    /// `self` is an integer, for fractions unless `self` is a plain variable or a multiple of 1/2.
+    fn quarter_turn(&self) -> Result<(Self, Self), ExactError>;
+
+    /// `self * q` for a rational `q`.
+    #[must_use]
+    fn scaled(&self, q: &Rational) -> Self {
+        self.clone() * self.constant(q)
+    }
+}
+
+impl Scalar for f64 {
+    fn constant(&self, q: &Rational) -> Self {
+        to_f64(q)
+    }
+
+    fn divided_by(&self, divisor: &Self) -> Result<Self, ExactError> {
+        if *divisor == 0.0 {
+            return Err(ExactError::DivisionByZero { divisor: divisor.to_string() });
+        }
+        Ok(self / divisor)
+    }
+
+    fn quarter_turn(&self) -> Result<(Self, Self), ExactError> {
+        Ok((self * std::f64::consts::FRAC_PI_2).sin_cos())
+    }
+}
+
+impl Scalar for Rational {
+    fn constant(&self, q: &Rational) -> Self {
+        q.clone()
+    }
+
+    fn divided_by(&self, divisor: &Self) -> Result<Self, ExactError> {
+        if divisor.is_zero() {
+            return Err(ExactError::DivisionByZero { divisor: divisor.to_string() });
+        }
+        Ok(self / divisor)
+    }
+
+    fn quarter_turn(&self) -> Result<(Self, Self), ExactError> {
+        let no_exact_turn = || ExactError::NoExactTurn { argument: self.to_string() };
+        if !self.is_integer() {
+            return Err(no_exact_turn());
+        }
+        let four = crate::Integer::from(4);
+        let turns = num_integer::Integer::mod_floor(self.numer(), &four);
+        let quarter = u8::try_from(turns).map_err(|_| no_exact_turn())?;
+        let number = crate::rational::integer;
+        Ok(match quarter {
+            0 => (number(0), number(1)),
+            1 => (number(1), number(0)),
+            2 => (number(0), number(-1)),
+            _ => (number(-1), number(0)),
+        })
+    }
+}

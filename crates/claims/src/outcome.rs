@@ -1,0 +1,179 @@
+//! What the engine found out about one claim: plain data, handed to the report and the command.
+//!
+//! Verdict and evidence are two axes and never merged: the verdict says what is true of the printed
+//! statement, the evidence says what the answer rests on.
+
+use serde::Serialize;
+
+/// What kind of statement the paper makes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// A definition.
+    Definition,
+    /// An equation said to hold identically.
+    Identity,
+    /// An inequality on a range.
+    Inequality,
+    /// A printed value.
+    Value,
+    /// A property in words.
+    Property,
+    /// Something that is built.
+    Construction,
+    /// A figure.
+    Figure,
+    /// A checkable remark.
+    Prose,
+}
+
+/// What is true of the printed statement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// True as printed.
+    Holds,
+    /// True under an extra condition, which is stated.
+    Conditional,
+    /// False as printed; a small correction is proved.
+    Misprint,
+    /// False, with an exact counterexample.
+    False,
+    /// Not decided; the reason and what was tried are stated.
+    Undecided,
+    /// No point satisfies the assumptions.
+    Vacuous,
+    /// A definition, found to be well formed.
+    Definition,
+    /// The data needed to decide are not printed.
+    Underspecified,
+    /// Not a statement this engine is for; the reason is stated.
+    OutOfScope,
+    /// A figure redrawn from printed data alone.
+    Reproduced,
+    /// A figure redrawn under listed assumptions.
+    Partial,
+}
+
+/// What a verdict rests on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Evidence {
+    /// A zero normal form.
+    Identity,
+    /// A proof for every degree at once.
+    Induction,
+    /// A certificate of sign.
+    Inequality,
+    /// A certified enclosure.
+    Enclosure,
+    /// An exact counterexample.
+    Witness,
+    /// Every degree up to a bound, no more.
+    CheckedRange,
+    /// Sample points, no more.
+    Sampled,
+}
+
+/// A formula in the notations of the outputs.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct Formula {
+    /// Plain text, the notation of the derivation files.
+    pub text: String,
+    /// Typst mathematics, without dollar signs.
+    pub typst: String,
+    /// LaTeX mathematics, without dollar signs.
+    pub latex: String,
+}
+
+/// A point at which the printed statement fails, with both sides.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Witness {
+    /// Values of the symbols, in the order of the file: name and exact value.
+    pub at: Vec<(String, String)>,
+    /// The left side there, exact.
+    pub left: String,
+    /// The right side there, exact.
+    pub right: String,
+    /// The left side as an enclosure in decimals.
+    pub left_decimal: String,
+    /// The right side as an enclosure in decimals.
+    pub right_decimal: String,
+}
+
+/// A corrected form of a refuted formula, itself proved.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Correction {
+    /// The corrected statement.
+    pub statement: Formula,
+    /// What was changed, in words, one entry an edit ("the factor 4 added", "k replaced by l").
+    pub edits: Vec<String>,
+    /// Whether no other repair with as few edits was found.
+    pub unique: bool,
+}
+
+/// Everything known about one claim after a run.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Outcome {
+    /// The id of the inventory, `paper/name`.
+    pub id: String,
+    /// The paper's slug.
+    pub paper: String,
+    /// Where the paper says it.
+    pub at: String,
+    /// What kind of statement it is.
+    pub kind: Kind,
+    /// What is true of it.
+    pub verdict: Verdict,
+    /// What that rests on; none for definitions and figures.
+    pub evidence: Option<Evidence>,
+    /// The statement as printed, verbatim.
+    pub printed: String,
+    /// How our copy of the text was read, where it is garbled or unclear.
+    pub reading: Option<String>,
+    /// The statement as the engine understood it.
+    pub parsed: Option<Formula>,
+    /// The assumptions under which it was decided, as understood.
+    pub assumed: Vec<Formula>,
+    /// A proved correction, for a refuted claim.
+    pub correction: Option<Correction>,
+    /// The derived right side in the paper's own shape, for a refuted claim.
+    pub derived: Option<Formula>,
+    /// Left side minus right side in normal form, for a refuted claim.
+    pub difference: Option<Formula>,
+    /// The extra conditions of a `conditional` verdict, and divisors that must not vanish.
+    pub conditions: Vec<Formula>,
+    /// A counterexample, for a refuted claim.
+    pub witness: Option<Witness>,
+    /// The steps of the decision, in words, in order.
+    pub steps: Vec<String>,
+    /// Anything a reader should know.
+    pub note: Option<String>,
+    /// Claims this one rests on.
+    pub uses: Vec<String>,
+    /// The verdict the derivation file expects, if it states one.
+    pub expect: Option<Verdict>,
+}
+
+impl Outcome {
+    /// Whether the computed verdict is the expected one (true where none is stated).
+    #[must_use]
+    pub fn as_expected(&self) -> bool {
+        self.expect.is_none_or(|expected| expected == self.verdict)
+    }
+}
+
+/// A paper and its decided claims, in file order.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct PaperOutcome {
+    /// The paper's slug, for instance `gbt-developable`.
+    pub slug: String,
+    /// The title.
+    pub title: String,
+    /// The authors, one line.
+    pub authors: String,
+    /// Where it appeared.
+    pub venue: String,
+    /// The outcomes.
+    pub claims: Vec<Outcome>,
+}

@@ -1,0 +1,2 @@
+//! The `torse` command.
+fn main() {}
