@@ -11,4 +11,4 @@ pub mod rational;
 pub mod scalar;
 
 pub use rational::{Integer, Rational};
-pub use scalar::{ExactError, Scalar};
+pub use scalar::{ExactError, Scalar, ZeroTest};

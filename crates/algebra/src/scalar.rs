@@ -27,6 +27,9 @@ pub enum ExactError {
         /// The argument as text.
         argument: String,
     },
+    /// Pi is not a number of this scalar's kind.
+    #[error("pi is not a number of this kind")]
+    NoPi,
     /// The square root is not a number of this scalar's kind.
     #[error("the square root of {radicand} does not exist here")]
     NoSquareRoot {
@@ -72,6 +75,15 @@ pub trait Scalar:
     /// `self` is an integer, for fractions unless `self` is a plain variable or a multiple of 1/2.
     fn quarter_turn(&self) -> Result<(Self, Self), ExactError>;
 
+    /// The number pi in the context of `self`: what differentiating a quarter turn brings in.
+    ///
+    /// # Errors
+    /// [`ExactError::NoPi`] where pi is not a number of this kind, as for rationals. That is what the
+    /// provided method answers.
+    fn pi_like(&self) -> Result<Self, ExactError> {
+        Err(ExactError::NoPi)
+    }
+
     /// `self * q` for a rational `q`.
     #[must_use]
     fn scaled(&self, q: &Rational) -> Self {
@@ -93,6 +105,10 @@ impl Scalar for f64 {
 
     fn quarter_turn(&self) -> Result<(Self, Self), ExactError> {
         Ok((self * std::f64::consts::FRAC_PI_2).sin_cos())
+    }
+
+    fn pi_like(&self) -> Result<Self, ExactError> {
+        Ok(std::f64::consts::PI)
     }
 }
 
@@ -123,5 +139,47 @@ impl Scalar for Rational {
             2 => (number(0), number(-1)),
             _ => (number(-1), number(0)),
         })
+    }
+}
+
+/// What can be said about a number being zero.
+///
+/// Exact numbers decide it, so that one of the two answers is always yes. An enclosure may know
+/// neither. Both answers being yes is a contradiction and never happens.
+pub trait ZeroTest {
+    /// Whether the number is certainly zero.
+    fn is_known_zero(&self) -> bool;
+
+    /// Whether the number is certainly not zero.
+    fn is_known_nonzero(&self) -> bool;
+}
+
+impl ZeroTest for f64 {
+    fn is_known_zero(&self) -> bool {
+        *self == 0.0
+    }
+
+    fn is_known_nonzero(&self) -> bool {
+        *self < 0.0 || *self > 0.0
+    }
+}
+
+impl ZeroTest for crate::Integer {
+    fn is_known_zero(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn is_known_nonzero(&self) -> bool {
+        !self.is_zero()
+    }
+}
+
+impl ZeroTest for Rational {
+    fn is_known_zero(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn is_known_nonzero(&self) -> bool {
+        !self.is_zero()
     }
 }
