@@ -1,0 +1,64 @@
+//! Derivation: partial derivatives by a variable, with the chain rule for its sine and cosine.
+
+use super::Polynomial;
+use crate::rational::{Rational, integer};
+use crate::symbol::{Angle, Symbol};
+use std::sync::Arc;
+
+impl Polynomial {
+    /// The partial derivative by one symbol, all others held fixed.
+    #[must_use]
+    pub fn partial(&self, symbol: &Symbol) -> Self {
+        let Ok(column) = self.symbols.binary_search(symbol) else {
+            return Self::zero();
+        };
+        let mut exponents = Vec::with_capacity(self.exponents.len());
+        let mut coefficients = Vec::with_capacity(self.len());
+        for (row, coefficient) in self.rows().zip(&self.coefficients) {
+            let power = row.get(column).copied().unwrap_or(0);
+            if power > 0 {
+                exponents.extend(
+                    row.iter()
+                        .enumerate()
+                        .map(|(c, e)| if c == column { e - 1 } else { *e }),
+                );
+                coefficients.push(coefficient * crate::Integer::from(power));
+            }
+        }
+        Self::normalized(
+            Arc::clone(&self.symbols),
+            exponents,
+            coefficients,
+            self.denominator.clone(),
+        )
+    }
+
+    /// The derivative by the variable `name`, where sin(pi x/2)' = pi/2 cos(pi x/2) and so on.
+    ///
+    /// ```
+    /// use torse_algebra::{Polynomial, Scalar};
+    /// let x = Polynomial::named("x");
+    /// let (sine, cosine) = x.quarter_turn().unwrap();
+    /// assert_eq!((&x * &sine).derivative("x").to_string(), "1/2*x*pi*cos(pi/2*x) + sin(pi/2*x)");
+    /// assert!((&(&sine * &sine) + &(&cosine * &cosine)).derivative("x").is_zero());
+    /// ```
+    #[must_use]
+    pub fn derivative(&self, name: &str) -> Self {
+        let mut total = self.partial(&Symbol::named(name));
+        for symbol in self.symbols.iter().filter(|s| s.depends_on(name)) {
+            let (inner, sign) = match symbol {
+                Symbol::Sin(variable, angle) => (Symbol::Cos(Arc::clone(variable), *angle), 1),
+                Symbol::Cos(variable, angle) => (Symbol::Sin(Arc::clone(variable), *angle), -1),
+                _ => continue,
+            };
+            let rate = match symbol {
+                Symbol::Sin(_, Angle::QuarterTurn) | Symbol::Cos(_, Angle::QuarterTurn) => {
+                    Self::symbol(Symbol::Pi).scaled(&Rational::new(sign.into(), 2.into()))
+                }
+                _ => Self::constant(&integer(sign)),
+            };
+            total = &total + &(&self.partial(symbol) * &(&rate * &Self::symbol(inner)));
+        }
+        total
+    }
+}

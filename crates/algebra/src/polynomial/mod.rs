@@ -1,0 +1,388 @@
+//! Sparse multivariate polynomials over the rationals, in normal form.
+//!
+//! A polynomial is one positive denominator, integer coefficients, and a table of exponents, sorted in
+//! descending lexicographic order. The normal form is unique: only symbols that occur are listed, the
+//! denominator and the coefficients have no common factor, every sine has degree at most one (from
+//! sin^2 = 1 - cos^2) and every root of a prime has degree at most one. The symbols satisfy no other
+//! algebraic relation (see [`crate::symbol`]), hence
+//!
+//! **Theorem.** A polynomial is the zero function if and only if its normal form has no terms.
+//!
+//! One operation is one file: [`add`], [`multiply`], [`reduce`], [`divide`], [`calculus`], [`evaluate`].
+
+pub mod add;
+pub mod calculus;
+pub mod divide;
+pub mod evaluate;
+pub mod gcd;
+pub mod multiply;
+mod reduce;
+pub mod trigonometry;
+
+use crate::rational::{Integer, Rational, integer};
+use crate::symbol::Symbol;
+use num_integer::Integer as _;
+use num_traits::{One, Signed, Zero};
+use std::fmt;
+use std::sync::Arc;
+
+/// A polynomial in normal form; see the [module](self).
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Polynomial {
+    /// The symbols that occur, ascending.
+    symbols: Arc<[Symbol]>,
+    /// Exponents, one row of `symbols.len()` a term, rows strictly descending.
+    exponents: Vec<u16>,
+    /// Nonzero integer coefficients, one a term.
+    coefficients: Vec<Integer>,
+    /// The common denominator, positive and coprime to the coefficients taken together.
+    denominator: Integer,
+}
+
+/// A term of a polynomial, borrowed.
+#[derive(Debug, Clone)]
+pub struct Term<'a> {
+    /// The rational coefficient.
+    pub coefficient: Rational,
+    /// The symbols with positive exponent.
+    pub powers: Vec<(&'a Symbol, u16)>,
+}
+
+impl Polynomial {
+    /// The zero polynomial.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self {
+            symbols: Arc::from([]),
+            exponents: vec![],
+            coefficients: vec![],
+            denominator: Integer::one(),
+        }
+    }
+
+    /// A constant.
+    #[must_use]
+    pub fn constant(value: &Rational) -> Self {
+        if value.is_zero() {
+            return Self::zero();
+        }
+        Self {
+            symbols: Arc::from([]),
+            exponents: vec![],
+            coefficients: vec![value.numer().clone()],
+            denominator: value.denom().clone(),
+        }
+    }
+
+    /// An integer constant.
+    #[must_use]
+    pub fn integer(value: i64) -> Self {
+        Self::constant(&integer(value))
+    }
+
+    /// A single symbol.
+    #[must_use]
+    pub fn symbol(symbol: Symbol) -> Self {
+        Self {
+            symbols: Arc::from([symbol]),
+            exponents: vec![1],
+            coefficients: vec![Integer::one()],
+            denominator: Integer::one(),
+        }
+    }
+
+    /// The symbol with this name.
+    ///
+    /// ```
+    /// use torse_algebra::Polynomial;
+    /// let x = Polynomial::named("x");
+    /// assert_eq!((x.clone() * x).to_string(), "x^2");
+    /// ```
+    #[must_use]
+    pub fn named(name: &str) -> Self {
+        Self::symbol(Symbol::named(name))
+    }
+
+    /// Whether this is the zero polynomial, which decides whether it is the zero function.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.coefficients.is_empty()
+    }
+
+    /// The value, if no symbol occurs.
+    #[must_use]
+    pub fn as_constant(&self) -> Option<Rational> {
+        match (&*self.symbols, self.coefficients.as_slice()) {
+            (_, []) => Some(Rational::zero()),
+            ([], [value]) => Some(Rational::new(value.clone(), self.denominator.clone())),
+            _ => None,
+        }
+    }
+
+    /// The number of terms.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.coefficients.len()
+    }
+
+    /// Whether there are no terms (the same as [`Polynomial::is_zero`]).
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.coefficients.is_empty()
+    }
+
+    /// The symbols that occur, ascending.
+    #[must_use]
+    pub fn symbols(&self) -> &[Symbol] {
+        &self.symbols
+    }
+
+    /// The common denominator of the coefficients.
+    #[must_use]
+    pub fn denominator(&self) -> &Integer {
+        &self.denominator
+    }
+
+    /// The terms, in descending lexicographic order.
+    pub fn terms(&self) -> impl Iterator<Item = Term<'_>> {
+        self.rows()
+            .zip(&self.coefficients)
+            .map(|(row, coefficient)| Term {
+                coefficient: Rational::new(coefficient.clone(), self.denominator.clone()),
+                powers: self
+                    .symbols
+                    .iter()
+                    .zip(row.iter().copied())
+                    .filter(|(_, exponent)| *exponent > 0)
+                    .collect(),
+            })
+    }
+
+    /// The highest exponent of `symbol`.
+    #[must_use]
+    pub fn degree_in(&self, symbol: &Symbol) -> u16 {
+        match self.symbols.binary_search(symbol) {
+            Err(_) => 0,
+            Ok(column) => self
+                .rows()
+                .map(|row| row.get(column).copied().unwrap_or(0))
+                .max()
+                .unwrap_or(0),
+        }
+    }
+
+    /// The highest total degree of a term.
+    #[must_use]
+    pub fn total_degree(&self) -> u32 {
+        self.rows()
+            .map(|row| row.iter().map(|e| u32::from(*e)).sum())
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// The coefficient of the first term, zero for the zero polynomial.
+    #[must_use]
+    pub fn leading_coefficient(&self) -> Rational {
+        self.coefficients.first().map_or_else(Rational::zero, |c| {
+            Rational::new(c.clone(), self.denominator.clone())
+        })
+    }
+
+    /// The polynomial divided by its content: coprime integer coefficients, the leading one positive.
+    /// Returns the content and the primitive part; the content of zero is zero.
+    #[must_use]
+    pub fn primitive(&self) -> (Rational, Self) {
+        let common = self
+            .coefficients
+            .iter()
+            .fold(Integer::zero(), |g, c| g.gcd(c));
+        if common.is_zero() {
+            return (Rational::zero(), Self::zero());
+        }
+        let signed = if self.coefficients.first().is_some_and(Signed::is_negative) {
+            -common
+        } else {
+            common
+        };
+        let part = Self {
+            symbols: Arc::clone(&self.symbols),
+            exponents: self.exponents.clone(),
+            coefficients: self.coefficients.iter().map(|c| c / &signed).collect(),
+            denominator: Integer::one(),
+        };
+        (Rational::new(signed, self.denominator.clone()), part)
+    }
+
+    /// The coefficients by powers of `symbol`, ascending: `self = sum of coefficient * symbol^power`.
+    #[must_use]
+    pub fn coefficients_in(&self, symbol: &Symbol) -> Vec<Self> {
+        let Ok(column) = self.symbols.binary_search(symbol) else {
+            return if self.is_zero() {
+                vec![]
+            } else {
+                vec![self.clone()]
+            };
+        };
+        let mut rows = vec![(vec![], vec![]); usize::from(self.degree_in(symbol)) + 1];
+        for (row, coefficient) in self.rows().zip(&self.coefficients) {
+            let power = row.get(column).copied().unwrap_or(0);
+            if let Some((exponents, coefficients)) = rows.get_mut(usize::from(power)) {
+                exponents.extend(
+                    row.iter()
+                        .enumerate()
+                        .map(|(c, e)| if c == column { 0 } else { *e }),
+                );
+                coefficients.push(coefficient.clone());
+            }
+        }
+        rows.into_iter()
+            .map(|(exponents, coefficients)| {
+                Self::normalized(
+                    Arc::clone(&self.symbols),
+                    exponents,
+                    coefficients,
+                    self.denominator.clone(),
+                )
+            })
+            .collect()
+    }
+
+    /// The rows of exponents.
+    fn rows(&self) -> impl Iterator<Item = &[u16]> {
+        let width = self.symbols.len();
+        (0..self.coefficients.len()).map(move |term| {
+            self.exponents
+                .get(term * width..(term + 1) * width)
+                .unwrap_or(&[])
+        })
+    }
+
+    /// Brings sorted, merged, nonzero terms to normal form: drops symbols that do not occur and common
+    /// factors of the coefficients and the denominator.
+    fn normalized(
+        symbols: Arc<[Symbol]>,
+        exponents: Vec<u16>,
+        coefficients: Vec<Integer>,
+        denominator: Integer,
+    ) -> Self {
+        if coefficients.is_empty() {
+            return Self::zero();
+        }
+        let mut result = Self {
+            symbols,
+            exponents,
+            coefficients,
+            denominator,
+        };
+        result.drop_absent_symbols();
+        result.cancel_content();
+        result
+    }
+
+    fn drop_absent_symbols(&mut self) {
+        let width = self.symbols.len();
+        let mut occurs = vec![false; width];
+        for row in self.rows() {
+            for (seen, exponent) in occurs.iter_mut().zip(row) {
+                *seen |= *exponent > 0;
+            }
+        }
+        if occurs.iter().all(|seen| *seen) {
+            return;
+        }
+        self.exponents = self
+            .rows()
+            .flat_map(|row| {
+                row.iter()
+                    .zip(&occurs)
+                    .filter(|(_, seen)| **seen)
+                    .map(|(e, _)| *e)
+            })
+            .collect();
+        self.symbols = self
+            .symbols
+            .iter()
+            .zip(&occurs)
+            .filter(|(_, seen)| **seen)
+            .map(|(s, _)| s.clone())
+            .collect();
+    }
+
+    fn cancel_content(&mut self) {
+        let mut common = self.denominator.clone();
+        for coefficient in &self.coefficients {
+            if common.is_one() {
+                return;
+            }
+            common = common.gcd(coefficient);
+        }
+        if !common.is_one() {
+            self.denominator /= &common;
+            for coefficient in &mut self.coefficients {
+                *coefficient /= &common;
+            }
+        }
+    }
+
+    /// Sorts rows of exponents, merges equal ones and brings the result to normal form.
+    fn collected(
+        symbols: Arc<[Symbol]>,
+        mut terms: Vec<(Vec<u16>, Integer)>,
+        denominator: Integer,
+    ) -> Self {
+        terms.sort_by(|a, b| b.0.cmp(&a.0));
+        let mut exponents = Vec::with_capacity(terms.len() * symbols.len());
+        let mut coefficients: Vec<Integer> = Vec::with_capacity(terms.len());
+        let mut terms = terms.into_iter().peekable();
+        while let Some((row, mut coefficient)) = terms.next() {
+            while let Some((_, more)) = terms.next_if(|next| next.0 == row) {
+                coefficient += more;
+            }
+            if !coefficient.is_zero() {
+                exponents.extend(row);
+                coefficients.push(coefficient);
+            }
+        }
+        Self::normalized(symbols, exponents, coefficients, denominator)
+    }
+}
+
+impl From<Rational> for Polynomial {
+    fn from(value: Rational) -> Self {
+        Self::constant(&value)
+    }
+}
+
+impl fmt::Display for Polynomial {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_zero() {
+            return f.write_str("0");
+        }
+        for (position, term) in self.terms().enumerate() {
+            let negative = term.coefficient.is_negative();
+            f.write_str(match (position, negative) {
+                (0, false) => "",
+                (0, true) => "-",
+                (_, false) => " + ",
+                (_, true) => " - ",
+            })?;
+            let size = term.coefficient.abs();
+            let mut factors = vec![];
+            if !size.is_one() || term.powers.is_empty() {
+                factors.push(size.to_string());
+            }
+            factors.extend(term.powers.iter().map(|(symbol, exponent)| match exponent {
+                1 => symbol.to_string(),
+                _ => format!("{symbol}^{exponent}"),
+            }));
+            f.write_str(&factors.join("*"))?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Debug for Polynomial {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}

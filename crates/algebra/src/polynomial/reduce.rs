@@ -1,0 +1,84 @@
+//! The relations: sin^2 = 1 - cos^2 and sqrt(p)^2 = p, used as rewriting rules from left to right.
+//!
+//! Each rule lowers the degree of its symbol and the rules share no symbol on the left, so rewriting
+//! ends and does not depend on the order (the left sides are coprime powers, hence a Groebner basis).
+
+use super::Polynomial;
+use crate::rational::Integer;
+use crate::symbol::Symbol;
+use num_traits::One;
+use std::sync::Arc;
+
+impl Polynomial {
+    /// Applies the relations until every sine and every root has degree at most one.
+    pub(super) fn reduced(self) -> Self {
+        let over = |column: usize| {
+            let width = self.symbols.len();
+            self.exponents
+                .iter()
+                .skip(column)
+                .step_by(width.max(1))
+                .any(|e| *e > 1)
+        };
+        let rules: Vec<usize> = self
+            .symbols
+            .iter()
+            .enumerate()
+            .filter(|(column, s)| matches!(s, Symbol::Sin(..) | Symbol::Root(_)) && over(*column))
+            .map(|(column, _)| column)
+            .collect();
+        rules
+            .into_iter()
+            .filter_map(|column| self.symbols.get(column).cloned())
+            .fold(self.clone(), |p, symbol| p.reduced_in(&symbol))
+    }
+
+    fn reduced_in(self, symbol: &Symbol) -> Self {
+        let mut symbols: Vec<Symbol> = self.symbols.to_vec();
+        symbols.extend(symbol.partner());
+        symbols.sort();
+        symbols.dedup();
+        let symbols: Arc<[Symbol]> = Arc::from(symbols);
+        let rows = super::add::widened(&self, &symbols);
+        let column = symbols.binary_search(symbol).unwrap_or(0);
+        let cosine = symbol
+            .partner()
+            .and_then(|c| symbols.binary_search(&c).ok());
+        let mut terms = Vec::with_capacity(self.len());
+        for (row, coefficient) in rows.chunks(symbols.len()).zip(&self.coefficients) {
+            let mut row = row.to_vec();
+            let exponent = row.get(column).copied().unwrap_or(0);
+            if let Some(slot) = row.get_mut(column) {
+                *slot = exponent % 2;
+            }
+            let squares = exponent / 2;
+            match (symbol, cosine) {
+                (Symbol::Root(prime), _) => {
+                    terms.push((
+                        row,
+                        coefficient * Integer::from(*prime).pow(usize::from(squares)),
+                    ));
+                }
+                (_, Some(cosine)) => {
+                    // (1 - cos^2)^squares by the binomial theorem.
+                    let mut binomial = Integer::one();
+                    for j in 0..=squares {
+                        let mut term = row.clone();
+                        if let Some(slot) = term.get_mut(cosine) {
+                            *slot += 2 * j;
+                        }
+                        let signed = if j % 2 == 0 {
+                            binomial.clone()
+                        } else {
+                            -binomial.clone()
+                        };
+                        terms.push((term, coefficient * signed));
+                        binomial = binomial * Integer::from(squares - j) / Integer::from(j + 1);
+                    }
+                }
+                _ => terms.push((row, coefficient.clone())),
+            }
+        }
+        Self::collected(symbols, terms, self.denominator)
+    }
+}

@@ -1,0 +1,184 @@
+//! Sine and cosine of a quarter turn times a polynomial, where they are polynomials again, and the
+//! polynomial ring as a [`Scalar`].
+//!
+//! The argument may be an integer combination of variables plus a multiple of 1/2 or 1/3: sums of
+//! angles by the addition theorems, and the exact values at 30, 45 and 60 degrees.
+
+use super::Polynomial;
+use crate::rational::{Rational, integer, ratio};
+use crate::scalar::{ExactError, Scalar};
+use crate::symbol::{Angle, Symbol};
+use num_traits::{One, ToPrimitive, Zero};
+use std::sync::Arc;
+
+/// The largest multiple of a variable that is expanded.
+const MAX_MULTIPLE: u64 = 64;
+
+type Pair = (Polynomial, Polynomial);
+
+/// (sin, cos) of the sum of two angles.
+fn sum_of_angles((s1, c1): &Pair, (s2, c2): &Pair) -> Pair {
+    (&(s1 * c2) + &(c1 * s2), &(c1 * c2) - &(s1 * s2))
+}
+
+/// (sin, cos) of `turns` quarter turns for multiples of 1/2 and 1/3.
+fn constant_angle(turns: &Rational) -> Option<Pair> {
+    let sixths = (turns * integer(6)).to_integer();
+    if Rational::from_integer(sixths.clone()) != turns * integer(6) {
+        return None;
+    }
+    let sixths = num_integer::Integer::mod_floor(&sixths, &crate::Integer::from(24)).to_i64()?;
+    let root = |prime: u32| {
+        Polynomial::symbol(Symbol::Root(prime)).scaled(&ratio(1, 2).unwrap_or_else(Rational::one))
+    };
+    let half = || Polynomial::constant(&ratio(1, 2).unwrap_or_else(Rational::one));
+    // sin of n * 15 degrees in the first quadrant; 15 and 75 degrees mix roots and are left out.
+    let sine = |n: i64| -> Option<Polynomial> {
+        Some(match n {
+            0 => Polynomial::zero(),
+            2 => half(),
+            3 => root(2),
+            4 => root(3),
+            6 => Polynomial::integer(1),
+            _ => return None,
+        })
+    };
+    let at = |n: i64| -> Option<Polynomial> {
+        let n = n.rem_euclid(24);
+        match n {
+            0..=6 => sine(n),
+            7..=12 => sine(12 - n),
+            13..=18 => sine(n - 12).map(|p| -p),
+            _ => sine(24 - n).map(|p| -p),
+        }
+    };
+    Some((at(sixths)?, at(sixths + 6)?))
+}
+
+/// (sin, cos) of `angle` units of a polynomial argument.
+pub(crate) fn pair(argument: &Polynomial, angle: Angle) -> Result<Pair, ExactError> {
+    let refused = || ExactError::NoExactTurn {
+        argument: argument.to_string(),
+    };
+    let mut total: Pair = (Polynomial::zero(), Polynomial::integer(1));
+    for term in argument.terms() {
+        let part = match (term.powers.as_slice(), angle) {
+            ([], Angle::QuarterTurn) => constant_angle(&term.coefficient).ok_or_else(refused)?,
+            ([(Symbol::Named(name), 1)], _) if term.coefficient.is_integer() => {
+                let multiple = term.coefficient.to_integer().to_i64().ok_or_else(refused)?;
+                if multiple.unsigned_abs() > MAX_MULTIPLE {
+                    return Err(refused());
+                }
+                let sine = Polynomial::symbol(Symbol::Sin(Arc::clone(name), angle));
+                let cosine = Polynomial::symbol(Symbol::Cos(Arc::clone(name), angle));
+                let once = (if multiple < 0 { -sine } else { sine }, cosine);
+                (1..multiple.unsigned_abs()).fold(once.clone(), |sum, _| sum_of_angles(&sum, &once))
+            }
+            _ => return Err(refused()),
+        };
+        total = sum_of_angles(&total, &part);
+    }
+    Ok(total)
+}
+
+impl Polynomial {
+    /// `(sin(self), cos(self))` with `self` in radians: an integer combination of variables and
+    /// multiples of pi/4 and pi/6. A combination of quarter turns of variables (pi/2 * x) is taken as
+    /// such; the two kinds do not mix.
+    ///
+    /// # Errors
+    /// [`ExactError::NoExactTurn`] when the pair is not a polynomial in this ring's symbols.
+    pub fn sine_cosine(&self) -> Result<(Self, Self), ExactError> {
+        let by_pi = self.coefficients_in(&Symbol::Pi);
+        let refused = || ExactError::NoExactTurn {
+            argument: self.to_string(),
+        };
+        if by_pi.len() > 2 {
+            return Err(refused());
+        }
+        let radians = by_pi.first().cloned().unwrap_or_else(Self::zero);
+        let turns = by_pi
+            .get(1)
+            .cloned()
+            .unwrap_or_else(Self::zero)
+            .scaled(&integer(2));
+        Ok(sum_of_angles(
+            &pair(&radians, Angle::Radian)?,
+            &pair(&turns, Angle::QuarterTurn)?,
+        ))
+    }
+
+    /// The positive square root of a nonnegative rational number, as a rational multiple of square
+    /// roots of primes.
+    ///
+    /// # Errors
+    /// [`ExactError::NoSquareRoot`] for negative numbers and for those whose square-free part has a
+    /// prime factor above one million.
+    ///
+    /// ```
+    /// use torse_algebra::{Polynomial, rational::ratio};
+    /// assert_eq!(Polynomial::square_root(&ratio(9, 8).unwrap()).unwrap().to_string(), "3/4*sqrt(2)");
+    /// ```
+    pub fn square_root(radicand: &Rational) -> Result<Self, ExactError> {
+        let refused = || ExactError::NoSquareRoot {
+            radicand: radicand.to_string(),
+        };
+        if *radicand < Rational::zero() {
+            return Err(refused());
+        }
+        // sqrt(a/b) = sqrt(a b) / b
+        let mut rest = radicand.numer() * radicand.denom();
+        let mut root = Self::constant(&Rational::new(1.into(), radicand.denom().clone()));
+        if rest.is_zero() {
+            return Ok(Self::zero());
+        }
+        let mut prime = crate::Integer::from(2);
+        let limit = crate::Integer::from(1_000_000);
+        while &prime * &prime <= rest && prime <= limit {
+            let mut exponent = 0;
+            while (&rest % &prime).is_zero() {
+                rest /= &prime;
+                exponent += 1;
+            }
+            root = &root * &root_factor(&prime, exponent).ok_or_else(refused)?;
+            prime += crate::Integer::one();
+        }
+        if !rest.is_one() {
+            if &prime * &prime <= rest {
+                return Err(refused());
+            }
+            root = &root * &root_factor(&rest, 1).ok_or_else(refused)?;
+        }
+        Ok(root)
+    }
+}
+
+/// sqrt(prime^exponent).
+fn root_factor(prime: &crate::Integer, exponent: usize) -> Option<Polynomial> {
+    let whole = Polynomial::constant(&Rational::from_integer(prime.pow(exponent / 2)));
+    if exponent.is_multiple_of(2) {
+        return Some(whole);
+    }
+    Some(&whole * &Polynomial::symbol(Symbol::Root(u32::try_from(prime.clone()).ok()?)))
+}
+
+impl Scalar for Polynomial {
+    fn constant(&self, q: &Rational) -> Self {
+        Polynomial::constant(q)
+    }
+
+    fn divided_by(&self, divisor: &Self) -> Result<Self, ExactError> {
+        self.exact_quotient(divisor)
+            .ok_or_else(|| ExactError::DivisionByZero {
+                divisor: divisor.to_string(),
+            })
+    }
+
+    fn quarter_turn(&self) -> Result<(Self, Self), ExactError> {
+        pair(self, Angle::QuarterTurn)
+    }
+
+    fn scaled(&self, q: &Rational) -> Self {
+        Polynomial::scaled(self, q)
+    }
+}
