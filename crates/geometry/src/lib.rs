@@ -1,1 +1,16 @@
-//! geometry
+//! Bases, curves, surfaces, plane families, developables and joins, written once for every scalar.
+#![warn(missing_docs)]
+
+pub mod basis;
+pub mod coordinate;
+pub mod curve;
+pub mod error;
+pub mod planes;
+mod series;
+pub mod vector;
+
+pub use basis::{Basis, Bernstein, Gbt, hermite};
+pub use coordinate::Coordinate;
+pub use curve::Curve;
+pub use error::{GeometryError, Result};
+pub use planes::{Plane, PlaneFamily, Ruling};

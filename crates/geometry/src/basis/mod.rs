@@ -1,0 +1,214 @@
+//! Basis families by their seeds.
+//!
+//! A family is three *seeds* `g0, g1, g2` of degree two with sum one. The basis of degree `k` is the
+//! Bernstein blend of the seeds,
+//!
+//! ```text
+//! g[i,k](x) = (1 - x) g[i,k-1](x) + x g[i-1,k-1](x)            (k >= 3)
+//! sum_i g[i,k](x) R[i] = ((1-x) + x E)^(k-2) (g0 + g1 E + g2 E^2) R[0],   E the index shift
+//! ```
+//!
+//! (gbt-developable eq. (2.1), gbt-surfaces eq. (2)), so a curve of degree `k` is a Bernstein curve of
+//! degree `k-2` of local quadratics. Degree one is the linear Bernstein basis for every family
+//! (gbt-surfaces eq. (10)).
+//!
+//! Derivatives come from the same recursion on truncated Taylor series: with `c[n]` the n-th Taylor
+//! coefficient at `x`,
+//!
+//! ```text
+//! c[n][i,k] = (1-x) c[n][i,k-1] + x c[n][i-1,k-1] + c[n-1][i-1,k-1] - c[n-1][i,k-1].
+//! ```
+
+mod bernstein;
+mod gbt;
+pub mod hermite;
+
+pub use bernstein::Bernstein;
+pub use gbt::Gbt;
+
+use crate::coordinate::Coordinate;
+use crate::error::{GeometryError, Result};
+use torse_algebra::ExactError;
+
+/// A basis family: three seeds of degree two, and by the blend every degree.
+///
+/// Implement [`seeds`](Basis::seeds), [`seed_series`](Basis::seed_series) and
+/// [`reversed`](Basis::reversed) for a new family; curves, surfaces, plane families and joins then
+/// work on it.
+///
+/// ```
+/// use torse_geometry::{Basis, Gbt};
+/// let gbt = Gbt::new(0.5, -0.25)?;
+/// let row = gbt.row(4, &0.3)?;
+/// assert_eq!(row.len(), 5);
+/// assert!((row.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
+    /// The seeds `[g0, g1, g2]` at `x` in [0, 1].
+    ///
+    /// # Errors
+    /// [`ExactError`] where the seeds are not numbers of this kind at `x`.
+    fn seeds(&self, x: &S) -> Result<[S; 3], ExactError>;
+
+    /// The Taylor coefficients of the seeds at `x`, `order + 1` each (`f^(n)(x) / n!` at index `n`).
+    ///
+    /// # Errors
+    /// As [`Basis::seeds`].
+    fn seed_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3], ExactError>;
+
+    /// The family whose basis functions at `x` are these at `1 - x` in reversed order.
+    #[must_use]
+    fn reversed(&self) -> Self;
+
+    /// The `degree + 1` basis functions at `x`.
+    ///
+    /// # Errors
+    /// [`GeometryError::OutOfRange`] for degree zero, [`GeometryError::Exact`] from the seeds.
+    fn row(&self, degree: usize, x: &S) -> Result<Vec<S>> {
+        let mut row = vec![x.zero(); degree + 1];
+        self.row_into(x, &mut row)?;
+        Ok(row)
+    }
+
+    /// The basis functions at `x` into the caller's buffer, whose length is the degree plus one.
+    ///
+    /// # Errors
+    /// As [`Basis::row`].
+    fn row_into(&self, x: &S, row: &mut [S]) -> Result<()> {
+        let one_minus_x = x.one() - x.clone();
+        match row {
+            [] | [_] => return Err(degree_zero()),
+            [first, second] => {
+                *first = one_minus_x;
+                *second = x.clone();
+                return Ok(());
+            }
+            [first, second, third, ..] => {
+                let [g0, g1, g2] = self.seeds(x)?;
+                (*first, *second, *third) = (g0, g1, g2);
+            }
+        }
+        for degree in 3..row.len() {
+            let Some(active) = row.get_mut(..=degree) else {
+                break;
+            };
+            let mut lower = x.zero();
+            let (last, rest) = match active.split_last_mut() {
+                Some((last, rest)) => (last, rest),
+                None => break,
+            };
+            for entry in rest {
+                let old = entry.clone();
+                *entry = one_minus_x.clone() * old.clone() + x.clone() * lower;
+                lower = old;
+            }
+            *last = x.clone() * lower;
+        }
+        Ok(())
+    }
+
+    /// The derivative rows at `x`: entry `[n][i]` is the n-th derivative of basis function `i`.
+    ///
+    /// # Errors
+    /// As [`Basis::row`].
+    ///
+    /// ```
+    /// use torse_geometry::{Basis, Gbt};
+    /// // gbt-developable eq. (3.11): H'(0) = (k - 2 + pi/2 (1 + mu)) (Q1 - Q0).
+    /// let rows = Gbt::new(0.5, 0.0)?.derivative_rows(5, &0.0, 1)?;
+    /// let slope = 3.0 + std::f64::consts::FRAC_PI_2 * 1.5;
+    /// assert!((rows[1][1] - slope).abs() < 1e-14 && (rows[1][0] + slope).abs() < 1e-14);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    fn derivative_rows(&self, degree: usize, x: &S, order: usize) -> Result<Vec<Vec<S>>> {
+        let mut rows = self.series_rows(degree, x, order)?;
+        let mut factorial = x.one();
+        for (n, row) in rows.iter_mut().enumerate().skip(2) {
+            factorial = factorial * x.natural(n);
+            for entry in row {
+                *entry = entry.clone() * factorial.clone();
+            }
+        }
+        Ok(rows)
+    }
+
+    /// The Taylor rows at `x`: entry `[n][i]` is the n-th derivative of basis function `i` over `n!`.
+    ///
+    /// # Errors
+    /// As [`Basis::row`].
+    fn series_rows(&self, degree: usize, x: &S, order: usize) -> Result<Vec<Vec<S>>> {
+        let one_minus_x = x.one() - x.clone();
+        let seeds: Vec<Vec<S>> = match degree {
+            0 => return Err(degree_zero()),
+            1 => {
+                let linear = |value: S, slope: S| {
+                    let mut series = vec![value, slope];
+                    series.resize(order + 1, x.zero());
+                    series
+                };
+                vec![
+                    linear(one_minus_x.clone(), -x.one()),
+                    linear(x.clone(), x.one()),
+                ]
+            }
+            _ => self.seed_series(x, order)?.into(),
+        };
+        let mut rows: Vec<Vec<S>> = (0..=order)
+            .map(|n| {
+                seeds
+                    .iter()
+                    .filter_map(|series| series.get(n).cloned())
+                    .collect()
+            })
+            .collect();
+        for _ in 3..=degree {
+            // Row n needs the old row n-1: keep it while walking up.
+            let mut below: Option<Vec<S>> = None;
+            for row in &mut rows {
+                let old = std::mem::take(row);
+                let entry = |list: &[S], i: usize| list.get(i).cloned().unwrap_or_else(|| x.zero());
+                let shifted = |list: &[S], i: usize| match i.checked_sub(1) {
+                    Some(j) => entry(list, j),
+                    None => x.zero(),
+                };
+                *row = (0..=old.len())
+                    .map(|i| {
+                        let blend =
+                            one_minus_x.clone() * entry(&old, i) + x.clone() * shifted(&old, i);
+                        match &below {
+                            Some(b) => blend + shifted(b, i) - entry(b, i),
+                            None => blend,
+                        }
+                    })
+                    .collect();
+                below = Some(old);
+            }
+        }
+        Ok(rows)
+    }
+}
+
+fn degree_zero() -> GeometryError {
+    GeometryError::OutOfRange {
+        name: "degree",
+        value: "0".to_owned(),
+        range: "{1, 2, 3, ...}",
+    }
+}
+
+/// The Bernstein polynomials of any degree, zero included, at `x`.
+pub(crate) fn blend_row<S: Coordinate>(degree: usize, x: &S) -> Vec<S> {
+    let one_minus_x = x.one() - x.clone();
+    let mut row = vec![x.one()];
+    for _ in 0..degree {
+        let mut lower = x.zero();
+        for entry in &mut row {
+            let old = entry.clone();
+            *entry = one_minus_x.clone() * old.clone() + x.clone() * lower;
+            lower = old;
+        }
+        row.push(x.clone() * lower);
+    }
+    row
+}

@@ -1,0 +1,152 @@
+//! What geometry asks of a scalar beyond the ring operations: whether it is finite, and its sign as
+//! far as it is known.
+//!
+//! The papers' ranges ("mu in [-1, 1]", "gamma > 0") are checked once, at the door, for every kind of
+//! scalar: a value is refused when it *provably* violates its range. A formal parameter or a ball
+//! that straddles the bound has no known sign and passes; the answer is then an identity or an
+//! enclosure and carries its own conditions.
+
+use std::cmp::Ordering;
+use torse_algebra::{ExactError, Fraction, Rational, Scalar};
+
+use crate::error::{GeometryError, Result};
+
+/// A scalar that can be a coordinate, a weight or a shape parameter.
+pub trait Coordinate: Scalar {
+    /// `false` for NaN and infinities.
+    #[must_use]
+    fn is_finite(&self) -> bool {
+        true
+    }
+
+    /// The order relation to zero, or `None` where it is not known (formal symbols, balls that
+    /// contain zero, NaN).
+    #[must_use]
+    fn sign(&self) -> Option<Ordering>;
+
+    /// Half of pi in the context of `self`: what differentiating a quarter turn brings in.
+    ///
+    /// # Errors
+    /// [`ExactError::NoPi`] where pi is not a number of this kind (rationals).
+    fn half_pi(&self) -> Result<Self, ExactError> {
+        self.pi_like()?.divided_by(&self.natural(2))
+    }
+
+    /// Zero like `self`; the same as [`Scalar::zero_like`], without the detour through rationals
+    /// where speed matters.
+    #[must_use]
+    fn zero(&self) -> Self {
+        self.zero_like()
+    }
+
+    /// One like `self`; see [`Coordinate::zero`].
+    #[must_use]
+    fn one(&self) -> Self {
+        self.one_like()
+    }
+
+    /// A small natural number like `self`.
+    #[must_use]
+    fn natural(&self, n: usize) -> Self {
+        self.constant(&Rational::from_integer(n.into()))
+    }
+}
+
+impl Coordinate for f64 {
+    fn is_finite(&self) -> bool {
+        f64::is_finite(*self)
+    }
+
+    fn sign(&self) -> Option<Ordering> {
+        self.partial_cmp(&0.0)
+    }
+
+    fn half_pi(&self) -> Result<Self, ExactError> {
+        Ok(std::f64::consts::FRAC_PI_2)
+    }
+
+    fn zero(&self) -> Self {
+        0.0
+    }
+
+    fn one(&self) -> Self {
+        1.0
+    }
+
+    #[allow(clippy::cast_precision_loss)]
+    fn natural(&self, n: usize) -> Self {
+        n as f64
+    }
+}
+
+impl Coordinate for Rational {
+    fn sign(&self) -> Option<Ordering> {
+        let zero = Rational::from_integer(0.into());
+        Some(self.cmp(&zero))
+    }
+}
+
+impl Coordinate for Fraction {
+    fn sign(&self) -> Option<Ordering> {
+        if self.is_zero() {
+            return Some(Ordering::Equal);
+        }
+        self.as_rational().and_then(|q| q.sign())
+    }
+}
+
+/// A scalar as text for error messages.
+pub(crate) fn text<S: Scalar>(value: &S) -> String {
+    format!("{value:?}")
+}
+
+/// Refuses NaN and infinities.
+pub(crate) fn check_finite<'a, S: Coordinate + 'a>(
+    what: &'static str,
+    values: impl IntoIterator<Item = &'a S>,
+) -> Result<()> {
+    for (index, value) in values.into_iter().enumerate() {
+        if !value.is_finite() {
+            return Err(GeometryError::NotFinite {
+                what,
+                index,
+                value: text(value),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Refuses what is not finite or provably not positive.
+pub(crate) fn check_positive<S: Coordinate>(name: &'static str, value: &S) -> Result<()> {
+    check_finite(name, [value])?;
+    match value.sign() {
+        Some(Ordering::Less | Ordering::Equal) => Err(GeometryError::OutOfRange {
+            name,
+            value: text(value),
+            range: "(0, infinity)",
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses what is not finite or provably outside [-1, 1].
+pub(crate) fn check_shape<S: Coordinate>(name: &'static str, value: &S) -> Result<()> {
+    check_finite(name, [value])?;
+    let one = value.one();
+    let above = (value.clone() - one.clone()).sign() == Some(Ordering::Greater);
+    let below = (value.clone() + one).sign() == Some(Ordering::Less);
+    if above || below {
+        return Err(GeometryError::OutOfRange {
+            name,
+            value: text(value),
+            range: "[-1, 1]",
+        });
+    }
+    Ok(())
+}
+
+/// Whether a value is known to be exactly zero.
+pub(crate) fn is_zero<S: Coordinate>(value: &S) -> bool {
+    value.sign() == Some(Ordering::Equal)
+}

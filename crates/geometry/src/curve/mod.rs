@@ -1,0 +1,168 @@
+//! Curves in any dimension over any basis family and scalar.
+
+use crate::basis::{Basis, Gbt};
+use crate::coordinate::{Coordinate, check_finite};
+use crate::error::{GeometryError, Result};
+use crate::vector::{combine, scale, sub};
+
+/// A curve `G(x) = sum_i g[i,k](x) R[i]`, `x` in [0, 1] (gbt-developable eq. (2.2), gbt-surfaces eq. (3)).
+///
+/// The degree is the number of control points minus one, and at least one. The curve starts in its
+/// first control point, ends in its last and, for shape parameters in [-1, 1], lies in the convex
+/// hull of all.
+///
+/// ```
+/// use torse_geometry::{Curve, Gbt};
+/// let curve = Curve::new(Gbt::new(1.0, 1.0)?, vec![[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]])?;
+/// assert_eq!(curve.degree(), 3);
+/// assert_eq!(curve.point(&0.0)?, [0.0, 0.0]);
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve<B, S, const D: usize> {
+    basis: B,
+    points: Vec<[S; D]>,
+}
+
+impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
+    /// The curve with these control points.
+    ///
+    /// # Errors
+    /// [`GeometryError::TooFew`] for fewer than two points, [`GeometryError::NotFinite`] for NaN and
+    /// infinite coordinates.
+    ///
+    /// ```
+    /// use torse_geometry::{Bernstein, Curve};
+    /// let error = Curve::new(Bernstein, vec![[0.0, 0.0], [f64::NAN, 1.0]]).unwrap_err();
+    /// assert_eq!(error.to_string(), "control point, entry 2: NaN is not a finite number");
+    /// let error = Curve::new(Bernstein, vec![[0.0, 0.0]]).unwrap_err();
+    /// assert_eq!(error.to_string(), "control points: 1 given, at least 2 needed");
+    /// ```
+    pub fn new(basis: B, points: Vec<[S; D]>) -> Result<Self> {
+        if points.len() < 2 {
+            return Err(GeometryError::TooFew {
+                what: "control points",
+                needed: 2,
+                given: points.len(),
+            });
+        }
+        check_finite("control point", points.iter().flatten())?;
+        Ok(Self { basis, points })
+    }
+
+    /// The degree `k`.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.points.len().saturating_sub(1)
+    }
+
+    /// The basis family.
+    #[must_use]
+    pub fn basis(&self) -> &B {
+        &self.basis
+    }
+
+    /// The control points `R[0], .., R[k]`.
+    #[must_use]
+    pub fn points(&self) -> &[[S; D]] {
+        &self.points
+    }
+
+    /// The point `G(x)`.
+    ///
+    /// # Errors
+    /// [`GeometryError::Exact`] where the basis is not a number of this kind at `x`.
+    pub fn point(&self, x: &S) -> Result<[S; D]> {
+        let row = self.basis.row(self.degree(), x)?;
+        Ok(self.combined(&row, x))
+    }
+
+    /// The derivatives `[G(x), G'(x), .., G^(order)(x)]`.
+    ///
+    /// # Errors
+    /// As [`Curve::point`].
+    pub fn derivatives(&self, x: &S, order: usize) -> Result<Vec<[S; D]>> {
+        let rows = self.basis.derivative_rows(self.degree(), x, order)?;
+        Ok(rows.iter().map(|row| self.combined(row, x)).collect())
+    }
+
+    /// The Taylor coefficients of each coordinate at `x`: entry `[axis][n]` is the n-th derivative
+    /// over `n!`.
+    pub(crate) fn series(&self, x: &S, order: usize) -> Result<[Vec<S>; D]> {
+        let rows = self.basis.series_rows(self.degree(), x, order)?;
+        let points: Vec<[S; D]> = rows.iter().map(|row| self.combined(row, x)).collect();
+        Ok(std::array::from_fn(|axis| {
+            points.iter().map(|p| p[axis].clone()).collect()
+        }))
+    }
+
+    /// The same curve traversed backwards: `x -> G(1 - x)`.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self {
+            basis: self.basis.reversed(),
+            points: self.points.iter().rev().cloned().collect(),
+        }
+    }
+
+    /// The curve whose control points are the images of these under `map`.
+    ///
+    /// For affine maps this is the image of the curve (affine invariance, from the partition of unity).
+    #[must_use]
+    pub fn mapped<const E: usize>(&self, map: impl Fn(&[S; D]) -> [S; E]) -> Curve<B, S, E> {
+        Curve {
+            basis: self.basis.clone(),
+            points: self.points.iter().map(map).collect(),
+        }
+    }
+
+    fn combined(&self, row: &[S], x: &S) -> [S; D] {
+        combine(row, &self.points).unwrap_or_else(|| std::array::from_fn(|_| x.zero()))
+    }
+}
+
+impl<S: Coordinate, const D: usize> Curve<Gbt<S>, S, D> {
+    /// `[dG/d mu, dG/d nu]` at `x` (gbt-developable eqs. (2.3), (2.4), corrected).
+    ///
+    /// `G` is affine in both shape parameters:
+    ///
+    /// ```text
+    /// dG/d mu = s(1-s) sum_j B[j,k-2](x) (R[j+1] - R[j])
+    /// dG/d nu = c(1-c) sum_j B[j,k-2](x) (R[j+1] - R[j+2])
+    /// ```
+    ///
+    /// with `B` the Bernstein polynomials; the print has powers of sine and cosine where the blend is
+    /// polynomial. Zero for degree one, which has no shape.
+    ///
+    /// # Errors
+    /// As [`Curve::point`].
+    ///
+    /// ```
+    /// use torse_geometry::{Curve, Gbt};
+    /// let at = |mu: f64| Curve::new(Gbt::new(mu, 0.5)?, vec![[0.0], [1.0], [4.0], [2.0], [0.0]]);
+    /// let [by_mu, _] = at(0.0)?.shape_derivatives(&0.4)?;
+    /// let step = at(0.75)?.point(&0.4)?[0] - at(-0.25)?.point(&0.4)?[0];
+    /// assert!((step - by_mu[0]).abs() < 1e-15);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn shape_derivatives(&self, x: &S) -> Result<[[S; D]; 2]> {
+        let zero = || std::array::from_fn(|_| x.zero());
+        let differences: Vec<[S; D]> = self
+            .points
+            .iter()
+            .zip(self.points.iter().skip(1))
+            .map(|(a, b)| sub(b, a))
+            .collect();
+        if differences.len() < 2 {
+            return Ok([zero(), zero()]);
+        }
+        let blend = crate::basis::blend_row(differences.len() - 2, x);
+        let [by_mu, by_nu] = self.basis.shape_factors(x)?;
+        let later: Vec<[S; D]> = differences.iter().skip(1).cloned().collect();
+        let sum = |list: &[[S; D]]| combine(&blend, list).unwrap_or_else(zero);
+        Ok([
+            scale(&by_mu, &sum(&differences)),
+            scale(&-by_nu, &sum(&later)),
+        ])
+    }
+}

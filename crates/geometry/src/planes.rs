@@ -1,0 +1,308 @@
+//! One-parameter families of planes and the developable surfaces that they envelop.
+//!
+//! By duality a curve in the space of planes is a developable surface: its points are planes
+//! `a0 X + a1 Y + a2 Z = a3`, and neighbouring planes meet in a *ruling* (generator). With
+//! `a = (a0, a1, a2)` and the prime for d/dx,
+//!
+//! ```text
+//! direction  phi = a x a'
+//! moment     theta = a3' a - a3 a'
+//! foot       psi = (phi x theta) / (phi . phi)       the point of the ruling nearest to the origin
+//! regression S = (a3 (a' x a'') + a3' (a'' x a) + a3'' (a x a')) / det(a, a', a'')
+//! ```
+//!
+//! (gbt-developable eqs. (3.5) to (3.9); the signs in `psi` and `S` are derived here, the print of the
+//! Z component of `psi` has a slip). `S` runs on the edge of regression, the *spine curve*; the surface
+//! is regular away from it.
+
+use crate::basis::Basis;
+use crate::coordinate::{Coordinate, is_zero, text};
+use crate::curve::Curve;
+use crate::error::{GeometryError, Result};
+use crate::series;
+use crate::vector::{add, cross, det, dot, scale, sub};
+use torse_algebra::ExactError;
+
+/// A plane `[p, q, r, s]`: the points with `p X + q Y + r Z = s`.
+pub type Plane<S> = [S; 4];
+
+/// A family of planes `H(x) = sum_i g[i,k](x) Q[i]` with control planes `Q[i] = [p, q, r, s]`
+/// (gbt-developable eqs. (3.1) to (3.4)).
+///
+/// ```
+/// use torse_geometry::{Gbt, PlaneFamily};
+/// // gbt-developable Example 4.1: all planes are parallel to the x axis.
+/// let planes = vec![
+///     [0.0, -20.0, 10.0, 400.0], [0.0, -10.0, 20.0, 400.0],
+///     [0.0, 10.0, 20.0, 400.0], [0.0, 20.0, 10.0, 400.0],
+/// ];
+/// let family = PlaneFamily::new(Gbt::new(0.3, 0.3)?, planes)?;
+/// let ruling = family.ruling(&0.25)?;
+/// // So the surface is a cylinder: every ruling runs along x.
+/// assert!(ruling.direction[0].abs() > 1.0);
+/// assert_eq!([ruling.direction[1], ruling.direction[2]], [0.0, 0.0]);
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaneFamily<B, S> {
+    planes: Curve<B, S, 4>,
+}
+
+/// The line in which a plane of a family meets its neighbour.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Ruling<S> {
+    /// The direction `phi = a x a'`; its length is not normalised.
+    pub direction: [S; 3],
+    /// The moment `theta = a3' a - a3 a'`; with `phi` the Pluecker coordinates of the line.
+    pub moment: [S; 3],
+    /// The point of the line nearest to the origin, `psi`.
+    pub foot: [S; 3],
+}
+
+impl<S: Coordinate> Ruling<S> {
+    /// The point `x1 phi + psi` (gbt-developable eq. (3.7)).
+    #[must_use]
+    pub fn point(&self, x1: &S) -> [S; 3] {
+        add(&scale(x1, &self.direction), &self.foot)
+    }
+
+    /// The parameter `x1` of the intersection with a plane.
+    ///
+    /// # Errors
+    /// [`GeometryError::RulingParallelToPlane`], naming `parameter`, when they do not meet in one point.
+    pub fn meets(&self, plane: &Plane<S>, parameter: &S) -> Result<S> {
+        let [p, q, r, s] = plane.clone();
+        let normal = [p, q, r];
+        let distance = s - dot(&normal, &self.foot);
+        distance
+            .divided_by(&dot(&normal, &self.direction))
+            .map_err(|_| GeometryError::RulingParallelToPlane {
+                parameter: text(parameter),
+            })
+    }
+}
+
+impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
+    /// The family with these control planes.
+    ///
+    /// # Errors
+    /// [`GeometryError::TooFew`] for fewer than three planes (two span a pencil, whose planes share one
+    /// line), [`GeometryError::NotFinite`], [`GeometryError::Degenerate`] for a control plane without
+    /// normal, [`GeometryError::ParallelPlanes`] when all control planes are parallel.
+    ///
+    /// ```
+    /// use torse_geometry::{Bernstein, GeometryError, PlaneFamily};
+    /// let flat = vec![[0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 2.0, 5.0], [0.0, 0.0, 1.0, 3.0]];
+    /// assert_eq!(
+    ///     PlaneFamily::new(Bernstein, flat).unwrap_err(),
+    ///     GeometryError::ParallelPlanes { first: 0, second: 2 },
+    /// );
+    /// let no_normal = vec![[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, 5.0], [0.0, 0.0, 1.0, 3.0]];
+    /// assert!(matches!(
+    ///     PlaneFamily::new(Bernstein, no_normal),
+    ///     Err(GeometryError::Degenerate { what: "normal of a control plane", .. }),
+    /// ));
+    /// ```
+    pub fn new(basis: B, planes: Vec<Plane<S>>) -> Result<Self> {
+        if planes.len() < 3 {
+            return Err(GeometryError::TooFew {
+                what: "control planes",
+                needed: 3,
+                given: planes.len(),
+            });
+        }
+        let vanishes = |v: &[S; 3]| v.iter().all(is_zero);
+        let normals: Vec<[S; 3]> = planes.iter().map(normal_of).collect();
+        if let Some(index) = normals.iter().position(vanishes) {
+            return Err(GeometryError::Degenerate {
+                what: "normal of a control plane",
+                at: index.to_string(),
+            });
+        }
+        let curve = Curve::new(basis, planes)?;
+        let all_parallel = normals
+            .first()
+            .is_some_and(|first| normals.iter().all(|n| vanishes(&cross(first, n))));
+        if all_parallel {
+            return Err(GeometryError::ParallelPlanes {
+                first: 0,
+                second: normals.len() - 1,
+            });
+        }
+        Ok(Self { planes: curve })
+    }
+
+    /// The family as a curve in the space of planes.
+    #[must_use]
+    pub fn curve(&self) -> &Curve<B, S, 4> {
+        &self.planes
+    }
+
+    /// The degree `k`.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.planes.degree()
+    }
+
+    /// The plane `H(x)`, tangent to the surface along the ruling of `x`.
+    ///
+    /// # Errors
+    /// [`GeometryError::Exact`] where the basis is not a number of this kind at `x`.
+    pub fn plane(&self, x: &S) -> Result<Plane<S>> {
+        self.planes.point(x)
+    }
+
+    /// The ruling `H(x), H'(x)` meet in.
+    ///
+    /// # Errors
+    /// [`GeometryError::NoRuling`] where the two planes are parallel or coincide.
+    ///
+    /// ```
+    /// use torse_geometry::{Bernstein, GeometryError, PlaneFamily};
+    /// // gbt-developable Example 4.2 as printed has Q1 = Q2 and Q0 = -Q3 up to the last coordinate's
+    /// // sign; a family that stands still at its start has no ruling there:
+    /// let q = [0.0, 1.0, 0.0, 1.0];
+    /// let family = PlaneFamily::new(Bernstein, vec![q, q, [1.0, 0.0, 0.0, 1.0]])?;
+    /// assert_eq!(
+    ///     family.ruling(&0.0).unwrap_err(),
+    ///     GeometryError::NoRuling { parameter: "0.0".to_owned() },
+    /// );
+    /// # Ok::<(), GeometryError>(())
+    /// ```
+    pub fn ruling(&self, x: &S) -> Result<Ruling<S>> {
+        let jet = self.planes.derivatives(x, 1)?;
+        let [plane, slope] = jet.as_slice() else {
+            return Err(no_ruling(x));
+        };
+        ruling_of(plane, slope).map_err(|_| no_ruling(x))
+    }
+
+    /// The point `S(x)` of the edge of regression (spine curve), gbt-developable eq. (3.9).
+    ///
+    /// # Errors
+    /// [`GeometryError::NoCharacteristicPoint`] where `det(a, a', a'')` vanishes: at every `x` for
+    /// cylinders.
+    ///
+    /// ```
+    /// use torse_geometry::{Bernstein, PlaneFamily};
+    /// // Osculating planes of the twisted cubic (t, t^2, t^3): 3t^2 X - 3t Y + Z = t^3.
+    /// let planes = vec![[0., 0., 1., 0.], [0., -1., 1., 0.], [1., -2., 1., 0.], [3., -3., 1., 1.]];
+    /// let family = PlaneFamily::new(Bernstein, planes)?;
+    /// let t = 0.6;
+    /// let s = family.characteristic_point(&t)?;
+    /// assert!((s[0] - t).abs() < 1e-14 && (s[1] - t * t).abs() < 1e-14 && (s[2] - t * t * t).abs() < 1e-14);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn characteristic_point(&self, x: &S) -> Result<[S; 3]> {
+        let jet = self.planes.derivatives(x, 2)?;
+        let [h0, h1, h2] = jet.as_slice() else {
+            return Err(no_point(x));
+        };
+        let [a, b, c] = [h0, h1, h2].map(normal_of);
+        let volume = det(&a, &b, &c);
+        let numerator = add(
+            &add(
+                &scale(&h0[3], &cross(&b, &c)),
+                &scale(&h1[3], &cross(&c, &a)),
+            ),
+            &scale(&h2[3], &cross(&a, &b)),
+        );
+        divide(&numerator, &volume).map_err(|_| no_point(x))
+    }
+
+    /// The Taylor coefficients at `x` of foot and direction of the rulings, `order + 1` each.
+    ///
+    /// # Errors
+    /// As [`PlaneFamily::ruling`].
+    pub(crate) fn ruling_series(&self, x: &S, order: usize) -> Result<[[Vec<S>; 3]; 2]> {
+        let [a0, a1, a2, a3] = self.planes.series(x, order + 1)?;
+        let a = [a0, a1, a2];
+        let slope = [0, 1, 2].map(|i: usize| series::derivative(&a[i]));
+        let a3_slope = series::derivative(&a3);
+        let phi = series::cross(&a, &slope);
+        let theta = [0, 1, 2].map(|i: usize| {
+            series::difference(
+                &series::product(&a3_slope, &a[i]),
+                &series::product(&a3, &slope[i]),
+            )
+        });
+        let square = series::dot(&phi, &phi);
+        let numerator = series::cross(&phi, &theta);
+        Ok([
+            series_over(&numerator, &square).map_err(|_| no_ruling(x))?,
+            phi,
+        ])
+    }
+
+    /// The Taylor coefficients at `x` of the edge of regression, `order + 1` each.
+    ///
+    /// # Errors
+    /// As [`PlaneFamily::characteristic_point`].
+    pub(crate) fn spine_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3]> {
+        let h = self.planes.series(x, order + 2)?;
+        let h1 = [0, 1, 2, 3].map(|i: usize| series::derivative(&h[i]));
+        let h2 = [0, 1, 2, 3].map(|i: usize| series::derivative(&h1[i]));
+        let normal = |h: &[Vec<S>; 4]| [h[0].clone(), h[1].clone(), h[2].clone()];
+        let (a, b, c) = (normal(&h), normal(&h1), normal(&h2));
+        let bc = series::cross(&b, &c);
+        let (ca, ab) = (series::cross(&c, &a), series::cross(&a, &b));
+        let volume = series::dot(&a, &bc);
+        let numerator = [0, 1, 2].map(|i: usize| {
+            let first = series::sum(
+                &series::product(&h[3], &bc[i]),
+                &series::product(&h1[3], &ca[i]),
+            );
+            series::sum(&first, &series::product(&h2[3], &ab[i]))
+        });
+        series_over(&numerator, &volume).map_err(|_| no_point(x))
+    }
+}
+
+/// The ruling in which a plane and the derivative of its family meet.
+///
+/// # Errors
+/// [`ExactError::DivisionByZero`] when the planes are parallel.
+pub fn ruling_of<S: Coordinate>(
+    plane: &Plane<S>,
+    slope: &Plane<S>,
+) -> Result<Ruling<S>, ExactError> {
+    let (a, b) = (normal_of(plane), normal_of(slope));
+    let direction = cross(&a, &b);
+    let moment = sub(&scale(&slope[3], &a), &scale(&plane[3], &b));
+    let foot = divide(&cross(&direction, &moment), &dot(&direction, &direction))?;
+    Ok(Ruling {
+        direction,
+        moment,
+        foot,
+    })
+}
+
+/// The normal `(p, q, r)` of a plane.
+#[must_use]
+pub fn normal_of<S: Clone>(plane: &Plane<S>) -> [S; 3] {
+    [plane[0].clone(), plane[1].clone(), plane[2].clone()]
+}
+
+fn divide<S: Coordinate>(v: &[S; 3], by: &S) -> Result<[S; 3], ExactError> {
+    Ok([
+        v[0].divided_by(by)?,
+        v[1].divided_by(by)?,
+        v[2].divided_by(by)?,
+    ])
+}
+
+fn series_over<S: Coordinate>(v: &[Vec<S>; 3], by: &[S]) -> Result<[Vec<S>; 3], ExactError> {
+    Ok([
+        series::quotient(&v[0], by)?,
+        series::quotient(&v[1], by)?,
+        series::quotient(&v[2], by)?,
+    ])
+}
+
+fn no_ruling<S: Coordinate>(x: &S) -> GeometryError {
+    GeometryError::NoRuling { parameter: text(x) }
+}
+
+fn no_point<S: Coordinate>(x: &S) -> GeometryError {
+    GeometryError::NoCharacteristicPoint { parameter: text(x) }
+}
