@@ -32,6 +32,16 @@ pub trait Coordinate: Scalar {
         self.pi_like()?.divided_by(&self.natural(2))
     }
 
+    /// `(sin(pi/2 * self), cos(pi/2 * self))`, exact at the ends 0 and 1 of the unit interval on every
+    /// scalar; f64 reflects the upper half, where `1 - x` is exact, so that curves end in their last
+    /// control point.
+    ///
+    /// # Errors
+    /// As [`Scalar::quarter_turn`].
+    fn turn(&self) -> Result<(Self, Self), ExactError> {
+        self.quarter_turn()
+    }
+
     /// Zero like `self`; the same as [`Scalar::zero_like`], without the detour through rationals
     /// where speed matters.
     #[must_use]
@@ -63,6 +73,15 @@ impl Coordinate for f64 {
 
     fn half_pi(&self) -> Result<Self, ExactError> {
         Ok(std::f64::consts::FRAC_PI_2)
+    }
+
+    fn turn(&self) -> Result<(Self, Self), ExactError> {
+        let half_pi = std::f64::consts::FRAC_PI_2;
+        if (0.5..=2.0).contains(self) {
+            let (cosine, sine) = (half_pi * (1.0 - self)).sin_cos();
+            return Ok((sine, cosine));
+        }
+        Ok((half_pi * self).sin_cos())
     }
 
     fn zero(&self) -> Self {

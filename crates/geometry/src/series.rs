@@ -12,7 +12,7 @@ pub(crate) fn quarter_turn<S: Coordinate>(
     x: &S,
     order: usize,
 ) -> Result<(Vec<S>, Vec<S>), ExactError> {
-    let (s, c) = x.quarter_turn()?;
+    let (s, c) = x.turn()?;
     let (mut sine, mut cosine) = (vec![s.clone()], vec![c.clone()]);
     if order == 0 {
         return Ok((sine, cosine));

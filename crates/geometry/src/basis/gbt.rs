@@ -67,14 +67,14 @@ impl<S: Coordinate> Gbt<S> {
     /// # Errors
     /// [`ExactError::NoExactTurn`] where sine and cosine are not numbers of this kind.
     pub fn shape_factors(&self, x: &S) -> Result<[S; 2], ExactError> {
-        let (s, c) = x.quarter_turn()?;
+        let (s, c) = x.turn()?;
         Ok([s, c].map(|t| t.clone() * (t.one() - t)))
     }
 }
 
 impl<S: Coordinate> Basis<S> for Gbt<S> {
     fn seeds(&self, x: &S) -> Result<[S; 3], ExactError> {
-        let (s, c) = x.quarter_turn()?;
+        let (s, c) = x.turn()?;
         let one = x.one();
         let outer = |t: S, shape: &S| (one.clone() - t.clone()) * (one.clone() - shape.clone() * t);
         let g0 = outer(s, &self.mu);

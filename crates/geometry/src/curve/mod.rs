@@ -86,6 +86,36 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
         Ok(rows.iter().map(|row| self.combined(row, x)).collect())
     }
 
+    /// The derivatives `[G(0), G'(0), .., G^(order)(0)]` at the start.
+    ///
+    /// # Errors
+    /// As [`Curve::point`].
+    pub fn start_jet(&self, order: usize) -> Result<Vec<[S; D]>> {
+        match self.points.iter().flatten().next() {
+            Some(like) => self.derivatives(&like.zero(), order),
+            None => Ok(Vec::new()),
+        }
+    }
+
+    /// The derivatives `[G(1), G'(1), .., G^(order)(1)]` at the end.
+    ///
+    /// # Errors
+    /// As [`Curve::point`].
+    ///
+    /// ```
+    /// use torse_algebra::rational::integer;
+    /// use torse_geometry::{Bernstein, Curve};
+    /// let curve = Curve::new(Bernstein, [1, 4, 2, 7].map(|n| [integer(n)]).to_vec())?;
+    /// assert_eq!(curve.end_jet(1)?, [[integer(7)], [integer(15)]]);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn end_jet(&self, order: usize) -> Result<Vec<[S; D]>> {
+        match self.points.iter().flatten().next() {
+            Some(like) => self.derivatives(&like.one(), order),
+            None => Ok(Vec::new()),
+        }
+    }
+
     /// The Taylor coefficients of each coordinate at `x`: entry `[axis][n]` is the n-th derivative
     /// over `n!`.
     pub(crate) fn series(&self, x: &S, order: usize) -> Result<[Vec<S>; D]> {
