@@ -8,17 +8,18 @@
 #![warn(missing_docs)]
 
 pub mod affine;
-pub mod fraction;
-pub mod polynomial;
 pub mod ball;
+pub mod fraction;
+pub mod order;
+pub mod polynomial;
 pub mod rational;
 pub mod scalar;
 pub mod symbol;
 
 pub use affine::Affine;
+pub use ball::Ball;
 pub use fraction::Fraction;
 pub use polynomial::Polynomial;
-pub use ball::Ball;
 pub use rational::{Integer, Rational};
 pub use scalar::{ExactError, Scalar, ZeroTest};
 pub use symbol::{Angle, Symbol};

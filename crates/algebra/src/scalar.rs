@@ -43,7 +43,12 @@ pub enum ExactError {
 /// Implementations: `f64`, [`Rational`], [`Ball`](crate::Ball), [`Jet`](crate::Jet) over any scalar,
 /// and [`Fraction`](crate::Fraction). The ring operators never fail; what may fail says so.
 pub trait Scalar:
-    Clone + std::fmt::Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+    Clone
+    + std::fmt::Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
 {
     /// The rational number `q` in the context of `self` (precision of a ball, order of a jet).
     #[must_use]
@@ -98,7 +103,9 @@ impl Scalar for f64 {
 
     fn divided_by(&self, divisor: &Self) -> Result<Self, ExactError> {
         if *divisor == 0.0 {
-            return Err(ExactError::DivisionByZero { divisor: divisor.to_string() });
+            return Err(ExactError::DivisionByZero {
+                divisor: divisor.to_string(),
+            });
         }
         Ok(self / divisor)
     }
@@ -119,13 +126,17 @@ impl Scalar for Rational {
 
     fn divided_by(&self, divisor: &Self) -> Result<Self, ExactError> {
         if divisor.is_zero() {
-            return Err(ExactError::DivisionByZero { divisor: divisor.to_string() });
+            return Err(ExactError::DivisionByZero {
+                divisor: divisor.to_string(),
+            });
         }
         Ok(self / divisor)
     }
 
     fn quarter_turn(&self) -> Result<(Self, Self), ExactError> {
-        let no_exact_turn = || ExactError::NoExactTurn { argument: self.to_string() };
+        let no_exact_turn = || ExactError::NoExactTurn {
+            argument: self.to_string(),
+        };
         if !self.is_integer() {
             return Err(no_exact_turn());
         }
@@ -160,7 +171,7 @@ impl ZeroTest for f64 {
     }
 
     fn is_known_nonzero(&self) -> bool {
-        *self < 0.0 || *self > 0.0
+        self.abs() > 0.0
     }
 }
 
