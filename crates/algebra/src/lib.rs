@@ -10,6 +10,7 @@
 pub mod affine;
 pub mod ball;
 pub mod fraction;
+pub mod jet;
 pub mod order;
 pub mod polynomial;
 pub mod rational;
@@ -19,6 +20,7 @@ pub mod symbol;
 pub use affine::Affine;
 pub use ball::Ball;
 pub use fraction::Fraction;
+pub use jet::Jet;
 pub use polynomial::Polynomial;
 pub use rational::{Integer, Rational};
 pub use scalar::{ExactError, Scalar, ZeroTest};

@@ -199,7 +199,7 @@ fn decimal_text_prints_no_digit_that_is_not_certain() {
         "[45.7079, 45.7081]"
     );
     assert_eq!(format!("{:.3}", Ball::pi(20)), "3.141...");
-    assert_eq!(Ball::pi(20).to_string(), "[3.141592, 3.141594]");
+    assert_eq!(Ball::pi(20).to_string(), "3.141592...");
 }
 
 #[test]
