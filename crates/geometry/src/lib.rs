@@ -8,11 +8,15 @@ pub mod error;
 pub mod join;
 pub mod planes;
 mod series;
+pub mod surface;
 pub mod vector;
 
 pub use basis::{Basis, Bernstein, Gbt, hermite};
 pub use coordinate::Coordinate;
-pub use curve::Curve;
+pub use curve::{Affine, Curve, RationalCurve};
 pub use error::{GeometryError, Result};
 pub use join::Continuity;
 pub use planes::{Plane, PlaneFamily, Ruling};
+pub use surface::{
+    Forms, Half, Partials, Rails, RotationSurface, RuledSurface, SpaceCurve, Surface, TensorSurface,
+};

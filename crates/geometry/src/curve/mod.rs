@@ -1,5 +1,16 @@
 //! Curves in any dimension over any basis family and scalar.
 
+mod affine;
+mod conic;
+mod measure;
+mod rational;
+
+pub use affine::Affine;
+pub use conic::{ellipse_arc, parabola_arc};
+pub(crate) use measure::integrate;
+pub use measure::{arc_length, curvature, torsion};
+pub use rational::RationalCurve;
+
 use crate::basis::{Basis, Gbt};
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result};

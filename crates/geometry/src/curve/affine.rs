@@ -1,0 +1,31 @@
+//! Affine maps of space.
+
+use crate::vector::{add, dot};
+use torse_algebra::Scalar;
+
+/// The map `p -> linear p + shift`; rows of the linear part first.
+///
+/// ```
+/// use torse_geometry::{Affine, Curve, Gbt};
+/// let map = Affine { linear: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 2.0]], shift: [1.0, 2.0, 3.0] };
+/// let curve = Curve::new(Gbt::new(0.2, 0.7)?, vec![[0.0, 0.0, 1.0], [1.0, 3.0, 0.0], [4.0, 1.0, 2.0]])?;
+/// let (of_curve, of_points) = (map.apply(&curve.point(&0.3)?), curve.mapped(|p| map.apply(p)).point(&0.3)?);
+/// assert!(of_curve.iter().zip(of_points).all(|(a, b)| (a - b).abs() < 1e-14));
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Affine<S> {
+    /// The rows of the linear part.
+    pub linear: [[S; 3]; 3],
+    /// The image of the origin.
+    pub shift: [S; 3],
+}
+
+impl<S: Scalar> Affine<S> {
+    /// The image of a point.
+    #[must_use]
+    pub fn apply(&self, p: &[S; 3]) -> [S; 3] {
+        let [x, y, z] = &self.linear;
+        add(&[dot(x, p), dot(y, p), dot(z, p)], &self.shift)
+    }
+}

@@ -1,0 +1,168 @@
+//! Ruled surfaces between two rails.
+
+use super::{Partials, Surface, TensorSurface};
+use crate::basis::{Basis, Bernstein};
+use crate::coordinate::Coordinate;
+use crate::curve::{Curve, RationalCurve};
+use crate::error::{GeometryError, Result};
+use crate::series;
+use crate::vector::{lerp, sub};
+
+/// A curve in space, known by its Taylor series.
+pub trait SpaceCurve<S: Coordinate> {
+    /// The Taylor coefficients at `x`: entry `[axis][n]` is the n-th derivative over `n!`.
+    ///
+    /// # Errors
+    /// [`GeometryError`] where the curve has no point or derivative.
+    fn space_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3]>;
+}
+
+impl<S: Coordinate, B: Basis<S>> SpaceCurve<S> for Curve<B, S, 3> {
+    fn space_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3]> {
+        self.series(x, order)
+    }
+}
+
+impl<S: Coordinate, B: Basis<S>> SpaceCurve<S> for RationalCurve<B, S, 3> {
+    fn space_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3]> {
+        self.series(x, order)
+    }
+}
+
+/// Two rails `P, Q` with a common parameter; the surface between them is
+/// `T(u, v) = (1 - v) P(u) + v Q(u)`; [`partials_between`] makes a [`Surface`] of it.
+pub trait Rails<S: Coordinate> {
+    /// The Taylor coefficients of both rails at `x`: entry `[rail][axis][n]`.
+    ///
+    /// # Errors
+    /// [`GeometryError`] where a rail has no point or derivative.
+    fn rail_series(&self, x: &S, order: usize) -> Result<[[Vec<S>; 3]; 2]>;
+
+    /// The end points `[P(x), Q(x)]` of the ruling at `x`.
+    ///
+    /// # Errors
+    /// As [`Rails::rail_series`].
+    fn ruling_ends(&self, x: &S) -> Result<[[S; 3]; 2]> {
+        let rails = self.rail_series(x, 0)?;
+        Ok(rails.map(|rail| rail.map(|s| s.first().cloned().unwrap_or_else(|| x.zero()))))
+    }
+}
+
+/// The partial derivatives of the surface between two rails, for implementing [`Surface`].
+///
+/// # Errors
+/// As [`Rails::rail_series`].
+pub fn partials_between<S: Coordinate>(
+    rails: &impl Rails<S>,
+    u: &S,
+    v: &S,
+    order: usize,
+) -> Result<Partials<S>> {
+    let mut rails = rails.rail_series(u, order)?;
+    for list in rails.iter_mut().flatten() {
+        series::to_derivatives(list);
+    }
+    let [p, q] = &rails;
+    let at = |rail: &[Vec<S>; 3], i: usize| -> [S; 3] {
+        std::array::from_fn(|axis| rail[axis].get(i).cloned().unwrap_or_else(|| u.zero()))
+    };
+    Ok(Partials::from_fn(order, |i, j| match j {
+        0 => lerp(&at(p, i), &at(q, i), v),
+        1 => sub(&at(q, i), &at(p, i)),
+        _ => std::array::from_fn(|_| u.zero()),
+    }))
+}
+
+/// The ruled surface between two guide curves of any kind: different degrees, bases and shape
+/// parameters are admitted (gbt-surfaces eq. (17) allows different shape parameters on the guide
+/// curves but eq. (18) writes one tensor product; that is exact for equal ones only, see
+/// [`RuledSurface::tensor`]).
+///
+/// ```
+/// use torse_geometry::{Curve, Gbt, RuledSurface, Surface};
+/// // gbt-surfaces Example 3.3; the first printed name of each list ("Q1,0", "Q0,1") is read Q0,0, Q1,0.
+/// let first = [[1, 0, 4], [2, 0, 8], [4, 0, 8], [5, 0, 4], [6, 0, 8]];
+/// let second = [[1, 6, 4], [2, 6, 0], [4, 6, 0], [6, 6, 4], [7, 6, 2]];
+/// let points = |list: [[i32; 3]; 5]| list.map(|p| p.map(f64::from)).to_vec();
+/// let p = Curve::new(Gbt::new(0.9, 0.25)?, points(first))?;
+/// let q = Curve::new(Gbt::new(-0.25, -0.9)?, points(second))?;
+/// let surface = RuledSurface::new(p.clone(), q.clone());
+/// assert_eq!(surface.point(&0.3, &0.0)?, p.point(&0.3)?);
+/// assert_eq!(surface.point(&0.3, &1.0)?, q.point(&0.3)?);
+/// // The guide curves have different shape parameters: no tensor product.
+/// assert!(surface.tensor().is_err());
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct RuledSurface<P, Q> {
+    first: P,
+    second: Q,
+}
+
+impl<P, Q> RuledSurface<P, Q> {
+    /// The surface between the guide curves `first` (at `v = 0`) and `second` (at `v = 1`).
+    #[must_use]
+    pub fn new(first: P, second: Q) -> Self {
+        Self { first, second }
+    }
+
+    /// The guide curve at `v = 0`.
+    #[must_use]
+    pub fn first(&self) -> &P {
+        &self.first
+    }
+
+    /// The guide curve at `v = 1`.
+    #[must_use]
+    pub fn second(&self) -> &Q {
+        &self.second
+    }
+}
+
+impl<S: Coordinate, P: SpaceCurve<S>, Q: SpaceCurve<S>> Rails<S> for RuledSurface<P, Q> {
+    fn rail_series(&self, x: &S, order: usize) -> Result<[[Vec<S>; 3]; 2]> {
+        Ok([
+            self.first.space_series(x, order)?,
+            self.second.space_series(x, order)?,
+        ])
+    }
+}
+
+impl<S: Coordinate, P: SpaceCurve<S>, Q: SpaceCurve<S>> Surface<S> for RuledSurface<P, Q> {
+    fn partials(&self, u: &S, v: &S, order: usize) -> Result<Partials<S>> {
+        partials_between(self, u, v, order)
+    }
+}
+
+impl<S: Coordinate, B: Basis<S> + PartialEq> RuledSurface<Curve<B, S, 3>, Curve<B, S, 3>> {
+    /// The same surface as a tensor product of degree `(m, 1)` (gbt-surfaces eq. (18), Algorithm 3).
+    ///
+    /// # Errors
+    /// [`GeometryError::LengthMismatch`] when the degrees differ, [`GeometryError::Degenerate`] when
+    /// the bases (shape parameters) differ: then the surface is no tensor product of this kind.
+    pub fn tensor(&self) -> Result<TensorSurface<B, Bernstein, S>> {
+        let (p, q) = (self.first.points(), self.second.points());
+        if p.len() != q.len() {
+            let what = "control points of a guide curve";
+            return Err(GeometryError::LengthMismatch {
+                what,
+                index: 1,
+                expected: p.len(),
+                given: q.len(),
+            });
+        }
+        if self.first.basis() != self.second.basis() {
+            let at = format!("{:?} and {:?}", self.first.basis(), self.second.basis());
+            return Err(GeometryError::Degenerate {
+                what: "tensor form: guide curves of different bases",
+                at,
+            });
+        }
+        let net = p
+            .iter()
+            .zip(q)
+            .map(|(a, b)| vec![a.clone(), b.clone()])
+            .collect();
+        TensorSurface::new(self.first.basis().clone(), Bernstein, net)
+    }
+}
