@@ -1,0 +1,97 @@
+//! Linear systems and inverses.
+
+use super::{Matrix, MatrixError};
+use crate::scalar::{Scalar, ZeroTest};
+
+impl<S: Scalar + ZeroTest> Matrix<S> {
+    /// The matrix `X` with `self * X = right`, by Gauss-Jordan elimination with the first pivot known
+    /// not to be zero. That choice is for exact scalars; it controls no rounding.
+    ///
+    /// # Errors
+    /// [`MatrixError::NotSquare`], [`MatrixError::ShapeMismatch`], [`MatrixError::Singular`];
+    /// [`MatrixError::PivotUndecided`] where zero cannot be decided.
+    pub fn solve(&self, right: &Self) -> Result<Self, MatrixError> {
+        let size = self.square_size()?;
+        if right.row_count() != size {
+            return Err(self.mismatch(right));
+        }
+        let mut rows: Vec<Vec<S>> = self
+            .rows()
+            .zip(right.rows())
+            .map(|(a, b)| [a, b].concat())
+            .collect();
+        for k in 0..size {
+            let Some(pivot_row) = (k..size).find(|&i| rows[i][k].is_known_nonzero()) else {
+                return Err(match rows[k..].iter().all(|row| row[k].is_known_zero()) {
+                    true => MatrixError::Singular { column: k },
+                    false => MatrixError::PivotUndecided { column: k },
+                });
+            };
+            rows.swap(k, pivot_row);
+            // Columns up to k are never read again, so only those to the right are computed.
+            let pivot = rows[k][k].clone();
+            for entry in &mut rows[k][k + 1..] {
+                *entry = entry.divided_by(&pivot)?;
+            }
+            let pivot_row = rows[k].clone();
+            for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+                let factor = row[k].clone();
+                if factor.is_known_zero() {
+                    continue;
+                }
+                for (entry, above) in row[k + 1..].iter_mut().zip(&pivot_row[k + 1..]) {
+                    *entry = entry.clone() - factor.clone() * above.clone();
+                }
+            }
+        }
+        let entries = rows
+            .into_iter()
+            .flat_map(|row| row.into_iter().skip(size))
+            .collect();
+        Ok(Self {
+            columns: right.columns,
+            entries,
+        })
+    }
+
+    /// The inverse matrix, by [`Matrix::solve`].
+    ///
+    /// # Errors
+    /// Those of [`Matrix::solve`].
+    pub fn inverse(&self) -> Result<Self, MatrixError> {
+        self.solve(&self.identity_like(self.square_size()?)?)
+    }
+}
+
+impl<S: Scalar> Matrix<S> {
+    /// The vector `x` with `self * x = right`, by Cramer's rule: `x_j` is the quotient of the determinant
+    /// with column `j` replaced by `right`, and the determinant. The latter is all that is divided by.
+    ///
+    /// # Errors
+    /// [`MatrixError::NotSquare`], [`MatrixError::ShapeMismatch`], [`MatrixError::TooLarge`];
+    /// [`MatrixError::Scalar`] with the determinant when it is zero or cannot be told from zero.
+    pub fn solve_by_cramer(&self, right: &[S]) -> Result<Vec<S>, MatrixError> {
+        let size = self.square_size()?;
+        if right.len() != size {
+            return Err(MatrixError::ShapeMismatch {
+                left_rows: size,
+                left_columns: size,
+                right_rows: right.len(),
+                right_columns: 1,
+            });
+        }
+        let determinant = self.determinant()?;
+        (0..size)
+            .map(|j| {
+                let replaced = Self::from_fn(size, size, |row, column| {
+                    if column == j {
+                        right[row].clone()
+                    } else {
+                        self.at(row, column).clone()
+                    }
+                });
+                Ok(replaced?.determinant()?.divided_by(&determinant)?)
+            })
+            .collect()
+    }
+}
