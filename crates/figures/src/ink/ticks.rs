@@ -1,0 +1,102 @@
+//! Round tick positions and their labels.
+
+/// Ticks of an axis: multiples of 1, 2 or 5 times a power of ten.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Ticks {
+    /// Positions, ascending, inside the range.
+    pub at: Vec<f64>,
+    /// Labels, one per position; they show the position divided by `10^exponent`.
+    pub labels: Vec<String>,
+    /// Common power of ten, 0 when the figures are handy without.
+    pub exponent: i32,
+}
+
+impl Ticks {
+    /// About `wanted` ticks (never more than twice as many) on `low..high`, which must be finite and not empty.
+    pub(crate) fn new(low: f64, high: f64, wanted: usize) -> Ticks {
+        let wanted = wanted.clamp(2, 20);
+        let largest = low.abs().max(high.abs());
+        let order = largest.log10().floor() as i32;
+        let exponent = if (-2..=3).contains(&order) { 0 } else { order };
+        // Work on numbers of moderate size: 10^-exponent itself may not be a finite f64.
+        let unit = |x: f64| x / 10f64.powi(exponent / 2) / 10f64.powi(exponent - exponent / 2);
+        let (a, b) = (unit(low), unit(high));
+        let raw = (b - a) / wanted as f64;
+        let decade = raw.log10().floor() as i32;
+        let power = 10f64.powi(decade);
+        // Just above the raw step, so that rounding cannot overshoot twice the number wanted.
+        let factor = [1.0, 2.0, 5.0, 10.0]
+            .into_iter()
+            .find(|f| f * power >= raw * 0.999)
+            .unwrap_or(10.0);
+        let decimals = if factor == 10.0 { -decade - 1 } else { -decade }.clamp(0, 15) as usize;
+        let step = factor * power;
+        let slack = 1e-9 * (b - a);
+        let first = ((a - slack) / step).ceil();
+        let count = (((b + slack) / step).floor() - first).clamp(0.0, 40.0) as usize;
+        let values: Vec<f64> = (0..=count).map(|k| (first + k as f64) * step).collect();
+        let back = |x: f64| x * 10f64.powi(exponent / 2) * 10f64.powi(exponent - exponent / 2);
+        Ticks {
+            at: values.iter().map(|&x| back(x).clamp(low, high)).collect(),
+            labels: values.iter().map(|&x| format_tick(x, decimals)).collect(),
+            exponent,
+        }
+    }
+
+    /// `label` with the common power of ten, if there is one.
+    pub(crate) fn title(&self, label: &str) -> String {
+        match (self.exponent, label.is_empty()) {
+            (0, _) => label.to_owned(),
+            (e, true) => format!("$\\times 10^{{{e}}}$"),
+            (e, false) => format!("{label} $/\\,10^{{{e}}}$"),
+        }
+    }
+}
+
+fn format_tick(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let zero = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
+    match text.strip_prefix('-') {
+        Some(positive) if zero => positive.to_owned(),
+        Some(positive) => format!("−{positive}"),
+        None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_unit_interval_is_cut_at_fifths() {
+        let ticks = Ticks::new(0.0, 1.0, 5);
+        assert_eq!(ticks.labels, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        assert_eq!(ticks.title("$t$"), "$t$");
+    }
+
+    #[test]
+    fn tiny_numbers_share_a_power_of_ten() {
+        let ticks = Ticks::new(0.0, 4e-17, 4);
+        assert_eq!(ticks.labels, ["0", "1", "2", "3", "4"]);
+        assert_eq!(ticks.title("defect"), "defect $/\\,10^{-17}$");
+    }
+
+    #[test]
+    fn zero_has_no_sign_and_minus_is_the_mathematical_one() {
+        assert_eq!(Ticks::new(-1.0, 1.0, 2).labels, ["−1", "0", "1"]);
+    }
+
+    proptest! {
+        #[test]
+        fn ticks_are_few_ascending_and_inside(low in -1e3..1e3f64, span in 1e-3..1e3f64, scale in -300..300i32, n in 2..12usize) {
+            let s = 10f64.powi(scale);
+            let (low, high) = (low * s, (low + span) * s);
+            let ticks = Ticks::new(low, high, n);
+            prop_assert!(!ticks.at.is_empty() && ticks.at.len() <= 2 * n + 1, "{:?}", ticks);
+            prop_assert!(ticks.at.iter().all(|x| (low..=high).contains(x)));
+            prop_assert!(ticks.at.windows(2).all(|w| w[0] < w[1]), "{:?}", ticks);
+            prop_assert!(ticks.labels.windows(2).all(|w| w[0] != w[1]), "{:?}", ticks);
+        }
+    }
+}
