@@ -7,7 +7,7 @@
 //! enclosure and carries its own conditions.
 
 use std::cmp::Ordering;
-use torse_algebra::{ExactError, Fraction, Rational, Scalar};
+use torse_algebra::{Ball, ExactError, Fraction, Jet, Rational, Scalar};
 
 use crate::error::{GeometryError, Result};
 
@@ -111,6 +111,30 @@ impl Coordinate for Fraction {
             return Some(Ordering::Equal);
         }
         self.as_rational().and_then(|q| q.sign())
+    }
+}
+
+impl Coordinate for Ball {
+    fn sign(&self) -> Option<Ordering> {
+        Ball::sign(self)
+    }
+}
+
+/// A jet has the sign of its value, and is zero when all its coefficients are.
+impl<S: Coordinate> Coordinate for Jet<S> {
+    fn is_finite(&self) -> bool {
+        self.coefficients().iter().all(Coordinate::is_finite)
+    }
+
+    fn sign(&self) -> Option<Ordering> {
+        match self.value().sign()? {
+            Ordering::Equal => self
+                .coefficients()
+                .iter()
+                .all(is_zero)
+                .then_some(Ordering::Equal),
+            sign => Some(sign),
+        }
     }
 }
 

@@ -7,7 +7,6 @@ pub mod curve;
 pub mod error;
 pub mod join;
 pub mod planes;
-mod series;
 pub mod surface;
 pub mod vector;
 

@@ -19,9 +19,8 @@ use crate::basis::Basis;
 use crate::coordinate::{Coordinate, is_zero, text};
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
-use crate::series;
-use crate::vector::{add, cross, det, dot, scale, sub};
-use torse_algebra::ExactError;
+use crate::vector::{add, cross, dot, scale, sub};
+use torse_algebra::{ExactError, Jet, Scalar};
 
 /// A plane `[p, q, r, s]`: the points with `p X + q Y + r Z = s`.
 pub type Plane<S> = [S; 4];
@@ -198,74 +197,59 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
         let [h0, h1, h2] = jet.as_slice() else {
             return Err(no_point(x));
         };
-        let [a, b, c] = [h0, h1, h2].map(normal_of);
-        let volume = det(&a, &b, &c);
-        let numerator = add(
-            &add(
-                &scale(&h0[3], &cross(&b, &c)),
-                &scale(&h1[3], &cross(&c, &a)),
-            ),
-            &scale(&h2[3], &cross(&a, &b)),
-        );
-        divide(&numerator, &volume).map_err(|_| no_point(x))
+        characteristic_point_of([h0, h1, h2]).map_err(|_| no_point(x))
     }
 
-    /// The Taylor coefficients at `x` of foot and direction of the rulings, `order + 1` each.
+    /// The ruling at `x` as Taylor series: foot, direction and moment to this order.
     ///
     /// # Errors
     /// As [`PlaneFamily::ruling`].
-    pub(crate) fn ruling_series(&self, x: &S, order: usize) -> Result<[[Vec<S>; 3]; 2]> {
-        let [a0, a1, a2, a3] = self.planes.series(x, order + 1)?;
-        let a = [a0, a1, a2];
-        let slope = [0, 1, 2].map(|i: usize| series::derivative(&a[i]));
-        let a3_slope = series::derivative(&a3);
-        let phi = series::cross(&a, &slope);
-        let theta = [0, 1, 2].map(|i: usize| {
-            series::difference(
-                &series::product(&a3_slope, &a[i]),
-                &series::product(&a3, &slope[i]),
-            )
-        });
-        let square = series::dot(&phi, &phi);
-        let numerator = series::cross(&phi, &theta);
-        Ok([
-            series_over(&numerator, &square).map_err(|_| no_ruling(x))?,
-            phi,
-        ])
+    pub fn ruling_jet(&self, x: &S, order: usize) -> Result<Ruling<Jet<S>>> {
+        let plane = self.planes.jet(x, order + 1)?;
+        let slope = slope_of(&plane).ok_or_else(|| no_ruling(x))?;
+        ruling_of(&plane, &slope).map_err(|_| no_ruling(x))
     }
 
-    /// The Taylor coefficients at `x` of the edge of regression, `order + 1` each.
+    /// The edge of regression at `x` as a Taylor series to this order.
     ///
     /// # Errors
     /// As [`PlaneFamily::characteristic_point`].
-    pub(crate) fn spine_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3]> {
-        let h = self.planes.series(x, order + 2)?;
-        let h1 = [0, 1, 2, 3].map(|i: usize| series::derivative(&h[i]));
-        let h2 = [0, 1, 2, 3].map(|i: usize| series::derivative(&h1[i]));
-        let normal = |h: &[Vec<S>; 4]| [h[0].clone(), h[1].clone(), h[2].clone()];
-        let (a, b, c) = (normal(&h), normal(&h1), normal(&h2));
-        let bc = series::cross(&b, &c);
-        let (ca, ab) = (series::cross(&c, &a), series::cross(&a, &b));
-        let volume = series::dot(&a, &bc);
-        let numerator = [0, 1, 2].map(|i: usize| {
-            let first = series::sum(
-                &series::product(&h[3], &bc[i]),
-                &series::product(&h1[3], &ca[i]),
-            );
-            series::sum(&first, &series::product(&h2[3], &ab[i]))
-        });
-        series_over(&numerator, &volume).map_err(|_| no_point(x))
+    pub fn characteristic_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
+        let h0 = self.planes.jet(x, order + 2)?;
+        let h1 = slope_of(&h0).ok_or_else(|| no_point(x))?;
+        let h2 = slope_of(&h1).ok_or_else(|| no_point(x))?;
+        characteristic_point_of([&h0, &h1, &h2]).map_err(|_| no_point(x))
     }
+}
+
+fn slope_of<S: Coordinate>(plane: &Plane<Jet<S>>) -> Option<Plane<Jet<S>>> {
+    let [p, q, r, s] = plane;
+    Some([
+        p.differentiated()?,
+        q.differentiated()?,
+        r.differentiated()?,
+        s.differentiated()?,
+    ])
+}
+
+/// The common point of a plane and the first two derivatives of its family.
+///
+/// # Errors
+/// [`ExactError::DivisionByZero`] when they have none or many.
+pub fn characteristic_point_of<S: Scalar>(
+    [h0, h1, h2]: [&Plane<S>; 3],
+) -> Result<[S; 3], ExactError> {
+    let [a, b, c] = [h0, h1, h2].map(normal_of);
+    let bc = cross(&b, &c);
+    let first = add(&scale(&h0[3], &bc), &scale(&h1[3], &cross(&c, &a)));
+    divide(&add(&first, &scale(&h2[3], &cross(&a, &b))), &dot(&a, &bc))
 }
 
 /// The ruling in which a plane and the derivative of its family meet.
 ///
 /// # Errors
 /// [`ExactError::DivisionByZero`] when the planes are parallel.
-pub fn ruling_of<S: Coordinate>(
-    plane: &Plane<S>,
-    slope: &Plane<S>,
-) -> Result<Ruling<S>, ExactError> {
+pub fn ruling_of<S: Scalar>(plane: &Plane<S>, slope: &Plane<S>) -> Result<Ruling<S>, ExactError> {
     let (a, b) = (normal_of(plane), normal_of(slope));
     let direction = cross(&a, &b);
     let moment = sub(&scale(&slope[3], &a), &scale(&plane[3], &b));
@@ -283,19 +267,11 @@ pub fn normal_of<S: Clone>(plane: &Plane<S>) -> [S; 3] {
     [plane[0].clone(), plane[1].clone(), plane[2].clone()]
 }
 
-fn divide<S: Coordinate>(v: &[S; 3], by: &S) -> Result<[S; 3], ExactError> {
+fn divide<S: Scalar>(v: &[S; 3], by: &S) -> Result<[S; 3], ExactError> {
     Ok([
         v[0].divided_by(by)?,
         v[1].divided_by(by)?,
         v[2].divided_by(by)?,
-    ])
-}
-
-fn series_over<S: Coordinate>(v: &[Vec<S>; 3], by: &[S]) -> Result<[Vec<S>; 3], ExactError> {
-    Ok([
-        series::quotient(&v[0], by)?,
-        series::quotient(&v[1], by)?,
-        series::quotient(&v[2], by)?,
     ])
 }
 

@@ -2,7 +2,7 @@
 
 use super::Basis;
 use crate::coordinate::Coordinate;
-use torse_algebra::ExactError;
+use torse_algebra::{ExactError, Jet};
 
 /// The Bernstein basis: seeds `(1-x)^2, 2x(1-x), x^2`.
 ///
@@ -24,21 +24,11 @@ impl<S: Coordinate> Basis<S> for Bernstein {
         Ok([y.clone() * y, mixed.clone() + mixed, x.clone() * x.clone()])
     }
 
-    fn seed_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3], ExactError> {
-        let [g0, g1, g2] = <Self as Basis<S>>::seeds(self, x)?;
-        let (one, two) = (x.one(), x.natural(2));
-        let y = one.clone() - x.clone();
-        let series = |value: S, slope: S, half_second: S| {
-            let mut list = vec![value, slope, half_second];
-            list.resize(order.max(2) + 1, x.zero());
-            list.truncate(order + 1);
-            list
-        };
-        Ok([
-            series(g0, -(two.clone() * y.clone()), one.clone()),
-            series(g1, two.clone() * (y - x.clone()), -two.clone()),
-            series(g2, two * x.clone(), one),
-        ])
+    fn seed_jets(&self, x: &S, order: usize) -> Result<[Jet<S>; 3], ExactError> {
+        let t = Jet::variable(x.clone(), order);
+        let u = t.constant_like(x.one()) - t.clone();
+        let mixed = t.clone() * u.clone();
+        Ok([u.clone() * u, mixed.clone() + mixed, t.clone() * t])
     }
 
     fn reversed(&self) -> Self {

@@ -3,8 +3,7 @@
 use super::Basis;
 use crate::coordinate::{Coordinate, check_shape};
 use crate::error::Result;
-use crate::series;
-use torse_algebra::ExactError;
+use torse_algebra::{ExactError, Jet};
 
 /// The GBTB family with shape parameters `mu, nu` in [-1, 1]: with `s = sin(pi x/2)` and
 /// `c = cos(pi x/2)` the seeds are
@@ -83,31 +82,59 @@ impl<S: Coordinate> Basis<S> for Gbt<S> {
         Ok([g0, g1, g2])
     }
 
-    fn seed_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3], ExactError> {
-        if order == 0 {
-            return Ok(self.seeds(x)?.map(|g| vec![g]));
-        }
-        let (s, c) = series::quarter_turn(x, order)?;
-        let outer = |t: &[S], shape: &S| {
-            let one_minus_t = series::one_minus(t);
-            let scaled: Vec<S> = t.iter().map(|v| shape.clone() * v.clone()).collect();
-            series::product(&one_minus_t, &series::one_minus(&scaled))
+    fn seed_jets(&self, x: &S, order: usize) -> Result<[Jet<S>; 3], ExactError> {
+        let (s, c) = turn_jets(x, order)?;
+        let one = s.constant_like(x.one());
+        let outer = |t: Jet<S>, shape: &S| {
+            (one.clone() - t.clone()) * (one.clone() - t.constant_like(shape.clone()) * t)
         };
-        let g0 = outer(&s, &self.mu);
-        let g2 = outer(&c, &self.nu);
-        let sum: Vec<S> = g0
-            .iter()
-            .zip(&g2)
-            .map(|(a, b)| a.clone() + b.clone())
-            .collect();
-        let g1 = series::one_minus(&sum);
-        Ok([g0, g1, g2])
+        let g0 = outer(s, &self.mu);
+        let g2 = outer(c, &self.nu);
+        Ok([g0.clone(), one.clone() - g0 - g2.clone(), g2])
     }
 
     fn reversed(&self) -> Self {
         Self {
             mu: self.nu.clone(),
             nu: self.mu.clone(),
+        }
+    }
+}
+
+/// The series of `sin(pi t/2)` and `cos(pi t/2)` at `t = x`, from [`Coordinate::turn`]: coefficient `n`
+/// is `(pi/2)^n / n!` times `s, c, -s, -c` in turn (and `c, -s, -c, s`).
+fn turn_jets<S: Coordinate>(x: &S, order: usize) -> Result<(Jet<S>, Jet<S>), ExactError> {
+    let (s, c) = x.turn()?;
+    let (mut sine, mut cosine) = (Vec::with_capacity(order), Vec::with_capacity(order));
+    let (mut ds, mut dc) = (s.clone(), c.clone());
+    let half_pi = if order > 0 { x.half_pi()? } else { x.one() };
+    for n in 1..=order {
+        let step = half_pi.divided_by(&x.natural(n))?;
+        // d/dt (sin, cos) = pi/2 (cos, -sin)
+        (ds, dc) = (dc * step.clone(), -(ds * step));
+        sine.push(ds.clone());
+        cosine.push(dc.clone());
+    }
+    Ok((
+        Jet::from_coefficients(s, sine),
+        Jet::from_coefficients(c, cosine),
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use torse_algebra::Scalar;
+
+    #[test]
+    fn the_series_of_the_turn_is_the_turn_of_the_series() {
+        let (s, c) = turn_jets(&0.3_f64, 6).unwrap();
+        let (s1, c1) = Jet::variable(0.3_f64, 6).quarter_turn().unwrap();
+        for (a, b) in s.coefficients().iter().zip(s1.coefficients()) {
+            assert!((a - b).abs() < 1e-14);
+        }
+        for (a, b) in c.coefficients().iter().zip(c1.coefficients()) {
+            assert!((a - b).abs() < 1e-14);
         }
     }
 }

@@ -28,11 +28,11 @@ pub use gbt::Gbt;
 
 use crate::coordinate::Coordinate;
 use crate::error::{GeometryError, Result};
-use torse_algebra::ExactError;
+use torse_algebra::{ExactError, Jet};
 
 /// A basis family: three seeds of degree two, and by the blend every degree.
 ///
-/// Implement [`seeds`](Basis::seeds), [`seed_series`](Basis::seed_series) and
+/// Implement [`seeds`](Basis::seeds), [`seed_jets`](Basis::seed_jets) and
 /// [`reversed`](Basis::reversed) for a new family; curves, surfaces, plane families and joins then
 /// work on it.
 ///
@@ -51,11 +51,11 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     /// [`ExactError`] where the seeds are not numbers of this kind at `x`.
     fn seeds(&self, x: &S) -> Result<[S; 3], ExactError>;
 
-    /// The Taylor coefficients of the seeds at `x`, `order + 1` each (`f^(n)(x) / n!` at index `n`).
+    /// The Taylor series of the seeds at `x` to this order.
     ///
     /// # Errors
     /// As [`Basis::seeds`].
-    fn seed_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3], ExactError>;
+    fn seed_jets(&self, x: &S, order: usize) -> Result<[Jet<S>; 3], ExactError>;
 
     /// The family whose basis functions at `x` are these at `1 - x` in reversed order.
     #[must_use]
@@ -152,7 +152,11 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
                     linear(x.clone(), x.one()),
                 ]
             }
-            _ => self.seed_series(x, order)?.into(),
+            _ => self
+                .seed_jets(x, order)?
+                .iter()
+                .map(|g| g.coefficients().to_vec())
+                .collect(),
         };
         let mut rows: Vec<Vec<S>> = (0..=order)
             .map(|n| {

@@ -15,6 +15,31 @@ use crate::basis::{Basis, Gbt};
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result};
 use crate::vector::{combine, scale, sub};
+use torse_algebra::Jet;
+
+/// Derivatives `[f, f', .., f^(order)]` of a vector from the Taylor series of its coordinates.
+pub(crate) fn derivatives_of<S: Coordinate, const D: usize>(
+    jets: &[Jet<S>; D],
+    order: usize,
+) -> Vec<[S; D]> {
+    let mut factorial: Option<S> = None;
+    (0..=order)
+        .map(|n| {
+            let scale = jets.first().map(|j| match &factorial {
+                Some(f) => f.clone() * j.value().natural(n.max(1)),
+                None => j.value().one(),
+            });
+            factorial.clone_from(&scale);
+            std::array::from_fn(|axis| {
+                let jet = &jets[axis];
+                match (jet.coefficients().get(n), &scale) {
+                    (Some(c), Some(f)) => c.clone() * f.clone(),
+                    _ => jet.value().zero(),
+                }
+            })
+        })
+        .collect()
+}
 
 /// A curve `G(x) = sum_i g[i,k](x) R[i]`, `x` in [0, 1] (gbt-developable eq. (2.2), gbt-surfaces eq. (3)).
 ///
@@ -127,13 +152,17 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
         }
     }
 
-    /// The Taylor coefficients of each coordinate at `x`: entry `[axis][n]` is the n-th derivative
-    /// over `n!`.
-    pub(crate) fn series(&self, x: &S, order: usize) -> Result<[Vec<S>; D]> {
+    /// The Taylor series of each coordinate at `x`.
+    ///
+    /// # Errors
+    /// As [`Curve::point`].
+    pub fn jet(&self, x: &S, order: usize) -> Result<[Jet<S>; D]> {
         let rows = self.basis.series_rows(self.degree(), x, order)?;
         let points: Vec<[S; D]> = rows.iter().map(|row| self.combined(row, x)).collect();
         Ok(std::array::from_fn(|axis| {
-            points.iter().map(|p| p[axis].clone()).collect()
+            let mut list = points.iter().map(|p| p[axis].clone());
+            let value = list.next().unwrap_or_else(|| x.zero());
+            Jet::from_coefficients(value, list)
         }))
     }
 

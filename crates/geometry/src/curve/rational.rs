@@ -1,11 +1,11 @@
 //! Weighted (rational) curves.
 
-use super::Curve;
+use super::{Curve, derivatives_of};
 use crate::basis::Basis;
 use crate::coordinate::{Coordinate, text};
 use crate::error::{GeometryError, Result};
-use crate::series;
 use std::cmp::Ordering;
+use torse_algebra::{Jet, Scalar};
 
 /// The weighted curve `sum_i w[i] g[i,k](x) R[i] / sum_i w[i] g[i,k](x)`, the projection of the curve
 /// with points `(w[i] R[i], w[i])` in homogeneous space (gbt-developable eq. (5.1)).
@@ -115,22 +115,18 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> RationalCurve<B, S, D> {
     /// # Errors
     /// As [`RationalCurve::point`].
     pub fn derivatives(&self, x: &S, order: usize) -> Result<Vec<[S; D]>> {
-        let mut axes = self.series(x, order)?;
-        for axis in &mut axes {
-            series::to_derivatives(axis);
-        }
-        let entry = |axis: usize, n: usize| axes[axis].get(n).cloned().unwrap_or_else(|| x.zero());
-        Ok((0..=order)
-            .map(|n| std::array::from_fn(|axis| entry(axis, n)))
-            .collect())
+        Ok(derivatives_of(&self.jet(x, order)?, order))
     }
 
-    /// The Taylor coefficients of each coordinate at `x`.
-    pub(crate) fn series(&self, x: &S, order: usize) -> Result<[Vec<S>; D]> {
-        let mut axes = self.numerator.series(x, order)?;
-        let [weight] = self.weights.series(x, order)?;
+    /// The Taylor series of each coordinate at `x`.
+    ///
+    /// # Errors
+    /// As [`RationalCurve::point`].
+    pub fn jet(&self, x: &S, order: usize) -> Result<[Jet<S>; D]> {
+        let mut axes = self.numerator.jet(x, order)?;
+        let [weight] = self.weights.jet(x, order)?;
         for axis in &mut axes {
-            *axis = series::quotient(axis, &weight)?;
+            *axis = axis.divided_by(&weight)?;
         }
         Ok(axes)
     }

@@ -1,8 +1,9 @@
 //! What a smooth joint demands of the next piece's start jet.
 
 use crate::coordinate::{Coordinate, check_finite, check_positive};
+use crate::curve::derivatives_of;
 use crate::error::Result;
-use crate::series;
+use torse_algebra::Jet;
 
 /// A continuity condition: the next piece is, up to the order, a reparametrization of the piece
 /// before and (for planes, whose coordinates are homogeneous) a multiple of it,
@@ -125,54 +126,40 @@ pub(super) fn transform<S: Coordinate, const D: usize>(
         return Ok(Vec::new());
     };
     let length = end.len().min(length);
-    let taylor = |derivatives: &[S]| -> Result<Vec<S>> {
+    let taylor = |derivatives: &[S]| -> Result<Jet<S>> {
         let mut factorial = like.one();
-        let mut list = vec![like.zero(); length];
-        for (n, (slot, value)) in list.iter_mut().zip(derivatives).enumerate() {
-            if n > 0 {
-                factorial = factorial * like.natural(n);
-            }
+        let mut list = vec![like.zero(); length.saturating_sub(1)];
+        for (n, (slot, value)) in (1..).zip(list.iter_mut().zip(derivatives.iter().skip(1))) {
+            factorial = factorial * like.natural(n);
             *slot = value.divided_by(&factorial)?;
         }
-        Ok(list)
+        Ok(Jet::from_coefficients(
+            derivatives.first().cloned().unwrap_or_else(|| like.zero()),
+            list,
+        ))
     };
     let mut shift = vec![like.zero()];
     shift.extend(betas.iter().cloned());
     let shift = taylor(&shift)?;
     let factor = match scale {
-        [] => None,
-        scale => Some(taylor(scale)?),
+        [] => shift.constant_like(like.one()),
+        scale => taylor(scale)?,
     };
-    let mut points = vec![std::array::from_fn(|_| like.zero()); length];
+    let mut axes: Vec<Jet<S>> = Vec::with_capacity(D);
     for axis in 0..D {
-        let values: Vec<S> = end.iter().map(|p: &[S; D]| p[axis].clone()).collect();
-        let mut composed = compose(&taylor(&values)?, &shift);
-        if let Some(factor) = &factor {
-            composed = series::product(&composed, factor);
-        }
-        series::to_derivatives(&mut composed);
-        for (point, value) in points.iter_mut().zip(composed) {
-            let point: &mut [S; D] = point;
-            point[axis] = value;
-        }
+        let values: Vec<S> = end.iter().map(|p| p[axis].clone()).collect();
+        axes.push(compose(&taylor(&values)?, &shift) * factor.clone());
     }
-    Ok(points)
+    let Ok(axes) = <[Jet<S>; D]>::try_from(axes) else {
+        return Ok(Vec::new());
+    };
+    Ok(derivatives_of(&axes, length.saturating_sub(1)))
 }
 
-/// `f(shift(t))` for a shift without constant term, by Horner's rule on series.
-fn compose<S: Coordinate>(f: &[S], shift: &[S]) -> Vec<S> {
-    let mut reversed = f.iter().rev();
-    let Some(last) = reversed.next() else {
-        return Vec::new();
-    };
-    let constant = |value: &S| {
-        let mut list = vec![value.zero(); f.len()];
-        if let Some(slot) = list.first_mut() {
-            *slot = value.clone();
-        }
-        list
-    };
-    reversed.fold(constant(last), |sum, coefficient| {
-        series::sum(&series::product(&sum, shift), &constant(coefficient))
+/// `f(shift(t))` for a shift without constant term, by Horner's rule.
+fn compose<S: Coordinate>(f: &Jet<S>, shift: &Jet<S>) -> Jet<S> {
+    let zero = shift.constant_like(f.value().zero());
+    f.coefficients().iter().rev().fold(zero, |sum, c| {
+        sum * shift.clone() + shift.constant_like(c.clone())
     })
 }

@@ -12,10 +12,9 @@
 use super::{Partials, Surface};
 use crate::basis::Basis;
 use crate::coordinate::{Coordinate, check_shape};
-use crate::curve::Curve;
+use crate::curve::{Curve, derivatives_of};
 use crate::error::{GeometryError, Result};
-use crate::series;
-use crate::vector::lerp;
+use torse_algebra::{Jet, Scalar};
 
 /// Which half turn: `Upper` has `Y >= 0` (for positive radii), `Lower` its mirror image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -143,61 +142,36 @@ pub fn rotation_parameter(angle: f64) -> f64 {
 
 impl<S: Coordinate, B: Basis<S>> Surface<S> for RotationSurface<B, S> {
     fn partials(&self, u: &S, v: &S, order: usize) -> Result<Partials<S>> {
-        let mut profile = self.profile.series(u, order)?;
-        let (one, two) = (u.one(), u.natural(2));
-        let (z, speed) = match &self.range {
-            None => (v.clone(), one.clone()),
+        let profile = derivatives_of(&self.profile.jet(u, order)?, order);
+        let t = Jet::variable(v.clone(), order);
+        let z = match &self.range {
+            None => t,
             Some([from, to]) => {
-                let [z] = lerp(&[from.clone()], &[to.clone()], v);
-                (z, to.clone() - from.clone())
+                let [from, to] = [from, to].map(|bound| t.constant_like(bound.clone()));
+                from.clone() + (to - from) * t
             }
         };
-        // Numerators and denominator as Taylor series in v, through z(v) = z + speed (v' - v).
-        let padded = |list: [S; 3]| {
-            let mut list = list.to_vec();
-            list.resize((order + 1).max(3), u.zero());
-            list.truncate(order + 1);
-            list
+        let one = z.constant_like(u.one());
+        // 2z - 2z^2; the denominator is one minus it.
+        let sine = (z.clone() + z.clone()) * (one.clone() - z.clone());
+        let bottom = one.clone() - sine.clone();
+        let cosine = (one - z.clone() - z).divided_by(&bottom)?;
+        let sine = sine.divided_by(&bottom)?;
+        let sine = if self.half == Half::Lower {
+            -sine
+        } else {
+            sine
         };
-        let (zz, square) = (
-            z.clone() * z.clone(),
-            two.clone() * speed.clone() * speed.clone(),
-        );
-        let tilt = two.clone() * (one.clone() - two.clone() * z.clone()) * speed.clone();
-        let cosine = padded([
-            one.clone() - two.clone() * z.clone(),
-            -(two.clone() * speed),
-            u.zero(),
-        ]);
-        let sine = padded([
-            two.clone() * (z.clone() - zz.clone()),
-            tilt.clone(),
-            -square.clone(),
-        ]);
-        let bottom = padded([two * (zz - z) + one, -tilt, square]);
-        let mut circle = [
-            series::quotient(&cosine, &bottom)?,
-            series::quotient(&sine, &bottom)?,
-        ];
-        if self.half == Half::Lower {
-            circle[1] = circle[1].iter().map(|w| -w.clone()).collect();
-        }
-        for list in profile.iter_mut().chain(&mut circle) {
-            series::to_derivatives(list);
-        }
-        let entry = |list: &[S], n: usize| list.get(n).cloned().unwrap_or_else(|| u.zero());
+        let circle = derivatives_of(&[cosine, sine], order);
+        let entry = |list: &[[S; 2]], n: usize| {
+            list.get(n)
+                .cloned()
+                .unwrap_or_else(|| std::array::from_fn(|_| u.zero()))
+        };
         Ok(Partials::from_fn(order, |i, j| {
-            let radius = entry(&profile[0], i);
-            let height = if j == 0 {
-                entry(&profile[1], i)
-            } else {
-                u.zero()
-            };
-            [
-                radius.clone() * entry(&circle[0], j),
-                radius * entry(&circle[1], j),
-                height,
-            ]
+            let ([radius, height], [cosine, sine]) = (entry(&profile, i), entry(&circle, j));
+            let height = if j == 0 { height } else { u.zero() };
+            [radius.clone() * cosine, radius * sine, height]
         }))
     }
 }

@@ -3,72 +3,72 @@
 use super::{Partials, Surface, TensorSurface};
 use crate::basis::{Basis, Bernstein};
 use crate::coordinate::Coordinate;
-use crate::curve::{Curve, RationalCurve};
+use crate::curve::{Curve, RationalCurve, derivatives_of};
 use crate::error::{GeometryError, Result};
-use crate::series;
 use crate::vector::{lerp, sub};
+use torse_algebra::Jet;
 
 /// A curve in space, known by its Taylor series.
 pub trait SpaceCurve<S: Coordinate> {
-    /// The Taylor coefficients at `x`: entry `[axis][n]` is the n-th derivative over `n!`.
+    /// The Taylor series of the coordinates at `x`.
     ///
     /// # Errors
     /// [`GeometryError`] where the curve has no point or derivative.
-    fn space_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3]>;
+    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]>;
 }
 
 impl<S: Coordinate, B: Basis<S>> SpaceCurve<S> for Curve<B, S, 3> {
-    fn space_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3]> {
-        self.series(x, order)
+    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
+        self.jet(x, order)
     }
 }
 
 impl<S: Coordinate, B: Basis<S>> SpaceCurve<S> for RationalCurve<B, S, 3> {
-    fn space_series(&self, x: &S, order: usize) -> Result<[Vec<S>; 3]> {
-        self.series(x, order)
+    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
+        self.jet(x, order)
     }
 }
 
 /// Two rails `P, Q` with a common parameter; the surface between them is
 /// `T(u, v) = (1 - v) P(u) + v Q(u)`; [`partials_between`] makes a [`Surface`] of it.
 pub trait Rails<S: Coordinate> {
-    /// The Taylor coefficients of both rails at `x`: entry `[rail][axis][n]`.
+    /// The Taylor series of both rails at `x`.
     ///
     /// # Errors
     /// [`GeometryError`] where a rail has no point or derivative.
-    fn rail_series(&self, x: &S, order: usize) -> Result<[[Vec<S>; 3]; 2]>;
+    fn rail_jets(&self, x: &S, order: usize) -> Result<[[Jet<S>; 3]; 2]>;
 
     /// The end points `[P(x), Q(x)]` of the ruling at `x`.
     ///
     /// # Errors
-    /// As [`Rails::rail_series`].
+    /// As [`Rails::rail_jets`].
     fn ruling_ends(&self, x: &S) -> Result<[[S; 3]; 2]> {
-        let rails = self.rail_series(x, 0)?;
-        Ok(rails.map(|rail| rail.map(|s| s.first().cloned().unwrap_or_else(|| x.zero()))))
+        let rails = self.rail_jets(x, 0)?;
+        Ok(rails.map(|rail| rail.map(|s| s.value().clone())))
     }
 }
 
 /// The partial derivatives of the surface between two rails, for implementing [`Surface`].
 ///
 /// # Errors
-/// As [`Rails::rail_series`].
+/// As [`Rails::rail_jets`].
 pub fn partials_between<S: Coordinate>(
     rails: &impl Rails<S>,
     u: &S,
     v: &S,
     order: usize,
 ) -> Result<Partials<S>> {
-    let mut rails = rails.rail_series(u, order)?;
-    for list in rails.iter_mut().flatten() {
-        series::to_derivatives(list);
-    }
-    let [p, q] = &rails;
-    let at = |rail: &[Vec<S>; 3], i: usize| -> [S; 3] {
-        std::array::from_fn(|axis| rail[axis].get(i).cloned().unwrap_or_else(|| u.zero()))
+    let [p, q] = rails
+        .rail_jets(u, order)?
+        .map(|rail| derivatives_of(&rail, order));
+    let at = |rail: &[[S; 3]], i: usize| -> [S; 3] {
+        rail.get(i)
+            .cloned()
+            .unwrap_or_else(|| std::array::from_fn(|_| u.zero()))
     };
     Ok(Partials::from_fn(order, |i, j| match j {
-        0 => lerp(&at(p, i), &at(q, i), v),
-        1 => sub(&at(q, i), &at(p, i)),
+        0 => lerp(&at(&p, i), &at(&q, i), v),
+        1 => sub(&at(&q, i), &at(&p, i)),
         _ => std::array::from_fn(|_| u.zero()),
     }))
 }
@@ -120,10 +120,10 @@ impl<P, Q> RuledSurface<P, Q> {
 }
 
 impl<S: Coordinate, P: SpaceCurve<S>, Q: SpaceCurve<S>> Rails<S> for RuledSurface<P, Q> {
-    fn rail_series(&self, x: &S, order: usize) -> Result<[[Vec<S>; 3]; 2]> {
+    fn rail_jets(&self, x: &S, order: usize) -> Result<[[Jet<S>; 3]; 2]> {
         Ok([
-            self.first.space_series(x, order)?,
-            self.second.space_series(x, order)?,
+            self.first.space_jet(x, order)?,
+            self.second.space_jet(x, order)?,
         ])
     }
 }
