@@ -4,6 +4,7 @@
 pub mod basis;
 pub mod coordinate;
 pub mod curve;
+pub mod developable;
 pub mod error;
 pub mod join;
 pub mod planes;
@@ -13,6 +14,7 @@ pub mod vector;
 pub use basis::{Basis, Bernstein, Gbt, hermite};
 pub use coordinate::Coordinate;
 pub use curve::{Affine, Curve, RationalCurve};
+pub use developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
 pub use error::{GeometryError, Result};
 pub use join::Continuity;
 pub use planes::{Plane, PlaneFamily, Ruling};

@@ -13,8 +13,8 @@
 use super::Bernstein;
 use crate::coordinate::Coordinate;
 use crate::curve::Curve;
-use crate::error::Result;
-use crate::vector::{add, scale};
+use crate::error::{GeometryError, Result};
+use crate::vector::combine;
 use torse_algebra::rational::{Rational, ratio};
 
 /// Rows: Bernstein control points times the common denominator; columns: the Hermite data.
@@ -99,25 +99,38 @@ pub fn quintic<S: Coordinate, const D: usize>(
     convert(&QUINTIC, data)
 }
 
+/// The curve of 4, 5 or 6 Hermite data: [`cubic`], [`quartic`] or [`quintic`].
+///
+/// # Errors
+/// [`GeometryError::LengthMismatch`] for another number, [`GeometryError::NotFinite`].
+pub fn curve<S: Coordinate, const D: usize>(data: &[[S; D]]) -> Result<Curve<Bernstein, S, D>> {
+    match data.len() {
+        4 => convert(&CUBIC, data),
+        5 => convert(&QUARTIC, data),
+        6 => convert(&QUINTIC, data),
+        given => Err(GeometryError::LengthMismatch {
+            what: "Hermite data (4, 5 or 6 of them)",
+            index: 0,
+            expected: 6,
+            given,
+        }),
+    }
+}
+
 fn convert<S: Coordinate, const N: usize, const D: usize>(
     conversion: &Conversion<N>,
-    data: &[[S; D]; N],
+    data: &[[S; D]],
 ) -> Result<Curve<Bernstein, S, D>> {
     let mut points = Vec::with_capacity(N);
     for row in &conversion.rows {
-        let mut point: Option<[S; D]> = None;
-        for (&entry, datum) in row.iter().zip(data) {
-            let (Some(q), [head, ..]) = (ratio(entry, conversion.denominator), datum.as_slice())
-            else {
-                continue;
-            };
-            let term = scale(&head.constant(&q), datum);
-            point = Some(match point {
-                Some(sum) => add(&sum, &term),
-                None => term,
-            });
-        }
-        points.extend(point);
+        let weights: Vec<S> = data
+            .iter()
+            .zip(row)
+            .filter_map(|(datum, &n)| {
+                Some(datum.first()?.constant(&ratio(n, conversion.denominator)?))
+            })
+            .collect();
+        points.extend(combine(&weights, data));
     }
     Curve::new(Bernstein, points)
 }

@@ -1,0 +1,303 @@
+//! Hermite cones between parallel planes (hermite-developable Sect. 3).
+//!
+//! The paper asks for boundary curves `p, q` and a summit `o` with
+//!
+//! ```text
+//! q(u) + q'(u) = k (p(u) + p'(u)) + (1 - k) o            (3.3b)
+//! ```
+//!
+//! Comparing coefficients gives a linear system in the unknown Hermite data. On polynomials the map
+//! `f -> f + f'` is invertible, so the system says no more and no less than
+//!
+//! ```text
+//! q(u) - o = k (p(u) - o):
+//! ```
+//!
+//! the curves are images of each other in the dilation about `o` with ratio `k`, and the surface is a
+//! cone with apex `o`. The systems are set up here from the Hermite functions themselves, not from
+//! the print: eqs. (3.6), (3.7) have slips (a spurious exclusion `k = 135/136` comes from one).
+
+use super::linear::{singular_for, solve};
+use crate::basis::{Bernstein, hermite};
+use crate::coordinate::{Coordinate, check_finite, check_positive, is_zero};
+use crate::curve::Curve;
+use crate::error::{GeometryError, Result};
+use crate::surface::RuledSurface;
+use crate::vector::{scale, sub};
+
+/// A cone between two Hermite curves: the data of both (in the order of [`hermite`]), the apex and the
+/// ratio `k`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HermiteCone<S> {
+    /// The apex `o`.
+    pub summit: [S; 3],
+    /// The ratio `k` in `q - o = k (p - o)`.
+    pub ratio: S,
+    /// The Hermite data of `p`.
+    pub p: Vec<[S; 3]>,
+    /// The Hermite data of `q`.
+    pub q: Vec<[S; 3]>,
+}
+
+/// What determines a quartic cone (hermite-developable eq. (3.6)).
+#[derive(Debug, Clone, PartialEq)]
+pub struct QuarticData<S> {
+    /// `p(0)`.
+    pub p_start: [S; 3],
+    /// `p(1/2)`.
+    pub p_middle: [S; 3],
+    /// `q(0), q(1)`.
+    pub q_ends: [[S; 3]; 2],
+    /// `q'(0), q'(1)`.
+    pub q_tangents: [[S; 3]; 2],
+}
+
+/// What determines a quintic cone (hermite-developable eq. (3.7)).
+#[derive(Debug, Clone, PartialEq)]
+pub struct QuinticData<S> {
+    /// What the quartic needs as well.
+    pub quartic: QuarticData<S>,
+    /// `p'(1/2)`.
+    pub p_middle_tangent: [S; 3],
+}
+
+/// A datum of one of the two curves, or the summit.
+#[derive(Clone, Copy)]
+enum Unknown {
+    P(usize),
+    Q(usize),
+    Summit,
+}
+
+impl<S: Coordinate> HermiteCone<S> {
+    /// The cubic cone over the given `q = [q(0), q(1), q'(0), q'(1)]` with the given summit
+    /// (hermite-developable eq. (3.5)).
+    ///
+    /// # Errors
+    /// [`GeometryError::OutOfRange`] unless `k > 0`, [`GeometryError::SingularSystem`] for `k = 1`
+    /// (both curves coincide), [`GeometryError::NotFinite`].
+    ///
+    /// ```
+    /// use torse_algebra::rational::{Rational, integer};
+    /// use torse_geometry::HermiteCone;
+    /// // hermite-developable Sect. 3.1. Printed p'(0) = (0, -15, 30) etc.: all four agree.
+    /// let v = |x, y, z| [x, y, z].map(integer);
+    /// let q = [v(-20, 60, 45), v(-20, -50, 45), v(0, -30, 60), v(0, -50, -60)];
+    /// let cone = HermiteCone::cubic(v(170, 0, 45), integer(2), q)?;
+    /// assert_eq!(cone.p, [v(75, 30, 45), v(75, -25, 45), v(0, -15, 30), v(0, -25, -30)]);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn cubic(summit: [S; 3], k: S, q: [[S; 3]; 4]) -> Result<Self> {
+        let known = Known {
+            p: vec![None; 4],
+            q: q.map(Some).to_vec(),
+            summit: Some(summit),
+        };
+        known.solved(
+            k,
+            &[Unknown::P(0), Unknown::P(1), Unknown::P(2), Unknown::P(3)],
+        )
+    }
+
+    /// The quartic cone; the summit follows (hermite-developable eq. (3.6)).
+    ///
+    /// # Errors
+    /// As [`HermiteCone::cubic`].
+    ///
+    /// ```
+    /// use torse_algebra::rational::{integer, ratio};
+    /// use torse_geometry::{HermiteCone, developable::QuarticData};
+    /// // hermite-developable Sect. 3.2.
+    /// let v = |x, y, z| [x, y, z].map(integer);
+    /// let half = |x, y, z| [ratio(x, 2).unwrap(), ratio(y, 2).unwrap(), ratio(z, 2).unwrap()];
+    /// let data = QuarticData {
+    ///     p_start: v(40, 40, 45),
+    ///     p_middle: half(80, 25, 120),
+    ///     q_ends: [v(-20, 60, 45), v(-20, -50, 45)],
+    ///     q_tangents: [v(0, -30, 60), v(0, -50, -60)],
+    /// };
+    /// let cone = HermiteCone::quartic(integer(2), data.clone())?;
+    /// assert_eq!(cone.summit, v(100, 20, 45));
+    /// assert_eq!(cone.q[1], v(-20, 5, 75));
+    /// assert_eq!(cone.p[2..], [v(40, -15, 45), v(0, -15, 30), v(0, -25, -30)]);
+    /// // k = 135/136, which the paper excludes, is as good as any other.
+    /// assert!(HermiteCone::quartic(ratio(135, 136).unwrap(), data).is_ok());
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn quartic(k: S, data: QuarticData<S>) -> Result<Self> {
+        let [q0, q1] = data.q_ends.map(Some);
+        let [q0u, q1u] = data.q_tangents.map(Some);
+        let known = Known {
+            p: vec![Some(data.p_start), Some(data.p_middle), None, None, None],
+            q: vec![q0, None, q1, q0u, q1u],
+            summit: None,
+        };
+        known.solved(
+            k,
+            &[
+                Unknown::Q(1),
+                Unknown::P(2),
+                Unknown::P(3),
+                Unknown::P(4),
+                Unknown::Summit,
+            ],
+        )
+    }
+
+    /// The quintic cone; the summit follows (hermite-developable eq. (3.7)).
+    ///
+    /// # Errors
+    /// As [`HermiteCone::cubic`].
+    ///
+    /// ```
+    /// use torse_geometry::{GeometryError, HermiteCone, developable::{QuarticData, QuinticData}};
+    /// // hermite-developable Sect. 3.3.
+    /// let data = QuinticData {
+    ///     quartic: QuarticData {
+    ///         p_start: [40.0, 40.0, 45.0],
+    ///         p_middle: [40.0, 12.5, 40.0],
+    ///         q_ends: [[-20.0, 60.0, 45.0], [-20.0, -50.0, 45.0]],
+    ///         q_tangents: [[0.0, -60.0, 90.0], [0.0, -50.0, -30.0]],
+    ///     },
+    ///     p_middle_tangent: [0.0, -25.0, 35.0],
+    /// };
+    /// let cone = HermiteCone::quintic(2.0, data.clone())?;
+    /// let close = |a: &[f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
+    /// assert!(close(&cone.summit, [100.0, 20.0, 45.0]) && close(&cone.p[3], [0.0, -30.0, 45.0]));
+    /// assert!(close(&cone.q[1], [-20.0, 5.0, 35.0]) && close(&cone.q[4], [0.0, -50.0, 70.0]));
+    /// assert!(close(&cone.p[2], [40.0, -15.0, 45.0]) && close(&cone.p[5], [0.0, -25.0, -15.0]));
+    ///
+    /// assert_eq!(
+    ///     HermiteCone::quintic(0.0, data.clone()).unwrap_err().to_string(),
+    ///     "k = 0.0 is outside (0, infinity)",
+    /// );
+    /// assert!(matches!(HermiteCone::quintic(1.0, data), Err(GeometryError::SingularSystem { .. })));
+    /// # Ok::<(), GeometryError>(())
+    /// ```
+    pub fn quintic(k: S, data: QuinticData<S>) -> Result<Self> {
+        let quartic = data.quartic;
+        let [q0, q1] = quartic.q_ends.map(Some);
+        let [q0u, q1u] = quartic.q_tangents.map(Some);
+        let middle = Some(data.p_middle_tangent);
+        let known = Known {
+            p: vec![
+                Some(quartic.p_start),
+                Some(quartic.p_middle),
+                None,
+                None,
+                middle,
+                None,
+            ],
+            q: vec![q0, None, q1, q0u, None, q1u],
+            summit: None,
+        };
+        let unknown = [
+            Unknown::P(3),
+            Unknown::Q(4),
+            Unknown::P(5),
+            Unknown::Q(1),
+            Unknown::P(2),
+            Unknown::Summit,
+        ];
+        known.solved(k, &unknown)
+    }
+
+    /// The patch `(1 - v) p(u) + v q(u)` (hermite-developable eq. (3.4)).
+    ///
+    /// # Errors
+    /// [`GeometryError::NotFinite`] for data changed to NaN or infinity,
+    /// [`GeometryError::LengthMismatch`] when their number is not 4, 5 or 6.
+    pub fn patch(&self) -> Result<RuledSurface<Curve<Bernstein, S, 3>, Curve<Bernstein, S, 3>>> {
+        Ok(RuledSurface::new(
+            hermite::curve(&self.p)?,
+            hermite::curve(&self.q)?,
+        ))
+    }
+}
+
+/// The data that are given.
+struct Known<S> {
+    p: Vec<Option<[S; 3]>>,
+    q: Vec<Option<[S; 3]>>,
+    summit: Option<[S; 3]>,
+}
+
+impl<S: Coordinate> Known<S> {
+    /// Sets up and solves `sum_j E[m][j] (q_j - k p_j) - (1 - k) [m = 0] o = 0` for all powers `m`,
+    /// where `E[m][j]` is the coefficient of `u^m` in `H_j + H_j'`.
+    fn solved(mut self, k: S, unknown: &[Unknown]) -> Result<HermiteCone<S>> {
+        const WHAT: &str = "a Hermite cone";
+        check_positive("k", &k)?;
+        if is_zero(&(k.clone() - k.one())) {
+            return Err(singular_for(WHAT, &k));
+        }
+        let given = self
+            .p
+            .iter()
+            .chain(&self.q)
+            .chain([&self.summit])
+            .flatten()
+            .flatten();
+        check_finite("Hermite datum", given)?;
+        let size = unknown.len();
+        let functions = hermite::functions(size - 1);
+        let coefficient = |m: usize, j: usize| -> S {
+            let at = |n: usize| {
+                functions
+                    .get(j)
+                    .and_then(|h| h.get(n))
+                    .map(|c| k.constant(c))
+            };
+            let plain = at(m).unwrap_or_else(|| k.zero());
+            at(m + 1).map_or(plain.clone(), |c| plain + k.natural(m + 1) * c)
+        };
+        let entry = |m: usize, datum: Unknown| match datum {
+            Unknown::P(j) => -(k.clone() * coefficient(m, j)),
+            Unknown::Q(j) => coefficient(m, j),
+            Unknown::Summit if m == 0 => k.clone() - k.one(),
+            Unknown::Summit => k.zero(),
+        };
+        let matrix = (0..size)
+            .map(|m| unknown.iter().map(|&d| entry(m, d)).collect())
+            .collect();
+        let mut right: Vec<[S; 3]> = vec![std::array::from_fn(|_| k.zero()); size];
+        for (m, target) in right.iter_mut().enumerate() {
+            let p = self.p.iter().enumerate().map(|(j, d)| (Unknown::P(j), d));
+            let q = self.q.iter().enumerate().map(|(j, d)| (Unknown::Q(j), d));
+            for (datum, value) in p.chain(q).chain([(Unknown::Summit, &self.summit)]) {
+                if let Some(value) = value {
+                    *target = sub(target, &scale(&entry(m, datum), value));
+                }
+            }
+        }
+        let solution = solve(WHAT, matrix, right).map_err(|_| singular_for(WHAT, &k))?;
+        for (datum, value) in unknown.iter().zip(solution) {
+            let slot = match *datum {
+                Unknown::P(j) => self.p.get_mut(j),
+                Unknown::Q(j) => self.q.get_mut(j),
+                Unknown::Summit => Some(&mut self.summit),
+            };
+            if let Some(slot) = slot {
+                *slot = Some(value);
+            }
+        }
+        let incomplete = || GeometryError::SingularSystem {
+            what: WHAT,
+            parameters: "data".to_owned(),
+        };
+        Ok(HermiteCone {
+            summit: self.summit.ok_or_else(incomplete)?,
+            ratio: k,
+            p: self
+                .p
+                .into_iter()
+                .collect::<Option<_>>()
+                .ok_or_else(incomplete)?,
+            q: self
+                .q
+                .into_iter()
+                .collect::<Option<_>>()
+                .ok_or_else(incomplete)?,
+        })
+    }
+}

@@ -1,0 +1,205 @@
+//! Finite patches of the developable that a plane family envelops.
+
+use crate::basis::Basis;
+use crate::coordinate::{Coordinate, check_finite, is_zero, text};
+use crate::error::{GeometryError, Result};
+use crate::planes::{Plane, PlaneFamily, normal_of};
+use crate::surface::{Partials, Rails, Surface, partials_between};
+use crate::vector::dot;
+use torse_algebra::{Jet, Scalar};
+
+/// What part of each ruling belongs to a patch.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Bounds<S> {
+    /// A fixed range of the ruling parameter `x1` in `x1 phi + psi` (gbt-developable eq. (3.7)). The
+    /// direction `phi = a x a'` is not normalised, so the width varies with its length.
+    Range([S; 2]),
+    /// The part between two planes.
+    Planes([Plane<S>; 2]),
+}
+
+/// The patch of an enveloping developable within bounds (gbt-developable Sect. 3.2). It is developable
+/// by construction: the plane `H(x)` touches it along the whole ruling of `x`.
+///
+/// ```
+/// use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily, Surface};
+/// // gbt-developable Example 4.2, corrected: as printed Q1 = Q2 and all four planes pass through one
+/// // line or repeat; the figure needs the four sign patterns, one in each quadrant.
+/// let h = 5.0 * 2_f64.sqrt();
+/// let planes = vec![[h, -h, 5.0, 125.0], [-h, -h, 5.0, 125.0], [-h, h, 5.0, 125.0], [h, h, 5.0, 125.0]];
+/// let family = PlaneFamily::new(Gbt::new(0.5, 0.5)?, planes)?;
+/// let patch = EnvelopingPatch::new(family, Bounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 5.0]]))?;
+/// let (bottom, top) = (patch.point(&0.3, &0.0)?, patch.point(&0.3, &1.0)?);
+/// assert!(bottom[2].abs() < 1e-12 && (top[2] - 5.0).abs() < 1e-12);
+/// // The plane of the family touches along the ruling.
+/// let plane = patch.family().plane(&0.3)?;
+/// let normal = patch.partials(&0.3, &0.7, 1)?.normal();
+/// assert!((plane[0] * normal[1] - plane[1] * normal[0]).abs() < 1e-9 * plane[0].abs() * normal[0].abs());
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct EnvelopingPatch<B, S> {
+    family: PlaneFamily<B, S>,
+    bounds: Bounds<S>,
+}
+
+impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
+    /// The patch of the developable enveloped by `family` within `bounds`.
+    ///
+    /// # Errors
+    /// [`GeometryError::NotFinite`], [`GeometryError::Degenerate`] for an empty range or a cutting
+    /// plane without normal. A ruling parallel to a cutting plane shows when it is evaluated, as
+    /// [`GeometryError::RulingParallelToPlane`] with its parameter.
+    ///
+    /// ```
+    /// use torse_geometry::{Bounds, EnvelopingPatch, Gbt, GeometryError, PlaneFamily, Surface};
+    /// let planes = vec![[0.0, -20.0, 10.0, 400.0], [0.0, -10.0, 20.0, 400.0], [0.0, 10.0, 20.0, 400.0]];
+    /// let family = PlaneFamily::new(Gbt::new(0.0, 0.0)?, planes)?;
+    /// // All rulings run along x and never meet z = 0.
+    /// let flat = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 9.0]];
+    /// let patch = EnvelopingPatch::new(family, Bounds::Planes(flat))?;
+    /// assert_eq!(
+    ///     patch.point(&0.5, &0.0).unwrap_err(),
+    ///     GeometryError::RulingParallelToPlane { parameter: "0.5".to_owned() },
+    /// );
+    /// # Ok::<(), GeometryError>(())
+    /// ```
+    pub fn new(family: PlaneFamily<B, S>, bounds: Bounds<S>) -> Result<Self> {
+        match &bounds {
+            Bounds::Range([from, to]) => {
+                check_finite("ruling range", [from, to])?;
+                if is_zero(&(to.clone() - from.clone())) {
+                    return Err(GeometryError::Degenerate {
+                        what: "ruling range",
+                        at: text(from),
+                    });
+                }
+            }
+            Bounds::Planes(planes) => {
+                check_finite("cutting plane", planes.iter().flatten())?;
+                for (index, plane) in planes.iter().enumerate() {
+                    if normal_of(plane).iter().all(is_zero) {
+                        let what = "normal of a cutting plane";
+                        return Err(GeometryError::Degenerate {
+                            what,
+                            at: index.to_string(),
+                        });
+                    }
+                }
+            }
+        }
+        Ok(Self { family, bounds })
+    }
+
+    /// The plane family.
+    #[must_use]
+    pub fn family(&self) -> &PlaneFamily<B, S> {
+        &self.family
+    }
+}
+
+impl<S: Coordinate, B: Basis<S>> Rails<S> for EnvelopingPatch<B, S> {
+    fn rail_jets(&self, x: &S, order: usize) -> Result<[[Jet<S>; 3]; 2]> {
+        let ruling = self.family.ruling_jet(x, order)?;
+        let lift = |value: &S| ruling.foot[0].constant_like(value.clone());
+        let bounds = match &self.bounds {
+            Bounds::Range(range) => range.each_ref().map(lift),
+            Bounds::Planes([first, second]) => {
+                let at = |plane: &Plane<S>| {
+                    let parallel = |_| GeometryError::RulingParallelToPlane { parameter: text(x) };
+                    ruling
+                        .meets(&plane.each_ref().map(lift), &lift(x))
+                        .map_err(parallel)
+                };
+                [at(first)?, at(second)?]
+            }
+        };
+        Ok(bounds.map(|x1| ruling.point(&x1)))
+    }
+}
+
+impl<S: Coordinate, B: Basis<S>> Surface<S> for EnvelopingPatch<B, S> {
+    fn partials(&self, u: &S, v: &S, order: usize) -> Result<Partials<S>> {
+        partials_between(self, u, v, order)
+    }
+}
+
+/// The part `S(x) + x2 S'(x)` of the tangent surface of the edge of regression with `x2` in a range
+/// (gbt-developable eq. (3.10)): the same developable as the enveloping one, seen from its spine curve.
+///
+/// ```
+/// use torse_geometry::{Gbt, PlaneFamily, Surface, TangentPatch};
+/// // gbt-developable Sect. 4.2; Q2 is printed "(-10, -10, 10 sqrt 2400)" without its comma.
+/// let r = 2_f64.sqrt();
+/// let planes = vec![
+///     [6.5, 6.5, 6.5 * r, 169.0], [-5.5, 7.5, 7.5 * r, 225.0],
+///     [-10.0, -10.0, 10.0 * r, 400.0], [12.5, -12.5, 12.5 * r, 625.0],
+/// ];
+/// let family = PlaneFamily::new(Gbt::new(0.5, 0.5)?, planes)?;
+/// let patch = TangentPatch::new(family, [0.0, 1.0])?;
+/// let spine = patch.point(&0.4, &0.0)?;
+/// // The plane, its derivative and its second derivative all contain the spine point.
+/// for [p, q, r, s] in patch.family().curve().derivatives(&0.4, 2)? {
+///     let height = p * spine[0] + q * spine[1] + r * spine[2] - s;
+///     assert!(height.abs() < 1e-9 * s.abs().max(1e3));
+/// }
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct TangentPatch<B, S> {
+    family: PlaneFamily<B, S>,
+    range: [S; 2],
+}
+
+impl<S: Coordinate, B: Basis<S>> TangentPatch<B, S> {
+    /// The patch with `x2` from `range[0]` (at `v = 0`) to `range[1]` (at `v = 1`). The surface is
+    /// singular at `x2 = 0`, on the edge of regression itself.
+    ///
+    /// # Errors
+    /// [`GeometryError::NotFinite`], [`GeometryError::Degenerate`] for an empty range.
+    pub fn new(family: PlaneFamily<B, S>, range: [S; 2]) -> Result<Self> {
+        check_finite("ruling range", &range)?;
+        let [from, to] = &range;
+        if is_zero(&(to.clone() - from.clone())) {
+            return Err(GeometryError::Degenerate {
+                what: "ruling range",
+                at: text(from),
+            });
+        }
+        Ok(Self { family, range })
+    }
+
+    /// The plane family.
+    #[must_use]
+    pub fn family(&self) -> &PlaneFamily<B, S> {
+        &self.family
+    }
+}
+
+impl<S: Coordinate, B: Basis<S>> Rails<S> for TangentPatch<B, S> {
+    fn rail_jets(&self, x: &S, order: usize) -> Result<[[Jet<S>; 3]; 2]> {
+        let no_point = || GeometryError::NoCharacteristicPoint { parameter: text(x) };
+        let spine = self.family.characteristic_jet(x, order + 1)?;
+        let [a, b, c] = spine.each_ref().map(Jet::differentiated);
+        let (Some(a), Some(b), Some(c)) = (a, b, c) else {
+            return Err(no_point());
+        };
+        let tangent = [a, b, c];
+        Ok(self.range.each_ref().map(|x2| {
+            let x2 = tangent[0].constant_like(x2.clone());
+            std::array::from_fn(|axis| spine[axis].clone() + x2.clone() * tangent[axis].clone())
+        }))
+    }
+}
+
+impl<S: Coordinate, B: Basis<S>> Surface<S> for TangentPatch<B, S> {
+    fn partials(&self, u: &S, v: &S, order: usize) -> Result<Partials<S>> {
+        partials_between(self, u, v, order)
+    }
+}
+
+/// The signed distance function of a plane times the length of its normal, at a point.
+#[must_use]
+pub(crate) fn height<S: Scalar>(plane: &Plane<S>, point: &[S; 3]) -> S {
+    dot(&normal_of(plane), point) - plane[3].clone()
+}
