@@ -7,7 +7,7 @@
 //! enclosure and carries its own conditions.
 
 use std::cmp::Ordering;
-use torse_algebra::{Ball, ExactError, Fraction, Jet, Rational, Scalar};
+use torse_algebra::{Ball, ExactError, Fraction, Integer, Jet, Rational, Scalar};
 
 use crate::error::{GeometryError, Result};
 
@@ -30,6 +30,20 @@ pub trait Coordinate: Scalar {
     /// [`ExactError::NoPi`] where pi is not a number of this kind (rationals).
     fn half_pi(&self) -> Result<Self, ExactError> {
         self.pi_like()?.divided_by(&self.natural(2))
+    }
+
+    /// The absolute value where rounding can occur, otherwise the number itself; only for
+    /// [`Coordinate::cancels`].
+    #[must_use]
+    fn magnitude(&self) -> Self {
+        self.clone()
+    }
+
+    /// Whether this sum of products cannot be told from zero, given the sum of the absolute values of
+    /// its terms: exactly zero on exact scalars, within the rounding of the evaluation on f64.
+    #[must_use]
+    fn cancels(&self, _magnitude: &Self) -> bool {
+        self.sign() == Some(Ordering::Equal)
     }
 
     /// `(sin(pi/2 * self), cos(pi/2 * self))`, exact at the ends 0 and 1 of the unit interval on every
@@ -75,6 +89,15 @@ impl Coordinate for f64 {
         Ok(std::f64::consts::FRAC_PI_2)
     }
 
+    fn magnitude(&self) -> Self {
+        self.abs()
+    }
+
+    /// Sums of at most eight products of at most four factors: each term carries at most eight roundings.
+    fn cancels(&self, magnitude: &Self) -> bool {
+        self.abs() <= 8.0 * f64::EPSILON * magnitude
+    }
+
     fn turn(&self) -> Result<(Self, Self), ExactError> {
         let half_pi = std::f64::consts::FRAC_PI_2;
         if (0.5..=2.0).contains(self) {
@@ -100,8 +123,8 @@ impl Coordinate for f64 {
 
 impl Coordinate for Rational {
     fn sign(&self) -> Option<Ordering> {
-        let zero = Rational::from_integer(0.into());
-        Some(self.cmp(&zero))
+        // Not the order of `Ratio`: see `torse_algebra::order`.
+        Some(self.numer().cmp(&Integer::ZERO))
     }
 }
 

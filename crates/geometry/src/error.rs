@@ -77,6 +77,14 @@ pub enum GeometryError {
         /// The index of the second plane.
         second: usize,
     },
+    /// All control planes pass through one line, that of the two named planes.
+    #[error("all control planes pass through the line of planes {first} and {second}: no surface")]
+    Pencil {
+        /// The index of the first plane.
+        first: usize,
+        /// The index of the first plane that is not parallel to it.
+        second: usize,
+    },
     /// Neighbouring planes of a family have no common line at this parameter.
     #[error("the planes of the family have no ruling at x = {parameter}: a x a' vanishes")]
     NoRuling {

@@ -8,6 +8,7 @@ pub mod developable;
 pub mod error;
 pub mod join;
 pub mod planes;
+mod scalars;
 pub mod surface;
 pub mod vector;
 
@@ -18,6 +19,7 @@ pub use developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
 pub use error::{GeometryError, Result};
 pub use join::Continuity;
 pub use planes::{Plane, PlaneFamily, Ruling};
+pub use scalars::{Over, exact, exact_ball};
 pub use surface::{
     Forms, Half, Partials, Rails, RotationSurface, RuledSurface, SpaceCurve, Surface, TensorSurface,
 };

@@ -95,7 +95,7 @@ pub fn arc_length<B: Basis<f64>, const D: usize>(
 }
 
 /// Adaptive Gauss-Legendre quadrature; see [`arc_length`].
-pub(crate) fn integrate(
+fn integrate(
     f: impl Fn(f64) -> Result<f64>,
     [from, to]: [f64; 2],
     accuracy: f64,

@@ -7,7 +7,6 @@ mod rational;
 
 pub use affine::Affine;
 pub use conic::{ellipse_arc, parabola_arc};
-pub(crate) use measure::integrate;
 pub use measure::{arc_length, curvature, torsion};
 pub use rational::RationalCurve;
 

@@ -90,6 +90,12 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> RationalCurve<B, S, D> {
         self.numerator.degree()
     }
 
+    /// The basis family.
+    #[must_use]
+    pub fn basis(&self) -> &B {
+        self.numerator.basis()
+    }
+
     /// The homogeneous control points `w[i] R[i]` and the weights.
     pub fn homogeneous(&self) -> impl Iterator<Item = (&[S; D], &S)> {
         let weights = self.weights.points().iter().map(|[w]| w);

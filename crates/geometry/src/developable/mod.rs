@@ -1,12 +1,16 @@
 //! Developable surfaces: patches of enveloped surfaces, tangent surfaces, Hermite cones, certificates
 //! and flat patterns.
 
+mod certificate;
 mod hermite;
 mod linear;
 mod oblique;
 mod patch;
+mod unroll;
 
+pub use certificate::{Certificate, Regularity, Worst, certify, prove_regular};
 pub use hermite::{HermiteCone, QuarticData, QuinticData};
 pub use linear::solve;
 pub use oblique::{oblique_image, oblique_image_as_printed};
 pub use patch::{Bounds, EnvelopingPatch, TangentPatch};
+pub use unroll::{FlatPattern, unroll};

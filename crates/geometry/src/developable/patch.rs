@@ -23,8 +23,8 @@ pub enum Bounds<S> {
 ///
 /// ```
 /// use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily, Surface};
-/// // gbt-developable Example 4.2, corrected: as printed Q1 = Q2 and all four planes pass through one
-/// // line or repeat; the figure needs the four sign patterns, one in each quadrant.
+/// // gbt-developable Example 4.2, corrected: as printed Q2 = Q1 and Q3 = Q0, so that all planes pass
+/// // through one line. Four different sign patterns give a surface.
 /// let h = 5.0 * 2_f64.sqrt();
 /// let planes = vec![[h, -h, 5.0, 125.0], [-h, -h, 5.0, 125.0], [-h, h, 5.0, 125.0], [h, h, 5.0, 125.0]];
 /// let family = PlaneFamily::new(Gbt::new(0.5, 0.5)?, planes)?;
@@ -95,6 +95,12 @@ impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
     #[must_use]
     pub fn family(&self) -> &PlaneFamily<B, S> {
         &self.family
+    }
+
+    /// The bounds of the rulings.
+    #[must_use]
+    pub fn bounds(&self) -> &Bounds<S> {
+        &self.bounds
     }
 }
 
@@ -173,6 +179,12 @@ impl<S: Coordinate, B: Basis<S>> TangentPatch<B, S> {
     #[must_use]
     pub fn family(&self) -> &PlaneFamily<B, S> {
         &self.family
+    }
+
+    /// The range of `x2`.
+    #[must_use]
+    pub fn range(&self) -> &[S; 2] {
+        &self.range
     }
 }
 

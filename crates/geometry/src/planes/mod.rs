@@ -15,6 +15,8 @@
 //! Z component of `psi` has a slip). `S` runs on the edge of regression, the *spine curve*; the surface
 //! is regular away from it.
 
+mod pencil;
+
 use crate::basis::Basis;
 use crate::coordinate::{Coordinate, is_zero, text};
 use crate::curve::Curve;
@@ -87,7 +89,8 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     /// # Errors
     /// [`GeometryError::TooFew`] for fewer than three planes (two span a pencil, whose planes share one
     /// line), [`GeometryError::NotFinite`], [`GeometryError::Degenerate`] for a control plane without
-    /// normal, [`GeometryError::ParallelPlanes`] when all control planes are parallel.
+    /// normal, [`GeometryError::ParallelPlanes`] when all control planes are parallel,
+    /// [`GeometryError::Pencil`] when all pass through one line.
     ///
     /// ```
     /// use torse_geometry::{Bernstein, GeometryError, PlaneFamily};
@@ -101,6 +104,13 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     ///     PlaneFamily::new(Bernstein, no_normal),
     ///     Err(GeometryError::Degenerate { what: "normal of a control plane", .. }),
     /// ));
+    /// // gbt-developable Example 4.2 as printed: Q2 = Q1 and Q3 = Q0, so all planes share one line.
+    /// let h = 5.0 * 2_f64.sqrt();
+    /// let (even, odd) = ([h, -h, 5.0, 125.0], [-h, -h, 5.0, 125.0]);
+    /// assert_eq!(
+    ///     PlaneFamily::new(Bernstein, vec![even, odd, odd, even]).unwrap_err(),
+    ///     GeometryError::Pencil { first: 0, second: 1 },
+    /// );
     /// ```
     pub fn new(basis: B, planes: Vec<Plane<S>>) -> Result<Self> {
         if planes.len() < 3 {
@@ -110,24 +120,15 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
                 given: planes.len(),
             });
         }
-        let vanishes = |v: &[S; 3]| v.iter().all(is_zero);
-        let normals: Vec<[S; 3]> = planes.iter().map(normal_of).collect();
-        if let Some(index) = normals.iter().position(vanishes) {
+        let vanishes = |plane: &Plane<S>| normal_of(plane).iter().all(is_zero);
+        if let Some(index) = planes.iter().position(vanishes) {
             return Err(GeometryError::Degenerate {
                 what: "normal of a control plane",
                 at: index.to_string(),
             });
         }
         let curve = Curve::new(basis, planes)?;
-        let all_parallel = normals
-            .first()
-            .is_some_and(|first| normals.iter().all(|n| vanishes(&cross(first, n))));
-        if all_parallel {
-            return Err(GeometryError::ParallelPlanes {
-                first: 0,
-                second: normals.len() - 1,
-            });
-        }
+        pencil::check(curve.points())?;
         Ok(Self { planes: curve })
     }
 
@@ -158,10 +159,10 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     ///
     /// ```
     /// use torse_geometry::{Bernstein, GeometryError, PlaneFamily};
-    /// // gbt-developable Example 4.2 as printed has Q1 = Q2 and Q0 = -Q3 up to the last coordinate's
-    /// // sign; a family that stands still at its start has no ruling there:
+    /// // A family that stands still at its start has no ruling there.
     /// let q = [0.0, 1.0, 0.0, 1.0];
-    /// let family = PlaneFamily::new(Bernstein, vec![q, q, [1.0, 0.0, 0.0, 1.0]])?;
+    /// let planes = vec![q, q, [1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]];
+    /// let family = PlaneFamily::new(Bernstein, planes)?;
     /// assert_eq!(
     ///     family.ruling(&0.0).unwrap_err(),
     ///     GeometryError::NoRuling { parameter: "0.0".to_owned() },

@@ -1,0 +1,317 @@
+//! Certificates for ruled patches: how developable, and regular or not, each with the worst place.
+//!
+//! With rails `P, Q` and ruling `R = Q - P` the (unnormalised) normals at the two ends of a ruling are
+//! `N0 = P' x R` and `N1 = Q' x R`, and along the ruling `N(v) = (1 - v) N0 + v N1`. So
+//!
+//! * the patch is *developable* at `x` when `N0` and `N1` are parallel, that is
+//!   `det(P', Q', R) = 0`; the angle between them is how far the tangent plane turns;
+//! * a developable patch is *regular* on the whole ruling when `N0 . N1 > 0`. Otherwise `N(v)` vanishes
+//!   inside, at the edge of regression (of a cone: the apex), where neighbouring rulings cross. In
+//!   general the rulings come closest at `v* = (P' x R) . (R x R') / |R x R'|^2`.
+//!
+//! [`certify`] measures on f64 (samples, then a local search for each worst place). [`prove_regular`]
+//! decides on balls, over whole intervals: a proof, not a sample.
+
+use crate::error::{GeometryError, Result};
+use crate::surface::{Rails, Surface};
+use crate::vector::{cross, det, dot, norm, sub};
+use std::cmp::Ordering;
+use torse_algebra::{Ball, Rational};
+
+/// The worst value of a quantity and where it is taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Worst {
+    /// The value.
+    pub value: f64,
+    /// The parameter of the ruling.
+    pub x: f64,
+    /// The position on the ruling in [0, 1]; 0 where the quantity belongs to the whole ruling.
+    pub v: f64,
+}
+
+/// What [`certify`] measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Certificate {
+    /// The largest `|det(P', Q', R)| / (|P'| |Q'| |R|)`.
+    pub determinant: Worst,
+    /// The largest angle between the tangent planes at the ends of a ruling, in radians (0 to pi/2:
+    /// planes, not normals).
+    pub twist: Worst,
+    /// The largest absolute Gaussian curvature on the sampled grid; infinite at a singular point.
+    pub gaussian: Worst,
+    /// The smallest distance, along a ruling and in units of length, from the patch to the point where
+    /// the ruling meets its neighbours (the edge of regression, the apex): negative when that point is
+    /// inside the patch, infinite when no ruling meets its neighbours (cylinders).
+    pub clearance: Worst,
+}
+
+impl Certificate {
+    /// Whether no ruling meets its neighbours inside the patch, as far as measured.
+    #[must_use]
+    pub fn is_regular(&self) -> bool {
+        self.clearance.value > 0.0
+    }
+}
+
+/// Rulings sampled by [`certify`] at least, and positions along each for the curvature.
+const LEAST_RULINGS: usize = 8;
+const POSITIONS: usize = 5;
+/// Golden-section steps in the local search: the bracket shrinks by `0.618^40 < 1e-8`.
+const SEARCH_STEPS: usize = 40;
+
+/// Measures a ruled patch on at least `rulings` rulings and refines every worst place locally.
+///
+/// # Errors
+/// [`GeometryError`] when a ruling of the patch does not exist.
+///
+/// ```
+/// use torse_geometry::developable::certify;
+/// use torse_geometry::{Bernstein, Curve, RuledSurface};
+/// // A hyperbolic paraboloid is ruled but not developable.
+/// let rail = |points: [[f64; 3]; 2]| Curve::new(Bernstein, points.to_vec());
+/// let first = rail([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])?;
+/// let second = rail([[0.0, 1.0, 0.0], [1.0, 1.0, 1.0]])?;
+/// let certificate = certify(&RuledSurface::new(first, second), 32)?;
+/// assert!((certificate.twist.value.to_degrees() - 45.0).abs() < 1e-6 && certificate.twist.x < 1e-6);
+///
+/// // A cone whose apex lies halfway between its rails is developable but not regular.
+/// let first = rail([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])?;
+/// let second = rail([[-1.0, 0.0, 2.0], [0.0, -1.0, 2.0]])?;
+/// let certificate = certify(&RuledSurface::new(first, second), 32)?;
+/// assert!(certificate.determinant.value < 1e-15);
+/// assert!(!certificate.is_regular() && (certificate.clearance.v - 0.5).abs() < 1e-9);
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+pub fn certify(patch: &(impl Rails<f64> + Surface<f64>), rulings: usize) -> Result<Certificate> {
+    let xs = samples(rulings.max(LEAST_RULINGS));
+    Ok(Certificate {
+        determinant: search(&xs, |x| {
+            Ok(Place::whole(Ruling::at(patch, x)?.determinant()))
+        })?,
+        twist: search(&xs, |x| Ok(Place::whole(Ruling::at(patch, x)?.twist())))?,
+        gaussian: worst_curvature(patch, &xs)?,
+        clearance: {
+            let worst = search(&xs, |x| {
+                let Place { value, v } = Ruling::at(patch, x)?.clearance();
+                Ok(Place { value: -value, v })
+            })?;
+            Worst {
+                value: -worst.value,
+                ..worst
+            }
+        },
+    })
+}
+
+fn samples(count: usize) -> Vec<f64> {
+    #[allow(clippy::cast_precision_loss)]
+    let last = (count.max(2) - 1) as f64;
+    #[allow(clippy::cast_precision_loss)]
+    let at = |i: usize| i as f64 / last;
+    (0..count.max(2)).map(at).collect()
+}
+
+/// A value on one ruling and where on it.
+struct Place {
+    value: f64,
+    v: f64,
+}
+
+impl Place {
+    fn whole(value: f64) -> Self {
+        Self { value, v: 0.0 }
+    }
+}
+
+/// The maximum over the samples, refined by golden-section search between its neighbours.
+fn search(xs: &[f64], f: impl Fn(f64) -> Result<Place>) -> Result<Worst> {
+    let mut best = Worst {
+        value: f64::NEG_INFINITY,
+        x: 0.0,
+        v: 0.0,
+    };
+    let mut keep = |x: f64| -> Result<f64> {
+        let Place { value, v } = f(x)?;
+        if value > best.value {
+            best = Worst { value, x, v };
+        }
+        Ok(value)
+    };
+    let mut peak = (0, f64::NEG_INFINITY);
+    for (i, &x) in xs.iter().enumerate() {
+        let value = keep(x)?;
+        if value > peak.1 {
+            peak = (i, value);
+        }
+    }
+    let around = |i: usize| xs.get(i).copied();
+    let mut a = around(peak.0.saturating_sub(1)).unwrap_or(0.0);
+    let mut b = around(peak.0 + 1).unwrap_or(1.0);
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    for _ in 0..SEARCH_STEPS {
+        let (left, right) = (b - golden * (b - a), a + golden * (b - a));
+        if keep(left)? >= keep(right)? {
+            b = right;
+        } else {
+            a = left;
+        }
+    }
+    Ok(best)
+}
+
+fn worst_curvature(patch: &impl Surface<f64>, xs: &[f64]) -> Result<Worst> {
+    let mut worst = Worst {
+        value: 0.0,
+        x: 0.0,
+        v: 0.0,
+    };
+    for &x in xs {
+        for v in samples(POSITIONS) {
+            let value = match patch.gaussian_curvature(&x, &v) {
+                Ok(k) => k.abs(),
+                Err(GeometryError::Degenerate { .. }) => f64::INFINITY,
+                Err(other) => return Err(other),
+            };
+            if value > worst.value {
+                worst = Worst { value, x, v };
+            }
+        }
+    }
+    Ok(worst)
+}
+
+/// One ruling with the first derivatives of the rails.
+struct Ruling {
+    p: [f64; 3],
+    q: [f64; 3],
+    r: [f64; 3],
+}
+
+impl Ruling {
+    fn at(patch: &impl Rails<f64>, x: f64) -> Result<Self> {
+        let [p, q] = patch.rail_jets(&x, 1)?;
+        let coefficient = |jets: &[torse_algebra::Jet<f64>; 3], n: usize| -> [f64; 3] {
+            std::array::from_fn(|axis| jets[axis].coefficients().get(n).copied().unwrap_or(0.0))
+        };
+        Ok(Self {
+            r: sub(&coefficient(&q, 0), &coefficient(&p, 0)),
+            p: coefficient(&p, 1),
+            q: coefficient(&q, 1),
+        })
+    }
+
+    fn determinant(&self) -> f64 {
+        let volume = norm(&self.p) * norm(&self.q) * norm(&self.r);
+        if volume > 0.0 {
+            det(&self.p, &self.q, &self.r).abs() / volume
+        } else {
+            0.0
+        }
+    }
+
+    fn twist(&self) -> f64 {
+        let (n0, n1) = (cross(&self.p, &self.r), cross(&self.q, &self.r));
+        norm(&cross(&n0, &n1)).atan2(dot(&n0, &n1).abs())
+    }
+
+    /// Signed distance from [0, 1] to the closest approach `v*` of the neighbouring ruling.
+    fn clearance(&self) -> Place {
+        let n0 = cross(&self.p, &self.r);
+        let turn = cross(&self.r, &sub(&self.q, &self.p));
+        let square = dot(&turn, &turn);
+        let v = dot(&n0, &turn) / square;
+        // Rulings that turn less than rounding are parallel: they meet nowhere.
+        let reach = norm(&self.r) * (norm(&self.p) + norm(&self.q));
+        if square.sqrt() <= 4.0 * f64::EPSILON * reach || !v.is_finite() {
+            return Place {
+                value: f64::INFINITY,
+                v: 0.0,
+            };
+        }
+        let outside = (-v).max(v - 1.0);
+        Place {
+            value: outside * norm(&self.r),
+            v,
+        }
+    }
+}
+
+/// The outcome of [`prove_regular`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Regularity {
+    /// Proved: on every ruling the end normals point to the same side.
+    Regular,
+    /// Refuted: at this parameter they point to opposite sides, so the edge of regression lies inside.
+    Singular {
+        /// The parameter of a witness ruling.
+        x: Rational,
+    },
+    /// Neither within the budget; the first interval left open.
+    Undecided {
+        /// Its lower end.
+        from: Rational,
+        /// Its upper end.
+        to: Rational,
+    },
+}
+
+/// Proves or refutes that a developable patch is regular, with interval arithmetic of `bits` bits and at
+/// most `budget` intervals.
+///
+/// # Errors
+/// None: where the patch cannot be evaluated on an interval, that interval is divided.
+///
+/// ```
+/// use torse_geometry::developable::{Regularity, prove_regular};
+/// use torse_geometry::{Bounds, EnvelopingPatch, Gbt, Over, PlaneFamily, exact_ball};
+/// let h = 5.0 * 2_f64.sqrt();
+/// let planes = vec![[h, -h, 5.0, 125.0], [-h, -h, 5.0, 125.0], [-h, h, 5.0, 125.0], [h, h, 5.0, 125.0]];
+/// let family = PlaneFamily::new(Gbt::new(0.5, 0.5)?, planes)?;
+/// let upto = |z: f64| {
+///     let patch = EnvelopingPatch::new(family.clone(), Bounds::Planes([[0., 0., 1., 0.], [0., 0., 1., z]]))?;
+///     patch.over(&|x| exact_ball(*x, 80)).map(|patch| prove_regular(&patch, 80, 4096))
+/// };
+/// assert_eq!(upto(5.0)?, Regularity::Regular);
+/// // The surface is a cone with its apex at z = 25: above, the patch is not regular.
+/// assert!(matches!(upto(30.0)?, Regularity::Singular { .. }));
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+#[must_use]
+pub fn prove_regular(patch: &impl Rails<Ball>, bits: usize, budget: usize) -> Regularity {
+    let number = |n: i64| torse_algebra::rational::integer(n);
+    let half = Rational::new(1.into(), 2.into());
+    let mut open = vec![(number(0), number(1))];
+    let mut visited = 0;
+    while let Some((from, to)) = open.pop() {
+        visited += 1;
+        match same_side(patch, &Ball::from_bounds(&from, &to, bits)) {
+            Some(Ordering::Greater) => continue,
+            Some(Ordering::Less) => return Regularity::Singular { x: from },
+            _ => {}
+        }
+        let middle = (from.clone() + to.clone()) * half.clone();
+        if same_side(patch, &Ball::from_rational(&middle, bits)) == Some(Ordering::Less) {
+            return Regularity::Singular { x: middle };
+        }
+        if visited >= budget {
+            return Regularity::Undecided { from, to };
+        }
+        open.push((middle.clone(), to));
+        open.push((from, middle));
+    }
+    Regularity::Regular
+}
+
+/// The sign of `N0 . N1` over an interval of parameters, where it is the same for all.
+fn same_side(patch: &impl Rails<Ball>, x: &Ball) -> Option<Ordering> {
+    let [p, q] = patch.rail_jets(x, 1).ok()?;
+    let coefficient = |jets: &[torse_algebra::Jet<Ball>; 3], n: usize| -> Option<[Ball; 3]> {
+        let [a, b, c] = jets
+            .each_ref()
+            .map(|jet| jet.coefficients().get(n).cloned());
+        Some([a?, b?, c?])
+    };
+    let r = sub(&coefficient(&q, 0)?, &coefficient(&p, 0)?);
+    let (dp, dq) = (coefficient(&p, 1)?, coefficient(&q, 1)?);
+    dot(&cross(&dp, &r), &cross(&dq, &r)).sign()
+}

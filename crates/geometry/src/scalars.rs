@@ -1,0 +1,203 @@
+//! The same object over another scalar: f64 data are exact rationals, so any f64 curve, family or
+//! patch can be carried to balls (certified) or rationals (exact) without loss.
+
+use crate::basis::{Bernstein, Gbt};
+use crate::coordinate::Coordinate;
+use crate::curve::{Curve, RationalCurve};
+use crate::developable::{Bounds, EnvelopingPatch, TangentPatch};
+use crate::error::Result;
+use crate::planes::PlaneFamily;
+use crate::surface::{RuledSurface, TensorSurface};
+use torse_algebra::{Ball, Integer, Rational};
+
+/// Carries an object over the scalar `S` to the scalar `T`.
+///
+/// ```
+/// use torse_geometry::{Curve, Gbt, Over, exact_ball};
+/// let curve = Curve::new(Gbt::new(0.1, 0.7)?, vec![[0.0], [1.0], [4.0], [2.0]])?;
+/// let enclosed = curve.over(&|x| exact_ball(*x, 100))?;
+/// let [ball] = enclosed.point(&exact_ball(0.3, 100))?;
+/// let (low, high) = ball.to_f64_bounds();
+/// let [value] = curve.point(&0.3)?;
+/// assert!((value - low).abs() < 1e-14 && high - low < 1e-15);
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+pub trait Over<S, T> {
+    /// The same kind of object over `T`.
+    type Object;
+
+    /// The object with every number converted.
+    ///
+    /// # Errors
+    /// What the constructor of the object refuses.
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object>;
+}
+
+/// The rational number that a finite f64 is; zero for NaN and infinities, which no object here holds.
+///
+/// ```
+/// use torse_algebra::rational::ratio;
+/// assert_eq!(Some(torse_geometry::exact(0.375)), ratio(3, 8));
+/// assert_eq!(torse_geometry::exact(-0.1) + torse_geometry::exact(0.1), ratio(0, 1).unwrap());
+/// ```
+#[must_use]
+pub fn exact(value: f64) -> Rational {
+    if !value.is_finite() {
+        return Rational::from_integer(Integer::ZERO);
+    }
+    let bits = value.to_bits();
+    let exponent = (bits >> 52) & 0x7ff;
+    let fraction = bits & ((1 << 52) - 1);
+    let (mantissa, power) = if exponent == 0 {
+        (fraction, 0)
+    } else {
+        (fraction | 1 << 52, exponent - 1)
+    };
+    let signed = if value.is_sign_negative() {
+        -Integer::from(mantissa)
+    } else {
+        Integer::from(mantissa)
+    };
+    // value = mantissa * 2^(power - 1074)
+    let power = usize::try_from(power).unwrap_or(0);
+    match power.checked_sub(1074) {
+        Some(up) => Rational::from_integer(signed << up),
+        None => Rational::new(signed, Integer::ONE << (1074 - power)),
+    }
+}
+
+/// The ball of this precision around a finite f64, exact when `bits` is large enough (1074 always is).
+#[must_use]
+pub fn exact_ball(value: f64, bits: usize) -> Ball {
+    Ball::from_rational(&exact(value), bits)
+}
+
+fn point<S, T, const D: usize>(p: &[S; D], convert: &impl Fn(&S) -> T) -> [T; D] {
+    p.each_ref().map(convert)
+}
+
+impl<S, T> Over<S, T> for Bernstein {
+    type Object = Self;
+
+    fn over(&self, _convert: &impl Fn(&S) -> T) -> Result<Self> {
+        Ok(*self)
+    }
+}
+
+impl<S: Coordinate, T: Coordinate> Over<S, T> for Gbt<S> {
+    type Object = Gbt<T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Gbt<T>> {
+        Gbt::new(convert(self.mu()), convert(self.nu()))
+    }
+}
+
+impl<S, T, B, const D: usize> Over<S, T> for Curve<B, S, D>
+where
+    S: Coordinate,
+    T: Coordinate,
+    B: crate::Basis<S> + Over<S, T, Object: crate::Basis<T>>,
+{
+    type Object = Curve<B::Object, T, D>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
+        let points = self.points().iter().map(|p| point(p, convert)).collect();
+        Curve::new(self.basis().over(convert)?, points)
+    }
+}
+
+impl<S, T, B, const D: usize> Over<S, T> for RationalCurve<B, S, D>
+where
+    S: Coordinate,
+    T: Coordinate,
+    B: crate::Basis<S> + Over<S, T, Object: crate::Basis<T>>,
+{
+    type Object = RationalCurve<B::Object, T, D>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
+        let (points, weights) = self
+            .homogeneous()
+            .map(|(p, w)| (point(p, convert), convert(w)))
+            .unzip();
+        RationalCurve::from_homogeneous(self.basis().over(convert)?, points, weights)
+    }
+}
+
+impl<S, T, U, V> Over<S, T> for TensorSurface<U, V, S>
+where
+    S: Coordinate,
+    T: Coordinate,
+    U: crate::Basis<S> + Over<S, T, Object: crate::Basis<T>>,
+    V: crate::Basis<S> + Over<S, T, Object: crate::Basis<T>>,
+{
+    type Object = TensorSurface<U::Object, V::Object, T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
+        let (u, v) = self.bases();
+        let net = self
+            .rows()
+            .map(|row| row.iter().map(|p| point(p, convert)).collect())
+            .collect();
+        TensorSurface::new(u.over(convert)?, v.over(convert)?, net)
+    }
+}
+
+impl<S, T, P, Q> Over<S, T> for RuledSurface<P, Q>
+where
+    P: Over<S, T>,
+    Q: Over<S, T>,
+{
+    type Object = RuledSurface<P::Object, Q::Object>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
+        Ok(RuledSurface::new(
+            self.first().over(convert)?,
+            self.second().over(convert)?,
+        ))
+    }
+}
+
+impl<S, T, B> Over<S, T> for PlaneFamily<B, S>
+where
+    S: Coordinate,
+    T: Coordinate,
+    B: crate::Basis<S> + Over<S, T, Object: crate::Basis<T>>,
+{
+    type Object = PlaneFamily<B::Object, T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
+        let curve = self.curve();
+        let planes = curve.points().iter().map(|p| point(p, convert)).collect();
+        PlaneFamily::new(curve.basis().over(convert)?, planes)
+    }
+}
+
+impl<S, T, B> Over<S, T> for EnvelopingPatch<B, S>
+where
+    S: Coordinate,
+    T: Coordinate,
+    B: crate::Basis<S> + Over<S, T, Object: crate::Basis<T>>,
+{
+    type Object = EnvelopingPatch<B::Object, T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
+        let bounds = match self.bounds() {
+            Bounds::Range(range) => Bounds::Range(point(range, convert)),
+            Bounds::Planes(planes) => Bounds::Planes(planes.each_ref().map(|p| point(p, convert))),
+        };
+        EnvelopingPatch::new(self.family().over(convert)?, bounds)
+    }
+}
+
+impl<S, T, B> Over<S, T> for TangentPatch<B, S>
+where
+    S: Coordinate,
+    T: Coordinate,
+    B: crate::Basis<S> + Over<S, T, Object: crate::Basis<T>>,
+{
+    type Object = TangentPatch<B::Object, T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
+        TangentPatch::new(self.family().over(convert)?, point(self.range(), convert))
+    }
+}
