@@ -24,6 +24,12 @@ impl<S: Coordinate> Basis<S> for Bernstein {
         Ok([y.clone() * y, mixed.clone() + mixed, x.clone() * x.clone()])
     }
 
+    fn seed_slopes(&self, x: &S) -> Result<[S; 3], ExactError> {
+        let (up, down) = (x.clone() + x.clone(), x.one() - x.clone());
+        let down = down.clone() + down;
+        Ok([-down.clone(), down - up.clone(), up])
+    }
+
     fn seed_jets(&self, x: &S, order: usize) -> Result<[Jet<S>; 3], ExactError> {
         let t = Jet::variable(x.clone(), order);
         let u = t.constant_like(x.one()) - t.clone();

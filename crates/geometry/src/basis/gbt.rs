@@ -82,6 +82,15 @@ impl<S: Coordinate> Basis<S> for Gbt<S> {
         Ok([g0, g1, g2])
     }
 
+    fn seed_slopes(&self, x: &S) -> Result<[S; 3], ExactError> {
+        let ((s, c), half_pi) = (x.turn()?, x.half_pi()?);
+        // d/dt (1 - t)(1 - m t) = 2 m t - 1 - m
+        let outer = |t: &S, m: &S| m.clone() * (t.clone() + t.clone() - x.one()) - x.one();
+        let d0 = half_pi.clone() * c.clone() * outer(&s, &self.mu);
+        let d2 = -(half_pi * s * outer(&c, &self.nu));
+        Ok([d0.clone(), -(d0 + d2.clone()), d2])
+    }
+
     fn seed_jets(&self, x: &S, order: usize) -> Result<[Jet<S>; 3], ExactError> {
         let (s, c) = turn_jets(x, order)?;
         let one = s.constant_like(x.one());

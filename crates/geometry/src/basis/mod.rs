@@ -76,11 +76,10 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     /// # Errors
     /// As [`Basis::row`].
     fn row_into(&self, x: &S, row: &mut [S]) -> Result<()> {
-        let one_minus_x = x.one() - x.clone();
         match row {
             [] | [_] => return Err(degree_zero()),
             [first, second] => {
-                *first = one_minus_x;
+                *first = x.one() - x.clone();
                 *second = x.clone();
                 return Ok(());
             }
@@ -89,23 +88,74 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
                 (*first, *second, *third) = (g0, g1, g2);
             }
         }
-        for degree in 3..row.len() {
-            let Some(active) = row.get_mut(..=degree) else {
-                break;
-            };
-            let mut lower = x.zero();
-            let (last, rest) = match active.split_last_mut() {
-                Some((last, rest)) => (last, rest),
-                None => break,
-            };
-            for entry in rest {
-                let old = entry.clone();
-                *entry = one_minus_x.clone() * old.clone() + x.clone() * lower;
-                lower = old;
-            }
-            *last = x.clone() * lower;
-        }
+        raise(row, x);
         Ok(())
+    }
+
+    /// The first derivatives of the seeds at `x`.
+    ///
+    /// # Errors
+    /// As [`Basis::seeds`].
+    fn seed_slopes(&self, x: &S) -> Result<[S; 3], ExactError> {
+        let slope = |g: Jet<S>| g.coefficients().get(1).cloned().unwrap_or_else(|| x.zero());
+        Ok(self.seed_jets(x, 1)?.map(slope))
+    }
+
+    /// The basis functions and their first derivatives at `x` into the caller's buffers of equal length:
+    /// with `T = (1-x) + x E`,
+    /// `d/dx T^(k-2) g = (k-2) (E - 1) T^(k-3) g + T^(k-2) g'`.
+    ///
+    /// # Errors
+    /// As [`Basis::row`], and [`GeometryError::LengthMismatch`] when the lengths differ.
+    ///
+    /// ```
+    /// use torse_geometry::{Basis, Gbt};
+    /// let gbt = Gbt::new(0.5, -0.25)?;
+    /// let (mut row, mut slope) = ([0.0; 6], [0.0; 6]);
+    /// gbt.row_and_slope_into(&0.3, &mut row, &mut slope)?;
+    /// let rows = gbt.derivative_rows(5, &0.3, 1)?;
+    /// assert!((0..6).all(|i| (row[i] - rows[0][i]).abs() + (slope[i] - rows[1][i]).abs() < 1e-14));
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    fn row_and_slope_into(&self, x: &S, row: &mut [S], slope: &mut [S]) -> Result<()> {
+        if row.len() != slope.len() {
+            let (expected, given) = (row.len(), slope.len());
+            let what = "buffer for derivatives";
+            return Err(GeometryError::LengthMismatch {
+                what,
+                index: 0,
+                expected,
+                given,
+            });
+        }
+        let degree = row.len().saturating_sub(1);
+        if degree < 2 {
+            self.row_into(x, row)?;
+            if let [first, second] = slope {
+                (*first, *second) = (-x.one(), x.one());
+            }
+            return Ok(());
+        }
+        // slope: T^(k-2) g' first, by the recursion of the values.
+        for (slot, g) in slope.iter_mut().zip(self.seed_slopes(x)?) {
+            *slot = g;
+        }
+        raise(slope, x);
+        if degree > 2 {
+            if let Some(lower) = row.get_mut(..degree) {
+                self.row_into(x, lower)?;
+            }
+            let factor = x.natural(degree - 2);
+            for i in 0..=degree {
+                let entry = |i: usize| row.get(i).filter(|_| i < degree).cloned();
+                let below = i.checked_sub(1).and_then(entry).unwrap_or_else(|| x.zero());
+                let step = below - entry(i).unwrap_or_else(|| x.zero());
+                if let Some(slot) = slope.get_mut(i) {
+                    *slot = slot.clone() + factor.clone() * step;
+                }
+            }
+        }
+        self.row_into(x, row)
     }
 
     /// The derivative rows at `x`: entry `[n][i]` is the n-th derivative of basis function `i`.
@@ -190,6 +240,23 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
             }
         }
         Ok(rows)
+    }
+}
+
+/// From the three seeds in front to the basis of the whole row, degree by degree in place.
+fn raise<S: Coordinate>(row: &mut [S], x: &S) {
+    let one_minus_x = x.one() - x.clone();
+    for degree in 3..row.len() {
+        let Some((last, rest)) = row.get_mut(..=degree).and_then(<[S]>::split_last_mut) else {
+            return;
+        };
+        let mut lower = x.zero();
+        for entry in rest {
+            let old = entry.clone();
+            *entry = one_minus_x.clone() * old.clone() + x.clone() * lower;
+            lower = old;
+        }
+        *last = x.clone() * lower;
     }
 }
 

@@ -122,6 +122,15 @@ impl<S: Coordinate, B: Basis<S>> Rails<S> for EnvelopingPatch<B, S> {
         };
         Ok(bounds.map(|x1| ruling.point(&x1)))
     }
+
+    fn ruling_ends(&self, x: &S) -> Result<[[S; 3]; 2]> {
+        let ruling = self.family.ruling(x)?;
+        let [first, second] = match &self.bounds {
+            Bounds::Range(range) => range.clone(),
+            Bounds::Planes([first, second]) => [ruling.meets(first, x)?, ruling.meets(second, x)?],
+        };
+        Ok([ruling.point(&first), ruling.point(&second)])
+    }
 }
 
 impl<S: Coordinate, B: Basis<S>> Surface<S> for EnvelopingPatch<B, S> {

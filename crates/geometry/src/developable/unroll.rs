@@ -30,6 +30,27 @@ pub struct FlatPattern {
     pub strain: f64,
 }
 
+impl FlatPattern {
+    /// The closed outline: along the first rail, back along the second.
+    #[must_use]
+    pub fn outline(&self) -> Vec<[f64; 2]> {
+        let [first, second] = &self.rails;
+        first.iter().chain(second.iter().rev()).copied().collect()
+    }
+
+    /// Every ruling whose index is a multiple of `every`; none for zero.
+    pub fn rulings(&self, every: usize) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        let [first, second] = &self.rails;
+        let count = if every == 0 { 0 } else { usize::MAX };
+        first
+            .iter()
+            .zip(second)
+            .step_by(every.max(1))
+            .take(count)
+            .map(|(p, q)| [*p, *q])
+    }
+}
+
 /// The most rulings that [`unroll`] integrates over.
 const MOST_STEPS: usize = 1 << 16;
 

@@ -1,0 +1,65 @@
+//! SVG of flat patterns.
+
+use super::decimal;
+use crate::developable::FlatPattern;
+use std::fmt::Write;
+
+/// The flat pattern as SVG in true size (one unit is one millimetre): the outline as a path, every ruling
+/// whose index is a multiple of `every` as a thin line (none for `every = 0`).
+///
+/// ```
+/// use torse_geometry::{export, developable::FlatPattern};
+/// let flat = FlatPattern {
+///     x: vec![0.0, 1.0],
+///     rails: [vec![[0.0, 0.0], [0.0, 2.0]], vec![[1.0, 0.0], [1.0, 2.0]]],
+///     error: 0.0,
+///     strain: 0.0,
+/// };
+/// let text = export::svg(&flat, 1);
+/// // A margin of a fiftieth of the larger side; y points up in the pattern and down in SVG.
+/// assert!(text.contains(r#"viewBox="-0.04 -2.04 1.08 2.08""#));
+/// assert!(text.contains(r#"d="M0 0L0 -2L1 -2L1 0Z""#));
+/// ```
+#[must_use]
+pub fn svg(flat: &FlatPattern, every: usize) -> String {
+    let outline = flat.outline();
+    let bound = |axis: usize, start: f64, pick: fn(f64, f64) -> f64| {
+        outline.iter().map(|p| p[axis]).fold(start, pick)
+    };
+    let (x0, x1) = (
+        bound(0, f64::INFINITY, f64::min),
+        bound(0, f64::NEG_INFINITY, f64::max),
+    );
+    let (y0, y1) = (
+        bound(1, f64::INFINITY, f64::min),
+        bound(1, f64::NEG_INFINITY, f64::max),
+    );
+    let (mut width, mut height) = (x1 - x0, y1 - y0);
+    if !(width.is_finite() && height.is_finite()) {
+        (width, height) = (0.0, 0.0);
+    }
+    let margin = 0.02 * width.max(height);
+    let (w, h) = (
+        decimal(width + 2.0 * margin),
+        decimal(height + 2.0 * margin),
+    );
+    let (left, top) = (decimal(x0 - margin), decimal(-y1 - margin));
+    let stroke = decimal(0.1 * margin);
+    let mut text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" \
+         viewBox=\"{left} {top} {w} {h}\" fill=\"none\" stroke=\"black\" stroke-width=\"{stroke}\">\n"
+    );
+    let point = |[x, y]: [f64; 2]| format!("{} {}", decimal(x), decimal(-y));
+    let path: Vec<String> = outline.iter().map(|p| point(*p)).collect();
+    let _ = writeln!(text, "<path d=\"M{}Z\"/>", path.join("L"));
+    for [a, b] in flat.rulings(every) {
+        let _ = writeln!(
+            text,
+            "<path d=\"M{}L{}\" stroke=\"gray\"/>",
+            point(a),
+            point(b)
+        );
+    }
+    text.push_str("</svg>\n");
+    text
+}
