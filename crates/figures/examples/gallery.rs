@@ -248,8 +248,8 @@ fn tangent_plane() -> Result<View, FigureError> {
         .surface(Surface::new(grid).lines(16, 0))
         .surface(
             Surface::new(plane)
-                .paint(Paint::nth(2))
-                .opacity(0.45)
+                .paint(Paint::plain(palette(2)))
+                .opacity(0.35)
                 .label("tangent plane"),
         )
         .curve(vec![p, foot], Line::solid(palette(1), 2.2), "ruling")

@@ -39,8 +39,8 @@ pub(crate) enum Key {
     Marker(Marker, Colour),
     /// A control polygon: a line through a marker.
     Chain(Line, Marker),
-    /// A two-sided surface.
-    Patch(Colour, Colour),
+    /// The two sides of a surface, and its opacity.
+    Patch([Colour; 2], f64),
 }
 
 /// The measured legend.
@@ -51,9 +51,9 @@ pub(crate) struct Entries {
     pub height: f64,
 }
 
-const SAMPLE: f64 = 26.0;
+const SAMPLE: f64 = 28.0;
 const GAP: f64 = 7.0;
-const BETWEEN: f64 = 18.0;
+const BETWEEN: f64 = 14.0;
 const ROW: f64 = 1.45 * TEXT_SIZE;
 
 impl Entries {
@@ -63,25 +63,16 @@ impl Entries {
         entries: &[(Key, &str)],
         page: f64,
     ) -> Result<Entries, FigureError> {
-        let mut rows: Vec<Vec<(Key, TypeLine)>> = Vec::new();
-        let mut width = 0.0f64;
-        let mut pen = 0.0f64;
+        let mut lines = Vec::with_capacity(entries.len());
         for &(key, label) in entries {
-            let line = typeset(label, TEXT_SIZE)?;
-            let own = SAMPLE + GAP + line.width;
-            let joins = place == Legend::Below && pen + BETWEEN + own <= page;
-            match rows.last_mut() {
-                Some(row) if joins => {
-                    row.push((key, line));
-                    pen += BETWEEN + own;
-                }
-                _ => {
-                    rows.push(vec![(key, line)]);
-                    pen = own;
-                }
-            }
-            width = width.max(pen);
+            lines.push((key, typeset(label, TEXT_SIZE)?));
         }
+        let columns = match place {
+            Legend::Below => columns_that_fit(&lines, page),
+            _ => 1,
+        };
+        let rows: Vec<Vec<(Key, TypeLine)>> = lines.chunks(columns).map(<[_]>::to_vec).collect();
+        let width = rows.iter().map(|row| row_width(row)).fold(0.0, f64::max);
         let height = rows.len() as f64 * ROW;
         Ok(match place {
             _ if rows.is_empty() => Entries {
@@ -114,8 +105,7 @@ impl Entries {
             _ => room.y + ((room.h - self.height) / 2.0).max(0.0),
         } + ROW / 2.0;
         for row in &self.rows {
-            let wide: f64 = row.iter().map(|(_, l)| SAMPLE + GAP + l.width).sum();
-            let wide = wide + BETWEEN * row.len().saturating_sub(1) as f64;
+            let wide = row_width(row);
             let mut x = match place {
                 Legend::Below => room.x + (room.w - wide) / 2.0,
                 _ => room.x + BETWEEN,
@@ -130,6 +120,19 @@ impl Entries {
     }
 }
 
+fn row_width(row: &[(Key, TypeLine)]) -> f64 {
+    let own: f64 = row.iter().map(|(_, line)| SAMPLE + GAP + line.width).sum();
+    own + BETWEEN * row.len().saturating_sub(1) as f64
+}
+
+/// Entries per row, at least one, so that no row is wider than `page` and the rows are about equally long.
+fn columns_that_fit(lines: &[(Key, TypeLine)], page: f64) -> usize {
+    let fits = |&n: &usize| lines.chunks(n).all(|row| row_width(row) <= page);
+    let most = (1..=lines.len()).rev().find(fits).unwrap_or(1);
+    let rows = lines.len().div_ceil(most).max(1);
+    lines.len().div_ceil(rows).max(1)
+}
+
 impl Key {
     fn draw(self, scene: &mut Scene, [x, y]: [f64; 2]) {
         let middle = [x + SAMPLE / 2.0, y];
@@ -140,12 +143,12 @@ impl Key {
                 scene.stroke(polyline(&[[x, y], [x + SAMPLE, y]]), line);
                 draw_marker(scene, middle, marker, line.colour);
             }
-            Key::Patch(front, back) => {
-                let (l, r, t, b) = (x + 3.0, x + SAMPLE - 3.0, y - 5.0, y + 5.0);
+            Key::Patch([front, back], opacity) => {
+                let (l, r, t, b) = (x + 6.0, x + SAMPLE - 6.0, y - 5.0, y + 5.0);
                 let quad = [[l, t], [r, t], [r, b], [l, b]];
-                scene.fill(polygon(&quad), front, 1.0);
+                scene.fill(polygon(&quad), front, opacity);
                 if front != back {
-                    scene.fill(polygon(&[[r, t], [r, b], [l, b]]), back, 1.0);
+                    scene.fill(polygon(&[[r, t], [r, b], [l, b]]), back, opacity);
                 }
                 scene.stroke(polygon(&quad), Line::solid(Colour::GREY, 0.6));
             }

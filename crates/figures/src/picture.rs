@@ -114,6 +114,8 @@ pub struct Figure {
 
 const MARGIN: f64 = 10.0;
 const CAPTION: f64 = 26.0;
+/// Bytes for the images of a figure: a third more as text in an SVG of less than 300 KiB.
+const IMAGE_BYTES: usize = 195 * 1024;
 
 impl Figure {
     pub(crate) fn single(title: &str, size: Size, content: Content) -> Figure {
@@ -145,6 +147,12 @@ impl Figure {
         let page = [w * columns as f64, (h + caption) * rows as f64];
         within("page width", page[0], 64.0, 2048.0)?;
         within("page height", page[1], 64.0, 2048.0)?;
+        let views = self
+            .panels
+            .iter()
+            .filter(|p| matches!(p.content, Content::View(_)))
+            .count();
+        let budget = IMAGE_BYTES / views.max(1);
         let mut scene = Scene::new(page[0] as u32, page[1] as u32);
         for (k, panel) in self.panels.iter().enumerate() {
             let cell = Rect {
@@ -156,7 +164,7 @@ impl Figure {
             let room = cell.inset([MARGIN; 4]);
             match &panel.content {
                 Content::Plot(plot) => plot.draw_in(&mut scene, room)?,
-                Content::View(view) => view.draw_in(&mut scene, room)?,
+                Content::View(view) => view.draw_in(&mut scene, room, budget)?,
             }
             let middle = [cell.x + w / 2.0, cell.bottom() + caption / 2.0 - 4.0];
             scene.set(

@@ -12,7 +12,11 @@ pub(crate) fn clip_polyline(points: &[[f64; 2]], r: Rect) -> Vec<Vec<[f64; 2]>> 
             joined = false;
             continue;
         };
-        let at = |t: f64| [0, 1].map(|k| a[k] + t * (b[k] - a[k]));
+        let at = |t: f64| match t {
+            0.0 => a,
+            1.0 => b,
+            _ => onto(between(a, b, t), r),
+        };
         match parts.last_mut() {
             Some(part) if joined && t0 == 0.0 => part.push(at(t1)),
             _ => parts.push(vec![at(t0), at(t1)]),
@@ -46,6 +50,15 @@ fn inside(a: [f64; 2], b: [f64; 2], r: Rect) -> Option<(f64, f64)> {
     (t0 <= t1).then_some((t0, t1))
 }
 
+fn between(a: [f64; 2], b: [f64; 2], t: f64) -> [f64; 2] {
+    [0, 1].map(|k| a[k] + t * (b[k] - a[k]))
+}
+
+/// The nearest point of `r`: the cut of a line with an end very far away is off by the rounding of that end.
+fn onto([x, y]: [f64; 2], r: Rect) -> [f64; 2] {
+    [x.clamp(r.x, r.right()), y.clamp(r.y, r.bottom())]
+}
+
 /// A polygon cut to `r` (Sutherland and Hodgman 1974).
 pub(crate) fn clip_polygon(points: &[[f64; 2]], r: Rect) -> Vec<[f64; 2]> {
     let sides = [
@@ -66,11 +79,14 @@ pub(crate) fn clip_polygon(points: &[[f64; 2]], r: Rect) -> Vec<[f64; 2]> {
                 }
                 if (ra < 0.0) != (rb < 0.0) {
                     let t = ra / (ra - rb);
-                    kept.push([0, 1].map(|k| a[k] + t * (b[k] - a[k])));
+                    kept.push(between(*a, *b, t));
                 }
             }
             kept
         })
+        .into_iter()
+        .map(|p| onto(p, r))
+        .collect()
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use crate::ink::ticks::Ticks;
 use crate::legend::{Entries, Key, Legend, Marker, draw_marker};
 
 /// One tick per this many pixels.
-const PER_TICK: [f64; 2] = [62.0, 44.0];
+const PER_TICK: [f64; 2] = [62.0, 34.0];
 
 impl Plot {
     pub(crate) fn draw_in(&self, scene: &mut Scene, page: Rect) -> Result<(), FigureError> {
@@ -83,10 +83,7 @@ impl Plot {
                 opacity,
                 ref label,
                 ..
-            } => {
-                let tint = Colour::PAPER.mix(colour, opacity as f32);
-                Some((Key::Patch(tint, tint), label))
-            }
+            } => Some((Key::Patch([colour; 2], opacity), label)),
             _ => None,
         };
         let shown = self.layers.iter().filter_map(entry);
@@ -144,7 +141,7 @@ fn extent(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     if low > high {
         return None;
     }
-    let air = (0.05 * (high - low))
+    let air = (0.08 * (high - low))
         .max(1e-6 * low.abs().max(high.abs()))
         .max(1e-300);
     Some([low - air, high + air])

@@ -127,11 +127,12 @@ pub(crate) enum Item {
         colour: Colour,
         rim: f64,
     },
-    /// An image at twice the resolution of the page.
+    /// An image at twice the resolution of the page, and the same as a PNG file.
     Image {
         x: u32,
         y: u32,
         pixels: Pixels,
+        png: Vec<u8>,
     },
 }
 

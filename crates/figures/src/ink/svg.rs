@@ -11,7 +11,6 @@ use tiny_skia::{Path, PathSegment};
 use crate::colour::Colour;
 use crate::error::FigureError;
 use crate::ink::font::{Fonts, Style};
-use crate::ink::raster::encode;
 use crate::ink::scene::{Glyph, Item, Scene, Turn};
 
 /// The scene as one SVG document named `title`.
@@ -127,20 +126,14 @@ fn write_item(
             }
             out.push_str("</g>\n");
         }
-        Item::Image { x, y, pixels } => {
-            let png = encode(
-                pixels.width,
-                pixels.height,
-                png::ColorType::Rgba,
-                &pixels.rgba,
-            )?;
+        Item::Image { x, y, pixels, png } => {
             put(
                 out,
                 format_args!(
                     "<image x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,{}\"/>\n",
                     num(f64::from(pixels.width) / 2.0, 100.0),
                     num(f64::from(pixels.height) / 2.0, 100.0),
-                    base64(&png)
+                    base64(png)
                 ),
             );
         }

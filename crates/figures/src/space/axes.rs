@@ -3,7 +3,7 @@
 use crate::colour::{Colour, Line};
 use crate::error::FigureError;
 use crate::ink::chart::{TEXT_SIZE, TICK_SIZE};
-use crate::ink::scene::{Align, Scene, Turn, polygon, polyline};
+use crate::ink::scene::{Align, Item, Scene, Turn, polygon, polyline};
 use crate::ink::ticks::Ticks;
 use crate::ink::typeset::typeset;
 use crate::space::camera::Projection;
@@ -15,7 +15,7 @@ const GRID: Line = Line::solid(Colour::rgb(0xd9, 0xdc, 0xe1), 0.7);
 const RIM: Line = Line::solid(Colour::rgb(0xb4, 0xb8, 0xbf), 0.8);
 const EDGE: Line = Line::solid(Colour::INK, 0.8);
 /// One tick per this many pixels.
-const PER_TICK: f64 = 46.0;
+const PER_TICK: f64 = 36.0;
 const TICK: f64 = 4.5;
 /// An edge seen this short, in pixels, gets no ticks.
 const SHORTEST: f64 = 24.0;
@@ -59,6 +59,31 @@ impl<'a> StageBox<'a> {
     /// The corner of the box with the given ends.
     fn corner(&self, ends: [usize; 3]) -> V3 {
         [0, 1, 2].map(|k| self.bounds[k][ends[k]])
+    }
+
+    /// How far ticks and titles reach beyond the box: left, top, right, below.
+    pub(crate) fn overhang(&self, titles: &[String; 3]) -> Result<[f64; 4], FigureError> {
+        let mut trial = Scene::new(1, 1);
+        self.draw_ticks(&mut trial, titles)?;
+        let mut page = Extent::default();
+        for n in 0..8 {
+            page.add(self.place(self.corner([n & 1, n >> 1 & 1, n >> 2])), 1.0);
+        }
+        let mut all = page;
+        for item in &trial.items {
+            let Item::Type { glyphs, .. } = item else {
+                continue;
+            };
+            for g in glyphs {
+                // A box around any glyph: half an em about the middle of a capital.
+                all.add([g.x + 0.3 * g.size, g.y - 0.3 * g.size], 0.5 * g.size);
+            }
+        }
+        let ([left, top], [right, below]) = (
+            [0, 1].map(|k| page.low[k] - all.low[k]),
+            [0, 1].map(|k| all.high[k] - page.high[k]),
+        );
+        Ok([left, top, right, below].map(|room| room + 2.0))
     }
 
     /// Walls and grid lines, behind everything.
@@ -156,6 +181,31 @@ impl<'a> StageBox<'a> {
             scene.set(&line, place, Align::Centre, Turn::Across, 0.0);
         }
         Ok(())
+    }
+}
+
+/// A growing rectangle.
+#[derive(Clone, Copy)]
+struct Extent {
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
+impl Default for Extent {
+    fn default() -> Self {
+        Extent {
+            low: [f64::INFINITY; 2],
+            high: [f64::NEG_INFINITY; 2],
+        }
+    }
+}
+
+impl Extent {
+    fn add(&mut self, at: [f64; 2], reach: f64) {
+        for (k, c) in at.into_iter().enumerate() {
+            self.low[k] = self.low[k].min(c - reach);
+            self.high[k] = self.high[k].max(c + reach);
+        }
     }
 }
 

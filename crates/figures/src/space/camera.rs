@@ -59,7 +59,7 @@ impl Camera {
                     areas
                         .iter()
                         .map(|a| -dot(*a, axes.away))
-                        .map(|facing| facing.abs() * if facing > 0.0 { 1.05 } else { 1.0 })
+                        .map(|facing| facing.abs() * if facing > 0.0 { 1.15 } else { 1.0 })
                         .sum()
                 };
                 let mut best: Option<(f64, Axes)> = None;

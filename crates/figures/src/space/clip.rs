@@ -34,9 +34,14 @@ pub(crate) fn clip_curve(points: &[V3], bounds: &BoxBounds) -> Vec<[V3; 2]> {
         .filter_map(|pair| {
             let &[a, b] = pair else { return None };
             let (t0, t1) = clip_segment(a, b, bounds)?;
-            Some([lerp(a, b, t0), lerp(a, b, t1)])
+            Some([t0, t1].map(|t| onto(lerp(a, b, t), bounds)))
         })
         .collect()
+}
+
+/// The nearest point of the box: a cut is off by the rounding of its ends, which may be very far away.
+fn onto(p: V3, bounds: &BoxBounds) -> V3 {
+    [0, 1, 2].map(|k| p[k].max(bounds[k][0]).min(bounds[k][1]))
 }
 
 /// Whether the box contains a point.
@@ -72,6 +77,9 @@ pub(crate) fn clip_triangle(
             }
             polygon = kept;
         }
+    }
+    for corner in &mut polygon {
+        corner.at = onto(corner.at, bounds);
     }
     if let Some((first, rest)) = polygon.split_first() {
         for pair in rest.windows(2) {
@@ -126,11 +134,10 @@ mod tests {
 
     proptest! {
         #[test]
-        fn no_corner_leaves_the_box(p in prop::array::uniform9(-1e6..1e6f64)) {
+        fn no_corner_leaves_the_box(p in prop::array::uniform9(-1e200..1e200f64)) {
             let triangle = [[p[0], p[1], p[2]], [p[3], p[4], p[5]], [p[6], p[7], p[8]]].map(corner);
-            let large = [[-1e5, 1e5]; 3];
-            let slack = [[-1e5 - 1e-6, 1e5 + 1e-6]; 3];
-            clip_triangle(triangle, &large, |t| assert!(t.iter().all(|c| contains(&slack, c.at))));
+            let large = [[-1e199, 1e199]; 3];
+            clip_triangle(triangle, &large, |t| assert!(t.iter().all(|c| contains(&large, c.at))));
         }
     }
 }

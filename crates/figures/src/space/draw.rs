@@ -2,11 +2,11 @@
 
 use crate::error::{FigureError, range};
 use crate::ink::chart::TEXT_SIZE;
-use crate::ink::raster::RESOLUTION;
+use crate::ink::raster::{RESOLUTION, compress};
 use crate::ink::scene::{Item, Rect, Scene};
 use crate::legend::{Entries, Key, Legend, Marker};
 use crate::space::axes::StageBox;
-use crate::space::camera::Projection;
+use crate::space::camera::{Axes, Projection};
 use crate::space::clip::{BoxBounds, contains};
 use crate::space::mesh::{Builder, area_vectors};
 use crate::space::raster::{SAMPLES, render};
@@ -14,13 +14,18 @@ use crate::space::scalebar::ScaleBar;
 use crate::space::vector::V3;
 use crate::space::view::{Bounds, Paint, Solid, Stage, Surface, View};
 
-/// Room for ticks and titles around the box, in pixels: left, top, right, below.
+/// First guess of the room for ticks and titles around the box, in pixels: left, top, right, below.
 const STAGE_ROOM: [f64; 4] = [50.0, 8.0, 34.0, 40.0];
 /// Room for the width of lines around a bare drawing.
 const BARE_ROOM: [f64; 4] = [8.0; 4];
 
 impl View {
-    pub(crate) fn draw_in(&self, scene: &mut Scene, page: Rect) -> Result<(), FigureError> {
+    pub(crate) fn draw_in(
+        &self,
+        scene: &mut Scene,
+        page: Rect,
+        budget: usize,
+    ) -> Result<(), FigureError> {
         self.check()?;
         let entries = Entries::new(self.legend, &self.legend_entries(), page.w)?;
         let body = match self.legend {
@@ -38,27 +43,20 @@ impl View {
         let cloud: Vec<V3> = self.solids.iter().flat_map(Solid::points).collect();
         let bounds = self.box_bounds(&cloud)?;
         let axes = self.camera.resolve(&area_vectors(&self.solids), &cloud);
-        let projection = match self.stage {
-            Stage::Box(_) => Projection::fit(axes, &corners(&bounds), body.inset(STAGE_ROOM)),
-            Stage::Bare => {
-                let shown: Vec<V3> = cloud
-                    .into_iter()
-                    .filter(|p| contains(&bounds, *p))
-                    .collect();
-                let shown = if matches!(self.bounds, Bounds::Fixed(_)) {
-                    corners(&bounds).to_vec()
-                } else {
-                    shown
-                };
-                Projection::fit(axes, &shown, body.inset(BARE_ROOM))
-            }
-        };
+        let projection = self.fit(axes, &cloud, &bounds, body)?;
 
         let stage = StageBox::new(&projection, &bounds);
         if let Stage::Box(_) = self.stage {
             stage.draw_walls(scene);
         }
-        self.rasterise(scene, body, &projection, &bounds, range)?;
+        let builder = Builder {
+            projection: &projection,
+            bounds: &bounds,
+            page: body,
+            fine: f64::from(RESOLUTION) * SAMPLES as f64,
+            range,
+        };
+        scene.items.push(self.rasterise(&builder, budget)?);
         if let Stage::Box(titles) = &self.stage {
             stage.draw_ticks(scene, titles)?;
         }
@@ -94,50 +92,59 @@ impl View {
         Ok(())
     }
 
-    fn rasterise(
+    /// The largest projection that leaves room for ticks and titles.
+    fn fit(
         &self,
-        scene: &mut Scene,
-        body: Rect,
-        projection: &Projection,
+        axes: Axes,
+        cloud: &[V3],
         bounds: &BoxBounds,
-        range: [f64; 2],
-    ) -> Result<(), FigureError> {
-        let fine = f64::from(RESOLUTION) * SAMPLES as f64;
-        let mesh = Builder {
-            projection,
-            bounds,
-            page: body,
-            fine,
-            range,
+        body: Rect,
+    ) -> Result<Projection, FigureError> {
+        let corners = corners(bounds);
+        match (&self.stage, self.bounds) {
+            (Stage::Box(titles), _) => {
+                // Larger boxes have more ticks with other labels: a second look settles it.
+                let mut margins = STAGE_ROOM;
+                for _ in 0..2 {
+                    let projection = Projection::fit(axes, &corners, body.inset(margins));
+                    margins = StageBox::new(&projection, bounds).overhang(titles)?;
+                }
+                Ok(Projection::fit(axes, &corners, body.inset(margins)))
+            }
+            (Stage::Bare, Bounds::Fixed(_)) => {
+                Ok(Projection::fit(axes, &corners, body.inset(BARE_ROOM)))
+            }
+            (Stage::Bare, Bounds::Data) => Ok(Projection::fit(axes, cloud, body.inset(BARE_ROOM))),
         }
-        .build(self);
-        let (w, h) = (body.w as u32 * RESOLUTION, body.h as u32 * RESOLUTION);
-        let pixels = render(&mesh, w, h)?;
-        let (x, y) = (body.x as u32, body.y as u32);
-        scene.items.push(Item::Image { x, y, pixels });
-        Ok(())
     }
 
-    fn legend_entries(&self) -> Vec<(Key, &str)> {
-        let entry = |solid| match solid {
-            &Solid::Surface(Surface {
-                ref paint,
+    /// The image of the solids, as a file of about `budget` bytes at most.
+    fn rasterise(&self, builder: &Builder, budget: usize) -> Result<Item, FigureError> {
+        let body = builder.page;
+        let (w, h) = (body.w as u32 * RESOLUTION, body.h as u32 * RESOLUTION);
+        let (pixels, png) = compress(render(&builder.build(self), w, h)?, budget)?;
+        let (x, y) = (body.x as u32, body.y as u32);
+        Ok(Item::Image { x, y, pixels, png })
+    }
+
+    fn legend_entries<'a>(&'a self) -> Vec<(Key, &'a str)> {
+        let entry = |solid: &'a Solid| match *solid {
+            Solid::Surface(Surface {
+                paint: Paint::TwoSided { front, back },
+                opacity,
                 ref label,
                 ..
-            }) => match paint {
-                &Paint::TwoSided { front, back } => Some((Key::Patch(front, back), label)),
-                Paint::Values(_) => None,
-            },
-            &Solid::Curve {
+            }) => Some((Key::Patch([front, back], opacity), label)),
+            Solid::Curve {
                 line, ref label, ..
             } => Some((Key::Line(line), label)),
-            &Solid::Net {
+            Solid::Net {
                 line, ref label, ..
             } => Some((Key::Chain(line, Marker::Disc), label)),
-            &Solid::Points {
+            Solid::Points {
                 colour, ref label, ..
             } => Some((Key::Marker(Marker::Disc, colour), label)),
-            Solid::Arrow { .. } | Solid::Note { .. } => None,
+            _ => None,
         };
         let shown = self.solids.iter().filter_map(entry);
         shown

@@ -98,29 +98,26 @@ impl Grid {
     /// Unit normals by central differences. Where the differences are parallel or vanish, as at the apex of a
     /// cone, those of the cells nearby decide; a grid without any normal there gets the zero vector.
     pub(crate) fn normals(&self) -> Vec<V3> {
-        let mut normals = Vec::with_capacity(self.points.len());
-        for i in 0..self.rows {
-            for j in 0..self.columns {
-                normals.push(
-                    (0..4)
-                        .find_map(|reach| self.normal(i, j, reach))
-                        .unwrap_or_default(),
-                );
-            }
-        }
-        normals
+        let places = (0..self.rows).flat_map(|i| (0..self.columns).map(move |j| (i, j)));
+        let near = |(i, j)| DETOURS.iter().find_map(|&d| self.normal(i, j, d));
+        places
+            .map(|place| near(place).unwrap_or_default())
+            .collect()
     }
 
-    /// Normal from differences along the lines `reach` steps inside the grid from the point.
-    fn normal(&self, i: usize, j: usize, reach: usize) -> Option<V3> {
-        let inward = |k: usize, n: usize| {
+    /// Normal from differences along the row and the column that pass `detour` steps inside of the point.
+    fn normal(&self, i: usize, j: usize, detour: [usize; 2]) -> Option<V3> {
+        let inward = |k: usize, n: usize, steps: usize| {
             if 2 * k < n {
-                (k + reach).min(n - 1)
+                (k + steps).min(n - 1)
             } else {
-                k.saturating_sub(reach)
+                k.saturating_sub(steps)
             }
         };
-        let (i, j) = (inward(i, self.rows), inward(j, self.columns));
+        let (i, j) = (
+            inward(i, self.rows, detour[0]),
+            inward(j, self.columns, detour[1]),
+        );
         let du = unit(sub(self.at(i + 1, j), self.at(i.saturating_sub(1), j)))?;
         let dv = unit(sub(self.at(i, j + 1), self.at(i, j.saturating_sub(1))))?;
         let n = cross(du, dv);
@@ -128,6 +125,10 @@ impl Grid {
         if steep < 1e-9 { None } else { unit(n) }
     }
 }
+
+/// Steps along rows and columns, tried in turn. Detours along one direction come first: a ruling of a cone keeps its
+/// normal up to the apex.
+const DETOURS: [[usize; 2]; 7] = [[0, 0], [0, 1], [1, 0], [1, 1], [0, 2], [2, 0], [2, 2]];
 
 fn check_size(rows: usize, columns: usize) -> Result<(), FigureError> {
     let size = rows as f64 * columns as f64;

@@ -191,21 +191,7 @@ impl Band {
         let [y0, y1] = span([a[1], b[1], c[1]].into_iter());
         for row in self.rows(y0, y1) {
             let y = (self.top + row) as f64 + 0.5;
-            // Where each barycentric coordinate, affine in x, is not negative.
-            let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
-            for weight in &face.weights {
-                let at_zero = weight[1] * y + weight[2];
-                let x = -at_zero / weight[0];
-                if weight[0] > 0.0 {
-                    from = from.max(x);
-                } else if weight[0] < 0.0 {
-                    to = to.min(x);
-                } else if at_zero < 0.0 {
-                    to = f64::NEG_INFINITY;
-                }
-            }
-            // A sliver more on both sides closes the seams between neighbours.
-            for column in clamp_range(from - 1e-6, to + 1e-6, self.width) {
+            for column in crossings([a, b, c], y, self.width) {
                 let x = column as f64 + 0.5;
                 let w = face.weights.map(|k| (k[0] * x + k[1] * y + k[2]) as f32);
                 let near = (0..3).map(|k| f64::from(w[k]) * v[k].at[2]).sum::<f64>() as f32;
@@ -326,6 +312,20 @@ impl Band {
     }
 }
 
+/// Columns whose centres lie in the triangle on the line at height `y`. An edge is crossed at the same number
+/// whichever triangle it belongs to, and intervals are half open: neighbours neither overlap nor leave a seam.
+fn crossings(corners: [V3; 3], y: f64, most: usize) -> std::ops::Range<usize> {
+    let [a, b, c] = corners;
+    let crossed = [[a, b], [b, c], [c, a]].into_iter().filter_map(|[p, q]| {
+        let [low, high] = if p[1] < q[1] { [p, q] } else { [q, p] };
+        let t = (y - low[1]) / (high[1] - low[1]);
+        (low[1] <= y && y < high[1]).then_some(low[0] + t * (high[0] - low[0]))
+    });
+    let [from, to] = span(crossed);
+    let column = |x: f64| (x - 0.5).ceil().clamp(0.0, most as f64) as usize;
+    column(from)..column(to)
+}
+
 /// Whole numbers k with `low <= k + 1/2 <= high` in `0..most`.
 fn clamp_range(low: f64, high: f64, most: usize) -> std::ops::Range<usize> {
     let from = (low - 0.5).ceil().max(0.0);
@@ -429,3 +429,6 @@ impl<'a> Face<'a> {
         tint
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,7 +1,7 @@
 //! What a view consists of.
 
 use crate::colormap::ColourMap;
-use crate::colour::{Colour, Line, palette};
+use crate::colour::{Colour, Line};
 use crate::error::{FigureError, at_least, finite, range, within};
 use crate::ink::scene::Place;
 use crate::legend::Legend;
@@ -24,16 +24,36 @@ pub enum Paint {
 }
 
 impl Paint {
-    /// Paint of the `k`-th patch of a composite: a light tone of the palette, greyer on the back.
+    /// Paint of the `k`-th patch of a composite, greyer on the back; repeats after six. Neighbours differ in
+    /// lightness, so that they stay apart in grey print.
     #[must_use]
     pub fn nth(k: usize) -> Self {
-        let front = palette(k).mix(Colour::PAPER, 0.34);
+        let front = TONES[k % TONES.len()];
         Paint::TwoSided {
             front,
-            back: front.mix(Colour::rgb(0xd9, 0xd2, 0xc5), 0.6),
+            back: front.mix(Colour::rgb(0xd9, 0xd2, 0xc5), 0.55),
+        }
+    }
+
+    /// The same colour on both sides.
+    #[must_use]
+    pub fn plain(colour: Colour) -> Self {
+        Paint::TwoSided {
+            front: colour,
+            back: colour,
         }
     }
 }
+
+/// Colours of patches: lighter than those of lines, by turns dark and light.
+const TONES: [Colour; 6] = [
+    Colour::rgb(0x5d, 0x95, 0xd1),
+    Colour::rgb(0xf2, 0xb4, 0x78),
+    Colour::rgb(0x4f, 0xa3, 0x83),
+    Colour::rgb(0xe0, 0xb4, 0xd8),
+    Colour::rgb(0xb8, 0x88, 0x30),
+    Colour::rgb(0xae, 0xd8, 0xee),
+];
 
 impl Default for Paint {
     /// Blue in front, sand behind.
@@ -425,5 +445,17 @@ impl View {
             within("elevation", elevation, -90.0, 90.0)?;
         }
         self.solids.iter().try_for_each(Solid::check)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbouring_patches_differ_in_lightness() {
+        for (a, b) in TONES.iter().zip(TONES.iter().cycle().skip(1)) {
+            assert!((a.luminance() - b.luminance()).abs() > 0.2, "{a:?} {b:?}");
+        }
     }
 }
