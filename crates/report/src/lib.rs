@@ -1,1 +1,37 @@
-//! report
+//! Reports of what is true of a paper: PDF, HTML and JSON from one document model.
+//!
+//! The engine hands over [`PaperOutcome`](torse_claims::outcome::PaperOutcome)s and pictures
+//! ([`FigureImage`]); this crate decides nothing and computes nothing, it lays out.
+//!
+//! - [`Typeset`] is a typeset document: [`Typeset::paper`] for one paper, [`Typeset::summary`] for
+//!   several, written with [`Typeset::pdf`], looked at with [`Typeset::page_png`];
+//! - [`html_page`] is one self-contained page for a browser, formulas as MathML;
+//! - [`verdicts_json`] is the interface that other programs read;
+//! - [`write_file`] puts bytes in place whole or not at all.
+//!
+//! Every output is a function of its arguments alone: the same bytes on every run.
+
+mod base64;
+mod error;
+mod figure;
+mod findings;
+mod formula;
+mod html;
+mod json;
+mod mathml;
+pub mod model;
+mod tally;
+mod text;
+mod typeset;
+pub mod words;
+mod world;
+mod write;
+
+pub use error::ReportError;
+pub use figure::{FigureImage, Image};
+pub use findings::Finding;
+pub use html::html_page;
+pub use json::verdicts_json;
+pub use tally::{Row, Tally};
+pub use typeset::Typeset;
+pub use write::write_file;

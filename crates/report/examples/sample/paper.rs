@@ -1,0 +1,393 @@
+//! A made-up paper with every verdict, long formulas, and strings that try to be markup.
+
+use torse_claims::outcome::{
+    Correction, Evidence, Formula, Kind, Outcome, PaperOutcome, Verdict, Witness,
+};
+use torse_report::{FigureImage, Image};
+
+/// A string of everything that is markup somewhere.
+pub const HOSTILE: &str = "#panic(1) $x$ @ref <label> </article><script>alert(1)</script> & \\ ` * _ \" ' \u{202E} \u{E0F6} \u{0} 漢 ﷽ 🂡";
+
+/// A formula whose mathematics does not evaluate.
+pub const BROKEN: &str = "frac(1, no_such_name";
+
+fn formula(text: &str, typst: &str) -> Formula {
+    Formula {
+        text: text.to_owned(),
+        typst: typst.to_owned(),
+        latex: text.to_owned(),
+    }
+}
+
+fn outcome(name: &str, at: &str, kind: Kind, verdict: Verdict, printed: &str) -> Outcome {
+    Outcome {
+        id: format!("sample/{name}"),
+        paper: "sample".to_owned(),
+        at: at.to_owned(),
+        kind,
+        verdict,
+        evidence: None,
+        printed: printed.to_owned(),
+        reading: None,
+        parsed: None,
+        assumed: Vec::new(),
+        correction: None,
+        derived: None,
+        difference: None,
+        conditions: Vec::new(),
+        witness: None,
+        steps: Vec::new(),
+        note: None,
+        uses: Vec::new(),
+        expect: None,
+    }
+}
+
+/// A sum of `terms` terms, the shape of a long difference.
+fn long_sum(terms: usize) -> String {
+    let term = |n: usize| {
+        format!(
+            "{}/{} mu^{} nu pi^2 sin(pi/2 x)^{}",
+            3 * n + 1,
+            2 * n + 1,
+            n % 4 + 1,
+            n % 3 + 1
+        )
+    };
+    (1..=terms).map(term).collect::<Vec<_>>().join(" - ")
+}
+
+/// The paper.
+pub fn sample() -> PaperOutcome {
+    PaperOutcome {
+        slug: "sample".to_owned(),
+        title: "Shape-adjustable sample surfaces with blended trigonometric Bézier patches and their continuity".to_owned(),
+        authors: "A. Ångström, B. Øst & C. Müller".to_owned(),
+        venue: "Journal of Invented Results 12 (2021) 459".to_owned(),
+        claims: [basis(), conditions(), values(), rest()].concat(),
+    }
+}
+
+fn basis() -> Vec<Outcome> {
+    let definition = Outcome {
+        parsed: Some(formula(
+            "g[0,2](x) == (1 - s)*(1 - mu*s)",
+            "g_(0,2)(x) = (1 - sin(pi/2 x)) (1 - mu sin(pi/2 x))",
+        )),
+        ..outcome(
+            "def-1.g0",
+            "Sect. 2.1, Definition 1",
+            Kind::Definition,
+            Verdict::Definition,
+            "g_{0,2}(x) = (1 − sin(π/2 x)) (1 − μ sin(π/2 x))",
+        )
+    };
+    let holds = Outcome {
+        evidence: Some(Evidence::Induction),
+        parsed: Some(formula(
+            "sum(i, 0, k, f[i,k](x)) == 1",
+            "sum_(i=0)^k f_(i,k)(x) = 1",
+        )),
+        assumed: vec![
+            formula("k >= 2", "k >= 2"),
+            formula("mu in [-1, 1]", "mu in [-1, 1]"),
+        ],
+        steps: vec![
+            "The sum is taken through the recursion with the degree as a symbol.".to_owned(),
+            "The difference of both sides has the normal form 0.".to_owned(),
+        ],
+        uses: vec!["sample/def-1.g0".to_owned()],
+        ..outcome(
+            "thm-2.b",
+            "Sect. 2.1, Theorem 2 (b)",
+            Kind::Identity,
+            Verdict::Holds,
+            "Σ_{i=0}^{k} f_{i,k}(x) = 1",
+        )
+    };
+    let misprint = Outcome {
+        evidence: Some(Evidence::Identity),
+        reading: Some(
+            "The copy prints “fl” for f and drops the prime; read as a second derivative."
+                .to_owned(),
+        ),
+        parsed: Some(formula(
+            "D(f[0,k], x, 2)(0) == pi^2/4*(mu + 2*k*mu + k^2)",
+            "f''_(0,k)(0) = pi^2/4 (mu + 2 k mu + k^2)",
+        )),
+        assumed: vec![formula("k >= 2", "k >= 2")],
+        correction: Some(Correction {
+            statement: formula(
+                "D(f[0,k], x, 2)(0) == pi^2/4*(2*mu + 2*(k-2)*(1+mu) + (k-2)*(k-3))",
+                "f''_(0,k)(0) = pi^2/4 (2 mu + 2 (k-2)(1 + mu) + (k-2)(k-3))",
+            ),
+            edits: vec![
+                "the factor 2 added before μ".to_owned(),
+                "k replaced by k − 2".to_owned(),
+            ],
+            unique: true,
+        }),
+        derived: Some(formula(
+            "pi^2/4*(...)",
+            &format!("pi^2/4 (2 mu + {})", long_sum(2)),
+        )),
+        difference: Some(formula(
+            "1/4*pi^2*mu + ...",
+            &format!("1/4 pi^2 mu - {}", long_sum(9)),
+        )),
+        witness: Some(Witness {
+            at: vec![
+                ("k".to_owned(), "3".to_owned()),
+                ("mu".to_owned(), "1/2".to_owned()),
+                ("nu".to_owned(), "-355/1130".to_owned()),
+            ],
+            left:
+                "3/4*pi^2 + 12345678901234567890123456789/9876543210987654321098765432109876543210"
+                    .to_owned(),
+            right: "17/8*pi^2".to_owned(),
+            left_decimal: "7.4022033008170[1, 2]".to_owned(),
+            right_decimal: "20.972909352315[0, 1]".to_owned(),
+        }),
+        steps: vec![
+            "Both sides brought to normal form.".to_owned(),
+            "The difference is not zero.".to_owned(),
+            "27 single and 351 double edits tried; one is proved.".to_owned(),
+        ],
+        note: Some(
+            "The condition of Theorem 4 is derived from this value and inherits the error."
+                .to_owned(),
+        ),
+        uses: vec![
+            "sample/def-1.g0".to_owned(),
+            "sample/thm-2.b".to_owned(),
+            "other/eq-9".to_owned(),
+        ],
+        ..outcome(
+            "eq-3.7",
+            "Sect. 2.2, eq. (3.7), second line",
+            Kind::Identity,
+            Verdict::Misprint,
+            "f''_{0,k}(0) = (π²/4)(μ + 2kμ + k²)",
+        )
+    };
+    vec![definition, holds, misprint]
+}
+
+fn conditions() -> Vec<Outcome> {
+    let wide = format!("frac({}, {})", long_sum(14), long_sum(13));
+    let hopeless = format!("sqrt({})", long_sum(60));
+    let wrong = Outcome {
+        evidence: Some(Evidence::Witness),
+        parsed: Some(formula(
+            "det(H) == 0",
+            "det mat(1, 1/2, dots.h, 1/n; 1/2, 1/3, dots.h, 1/(n+1); dots.v, dots.v, dots.down, dots.v; 1/n, 1/(n+1), dots.h, 1/(2n-1)) = 0",
+        )),
+        derived: Some(formula(&long_sum(14), &wide)),
+        difference: Some(formula(&long_sum(60), &hopeless)),
+        witness: Some(Witness {
+            at: vec![("n".to_owned(), "2".to_owned())],
+            left: "1/12".to_owned(),
+            right: "0".to_owned(),
+            left_decimal: "0.0833[3, 4]".to_owned(),
+            right_decimal: "0".to_owned(),
+        }),
+        uses: vec!["sample/eq-3.7".to_owned()],
+        ..outcome(
+            "thm-4.det",
+            "Sect. 3.2, Theorem 4",
+            Kind::Identity,
+            Verdict::False,
+            "det H = 0 for every n",
+        )
+    };
+    let conditional = Outcome {
+        evidence: Some(Evidence::Identity),
+        parsed: Some(formula(
+            "Q1 == Q[m] + ...",
+            "bold(Q)_1 = bold(Q)_m + 1/alpha_1 (bold(Q)_m - bold(Q)_(m-1))",
+        )),
+        conditions: vec![
+            formula("alpha_1 != 0", "alpha_1 != 0"),
+            formula("mu + nu + 2 != 0", "mu + nu + 2 != 0"),
+        ],
+        ..outcome(
+            "eq-5.third",
+            "Sect. 3.3, eq. (5), third line",
+            Kind::Construction,
+            Verdict::Conditional,
+            "Q¹_1 = Q_m + (1/α₁)(Q_m − Q_{m−1})",
+        )
+    };
+    let hostile = Outcome {
+        parsed: Some(formula(HOSTILE, BROKEN)),
+        reading: Some(HOSTILE.to_owned()),
+        note: Some(HOSTILE.to_owned()),
+        steps: vec![HOSTILE.to_owned()],
+        ..outcome(
+            "hostile <&\">#$@",
+            "Sect. 3.4 <b>",
+            Kind::Property,
+            Verdict::Undecided,
+            HOSTILE,
+        )
+    };
+    vec![wrong, conditional, hostile]
+}
+
+fn values() -> Vec<Outcome> {
+    let enclosed = Outcome {
+        evidence: Some(Evidence::Enclosure),
+        parsed: Some(formula("kappa(1/2) == 0.7320", "kappa(1/2) approx 0.7320")),
+        steps: vec![
+            "The printed digits are those of the exact value, rounded to nearest.".to_owned(),
+        ],
+        ..outcome(
+            "ex-5.2.kappa",
+            "Sect. 5.2, Example 2",
+            Kind::Value,
+            Verdict::Holds,
+            "κ(1/2) ≈ 0.7320",
+        )
+    };
+    let inequality = Outcome {
+        evidence: Some(Evidence::Inequality),
+        parsed: Some(formula(
+            "f[i,k](x) >= 0",
+            "f_(i,k)(x) >= 0 quad \"for all\" quad x in [0,1], thin mu, nu in [-1,1]",
+        )),
+        expect: Some(Verdict::Conditional),
+        ..outcome(
+            "thm-2.a",
+            "Sect. 5.2, Theorem 2 (a)",
+            Kind::Inequality,
+            Verdict::Holds,
+            "f_{i,k}(x) ≥ 0 for x ∈ [0, 1]",
+        )
+    };
+    let range = Outcome {
+        evidence: Some(Evidence::CheckedRange),
+        note: Some(
+            "Checked for every degree k ≤ 12; no proof for all degrees was found.".to_owned(),
+        ),
+        ..outcome(
+            "thm-3.tp",
+            "Sect. 5.3, Theorem 3",
+            Kind::Property,
+            Verdict::Undecided,
+            "The basis is totally positive, therefore the curve is variation diminishing.",
+        )
+    };
+    vec![enclosed, inequality, range]
+}
+
+fn rest() -> Vec<Outcome> {
+    let of = |name, at, kind, verdict, printed| outcome(name, at, kind, verdict, printed);
+    vec![
+        of(
+            "tab-1.r2",
+            "Table 1, second row",
+            Kind::Value,
+            Verdict::Underspecified,
+            "(0, 1, 2, −1)",
+        ),
+        of(
+            "sec-6.vacuous",
+            "Sect. 6, last remark",
+            Kind::Property,
+            Verdict::Vacuous,
+            "If μ > 1 and μ < −1, the surface is a cylinder.",
+        ),
+        of(
+            "sec-6.easy",
+            "Sect. 6, last line",
+            Kind::Prose,
+            Verdict::OutOfScope,
+            "The method is easy to use in practice.",
+        ),
+        of(
+            "fig-1",
+            "Fig. 1",
+            Kind::Figure,
+            Verdict::Reproduced,
+            "Basis functions of degree 3 for three shape parameters.",
+        ),
+        of(
+            "fig-2",
+            "Fig. 2 (a)",
+            Kind::Figure,
+            Verdict::Partial,
+            "A vase.",
+        ),
+    ]
+}
+
+/// Pictures: one beside a claim and mentioned by another, one of a claim's own, one of no claim.
+pub fn figures() -> Vec<FigureImage> {
+    let of = |name: &str, caption: &str, image: Image, claims: &[&str]| FigureImage {
+        name: name.to_owned(),
+        caption: caption.to_owned(),
+        alt: format!("A picture of {name}"),
+        image,
+        claims: claims.iter().map(|id| (*id).to_owned()).collect(),
+    };
+    vec![
+        of(
+            "basis",
+            "The basis functions of degree 3 for μ = ν = 0 (solid) and μ = ν = 1 (dashed).",
+            Image::Svg(curves()),
+            &["sample/fig-1", "sample/thm-2.b"],
+        ),
+        of(
+            "gap",
+            "The printed second derivative (dashed) and the true one: the gap is at x = 0.",
+            Image::Svg(curves()),
+            &["sample/eq-3.7"],
+        ),
+        of(
+            "hostile",
+            HOSTILE,
+            Image::Png(PIXEL.to_vec()),
+            &["sample/nowhere"],
+        ),
+    ]
+}
+
+/// A small plot, drawn by hand.
+fn curves() -> String {
+    let path = |power: i32, style: &str| {
+        let point = |n: i32| {
+            let x = f64::from(n) / 40.0;
+            let y =
+                x.powi(power) * (1.0 - x).powi(3 - power) * [1.0, 3.0, 3.0, 1.0][power as usize];
+            format!("{:.1},{:.1}", 30.0 + 340.0 * x, 190.0 - 160.0 * y)
+        };
+        let points: Vec<String> = (0..=40).map(point).collect();
+        format!(
+            "<polyline fill=\"none\" stroke-width=\"2\" {style} points=\"{}\"/>",
+            points.join(" ")
+        )
+    };
+    let styles = [
+        "stroke=\"#0072b2\"",
+        "stroke=\"#d55e00\"",
+        "stroke=\"#009e73\" stroke-dasharray=\"6 4\"",
+        "stroke=\"#cc79a7\"",
+    ];
+    let curves: String = styles
+        .iter()
+        .zip(0..)
+        .map(|(style, power)| path(power, style))
+        .collect();
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 400 220\" width=\"400\" height=\"220\"><path d=\"M30 20V190H380\" fill=\"none\" stroke=\"#333\"/>{curves}</svg>"
+    )
+}
+
+/// A picture of one grey pixel.
+const PIXEL: &[u8] = &[
+    0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44, 0x52,
+    0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3A, 0x7E, 0x9B,
+    0x55, 0x00, 0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9C, 0x63, 0x68, 0x00, 0x00, 0x00,
+    0x82, 0x00, 0x81, 0x77, 0xCD, 0x72, 0xB6, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE,
+    0x42, 0x60, 0x82,
+];

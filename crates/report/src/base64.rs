@@ -1,0 +1,58 @@
+//! Bytes as text, for pictures inside of a page.
+
+/// The bytes in base 64 (RFC 4648, with padding).
+pub(crate) fn encode(bytes: &[u8]) -> String {
+    const PADDING: char = '=';
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for chunk in bytes.chunks(3) {
+        let byte = |position: usize| u32::from(chunk.get(position).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        text.push(digit(bits >> 18));
+        text.push(digit(bits >> 12));
+        text.push(if chunk.len() > 1 {
+            digit(bits >> 6)
+        } else {
+            PADDING
+        });
+        text.push(if chunk.len() > 2 {
+            digit(bits)
+        } else {
+            PADDING
+        });
+    }
+    text
+}
+
+/// The digit for the lowest six bits.
+fn digit(bits: u32) -> char {
+    let value = (bits & 63) as u8;
+    char::from(match value {
+        0..=25 => b'A' + value,
+        26..=51 => b'a' + (value - 26),
+        52..=61 => b'0' + (value - 52),
+        62 => b'+',
+        _ => b'/',
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::encode;
+
+    #[test]
+    fn the_test_vectors_of_rfc_4648_are_met() {
+        let vectors = [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+            ("fooba", "Zm9vYmE="),
+            ("foobar", "Zm9vYmFy"),
+        ];
+        for (plain, encoded) in vectors {
+            assert_eq!(encode(plain.as_bytes()), encoded);
+        }
+        assert_eq!(encode(&[0xFB, 0xFF, 0xBF]), "+/+/");
+    }
+}

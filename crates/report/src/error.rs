@@ -1,0 +1,60 @@
+//! What can go wrong while a report is written.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+/// The ways in which writing a report fails.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// The typesetter refused the document; the first messages are its own.
+    #[error("typesetting {document} failed: {}", messages.join("; "))]
+    Typeset {
+        /// Which document was being set.
+        document: &'static str,
+        /// The typesetter's messages, in its order.
+        messages: Vec<String>,
+    },
+    /// The typesetter wrote another number of formulas than it was given.
+    #[error("{given} formulas were given to be set as MathML and {written} came back")]
+    Formulas {
+        /// How many formulas were handed over.
+        given: usize,
+        /// How many came back.
+        written: usize,
+    },
+    /// The data of the report could not be written as JSON.
+    #[error("the data of the report cannot be written as JSON")]
+    Json(#[from] serde_json::Error),
+    /// A page was asked for that the document does not have.
+    #[error("page {page} was asked for, the document has {pages} (counted from 0)")]
+    NoSuchPage {
+        /// The page asked for, from 0.
+        page: usize,
+        /// How many pages there are.
+        pages: usize,
+    },
+    /// A page was to be drawn at a resolution that gives no usable picture.
+    #[error("{pixels_per_point} pixels a point is no resolution between 0.1 and 20")]
+    Resolution {
+        /// The resolution asked for.
+        pixels_per_point: f32,
+    },
+    /// A page could not be encoded as a PNG.
+    #[error("page {page} cannot be encoded as PNG: {reason}")]
+    Png {
+        /// The page, from 0.
+        page: usize,
+        /// The encoder's message.
+        reason: String,
+    },
+    /// A file could not be written.
+    #[error("cannot write {}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+}

@@ -1,0 +1,57 @@
+//! Pictures as the report takes them: bytes, a caption, and the claims they illustrate.
+
+/// The bytes of a picture.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Image {
+    /// A drawing in SVG.
+    Svg(String),
+    /// Pixels in PNG.
+    Png(Vec<u8>),
+}
+
+impl Image {
+    /// The usual ending of a file of this format, without the dot.
+    #[must_use]
+    pub fn extension(&self) -> &'static str {
+        match self {
+            Image::Svg(_) => "svg",
+            Image::Png(_) => "png",
+        }
+    }
+
+    /// The media type.
+    #[must_use]
+    pub fn media_type(&self) -> &'static str {
+        match self {
+            Image::Svg(_) => "image/svg+xml",
+            Image::Png(_) => "image/png",
+        }
+    }
+
+    /// The bytes of the file.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        match self {
+            Image::Svg(text) => text.as_bytes(),
+            Image::Png(bytes) => bytes,
+        }
+    }
+}
+
+/// A picture with what a reader needs to know about it.
+///
+/// A report shows it beside the first claim of [`claims`](Self::claims) that the paper has, and the other
+/// claims point there; a picture of no claim stands in the section of further figures.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FigureImage {
+    /// A short name, unique in the report, for instance `basis-functions`.
+    pub name: String,
+    /// The caption, plain text.
+    pub caption: String,
+    /// What the picture shows, for readers who cannot see it.
+    pub alt: String,
+    /// The picture.
+    pub image: Image,
+    /// The ids of the claims that it illustrates.
+    pub claims: Vec<String>,
+}

@@ -1,0 +1,119 @@
+//! What was found out, in plain words: one sentence or two for each claim that a reader must know of.
+
+use serde::Serialize;
+use torse_claims::outcome::{Correction, Formula, Outcome, Verdict, Witness};
+
+use crate::{
+    text::visible,
+    words::{self, Term},
+};
+
+/// Exact values longer than this are told by their decimals.
+const LONGEST_EXACT_VALUE: usize = 24;
+
+/// One finding.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Finding {
+    /// The claim's id.
+    pub id: String,
+    /// The claim's identifier for links.
+    pub anchor: String,
+    /// Where the paper says it.
+    pub at: String,
+    /// The verdict.
+    pub verdict: Term,
+    /// What was found, in words.
+    pub text: String,
+}
+
+/// The findings about `claims`, graver verdicts first and then in file order.
+///
+/// `anchors` holds the claims' identifiers for links, by position.
+pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
+    const TOLD: [Verdict; 5] = [
+        Verdict::False,
+        Verdict::Misprint,
+        Verdict::Conditional,
+        Verdict::Vacuous,
+        Verdict::Undecided,
+    ];
+    let mut findings = Vec::new();
+    for verdict in TOLD {
+        for (claim, anchor) in claims.iter().zip(anchors) {
+            if claim.verdict == verdict {
+                findings.push(Finding {
+                    id: visible(&claim.id),
+                    anchor: anchor.clone(),
+                    at: visible(&claim.at),
+                    verdict: words::verdict(verdict),
+                    text: visible(&sentence(claim)),
+                });
+            }
+        }
+    }
+    findings
+}
+
+fn sentence(claim: &Outcome) -> String {
+    match claim.verdict {
+        Verdict::Misprint => {
+            let repair = claim.correction.as_ref().map(repaired);
+            format!("False as printed.{}", repair.unwrap_or_default())
+        }
+        Verdict::False => match &claim.witness {
+            Some(witness) => format!("False: {}.", fails_at(witness)),
+            None => "False.".to_owned(),
+        },
+        Verdict::Conditional => match conjunction(&claim.conditions) {
+            Some(conditions) => format!("True only under a condition: {conditions}."),
+            None => "True only under a condition.".to_owned(),
+        },
+        Verdict::Vacuous => "No point satisfies the assumptions.".to_owned(),
+        _ => match &claim.note {
+            Some(note) => format!("Not decided. {note}"),
+            None => "Not decided.".to_owned(),
+        },
+    }
+}
+
+fn repaired(repair: &Correction) -> String {
+    let edits = repair.edits.join("; ");
+    let others = if repair.unique {
+        ""
+    } else {
+        " (other repairs as small exist)"
+    };
+    format!(" Proved with this change: {edits}{others}.")
+}
+
+fn fails_at(witness: &Witness) -> String {
+    let values: Vec<String> = witness
+        .at
+        .iter()
+        .map(|(name, value)| format!("{name} = {value}"))
+        .collect();
+    let place = if values.is_empty() {
+        String::new()
+    } else {
+        format!("at {} ", values.join(", "))
+    };
+    let left = told(&witness.left, &witness.left_decimal);
+    let right = told(&witness.right, &witness.right_decimal);
+    format!("{place}the left side is {left}, the right side {right}")
+}
+
+fn told<'a>(exact: &'a str, decimal: &'a str) -> &'a str {
+    if exact.chars().count() <= LONGEST_EXACT_VALUE || decimal.is_empty() {
+        exact
+    } else {
+        decimal
+    }
+}
+
+fn conjunction(formulas: &[Formula]) -> Option<String> {
+    let texts: Vec<&str> = formulas
+        .iter()
+        .map(|formula| formula.text.as_str())
+        .collect();
+    (!texts.is_empty()).then(|| texts.join(" and "))
+}

@@ -1,0 +1,179 @@
+//! One claim of the page.
+
+use std::fmt::{self, Write};
+
+use torse_claims::outcome::Witness;
+
+use super::{Page, Text, badge};
+use crate::model::{ClaimView, CorrectionView, FormulaView, Reference};
+
+/// The claim as an `article`; `section` is the identifier of the section that it is in.
+pub(super) fn write(
+    out: &mut String,
+    page: &Page<'_>,
+    claim: &ClaimView,
+    section: &str,
+) -> fmt::Result {
+    let evidence = claim.evidence.map_or("none", |term| term.key);
+    let (anchor, verdict, kind) = (&claim.anchor, claim.verdict.key, claim.kind.key);
+    writeln!(
+        out,
+        "<article id=\"{anchor}\" class=\"v-{verdict}\" tabindex=\"-1\" data-verdict=\"{verdict}\" data-kind=\"{kind}\" data-evidence=\"{evidence}\" data-section=\"{section}\">\n\
+         <header><h3><a href=\"#{anchor}\"><code>{}</code></a></h3><span class=\"where\">{} · {}</span><span>{}{}</span></header>\n<dl>",
+        Text(&claim.name),
+        Text(&claim.at),
+        claim.kind.label,
+        badge(claim.verdict),
+        claim.evidence.map_or(String::new(), |term| format!(
+            " <span class=\"evidence\">by {}</span>",
+            term.label
+        )),
+    )?;
+    writeln!(
+        out,
+        "<dt>printed</dt><dd><blockquote class=\"printed\">{}</blockquote></dd>",
+        Text(&claim.printed)
+    )?;
+    if let Some(expected) = claim.expected {
+        writeln!(
+            out,
+            "<dt>expected</dt><dd>the derivation file expects {}</dd>",
+            badge(expected)
+        )?;
+    }
+    text(out, "read as", claim.reading.as_deref())?;
+    formulas(out, page, "understood", claim.parsed.as_slice())?;
+    formulas(out, page, "assuming", &claim.assumed)?;
+    formulas(out, page, "condition", &claim.conditions)?;
+    if let Some(repair) = &claim.correction {
+        correction(out, page, repair)?;
+    }
+    formulas(out, page, "derived", claim.derived.as_slice())?;
+    formulas(out, page, "difference", claim.difference.as_slice())?;
+    if let Some(found) = &claim.witness {
+        witness(out, found)?;
+    }
+    if !claim.steps.is_empty() {
+        out.push_str("<dt>steps</dt><dd><ol class=\"steps\">");
+        for step in &claim.steps {
+            write!(out, "<li>{}</li>", Text(step))?;
+        }
+        out.push_str("</ol></dd>\n");
+    }
+    text(out, "note", claim.note.as_deref())?;
+    references(out, "rests on", &claim.uses)?;
+    references(out, "used by", &claim.used_by)?;
+    if !claim.see_figures.is_empty() {
+        out.push_str("<dt>see</dt><dd>");
+        for (position, figure) in claim
+            .see_figures
+            .iter()
+            .map(|position| position + 1)
+            .enumerate()
+        {
+            let comma = if position > 0 { ", " } else { "" };
+            write!(
+                out,
+                "{comma}<a href=\"#figure-{figure}\">Figure {figure}</a>"
+            )?;
+        }
+        out.push_str("</dd>\n");
+    }
+    writeln!(
+        out,
+        "<dt>reproduce</dt><dd><code>{}</code></dd>\n</dl>",
+        Text(&claim.command)
+    )?;
+    for figure in &claim.figures {
+        page.figure(out, *figure)?;
+    }
+    out.push_str("</article>\n");
+    Ok(())
+}
+
+fn text(out: &mut String, name: &str, text: Option<&str>) -> fmt::Result {
+    match text {
+        Some(text) => writeln!(out, "<dt>{name}</dt><dd>{}</dd>", Text(text)),
+        None => Ok(()),
+    }
+}
+
+fn formulas(
+    out: &mut String,
+    page: &Page<'_>,
+    name: &str,
+    formulas: &[FormulaView],
+) -> fmt::Result {
+    if formulas.is_empty() {
+        return Ok(());
+    }
+    write!(out, "<dt>{name}</dt><dd>")?;
+    for formula in formulas {
+        page.formula(out, formula)?;
+    }
+    out.push_str("</dd>\n");
+    Ok(())
+}
+
+fn correction(out: &mut String, page: &Page<'_>, repair: &CorrectionView) -> fmt::Result {
+    out.push_str("<dt>corrected</dt><dd class=\"corrected\">");
+    page.formula(out, &repair.statement)?;
+    let others = if repair.unique {
+        "No other repair as small was found."
+    } else {
+        "Other repairs as small exist."
+    };
+    writeln!(
+        out,
+        "<p><strong>Changed:</strong> {}. {others}</p></dd>",
+        Text(&repair.edits.join("; "))
+    )
+}
+
+fn witness(out: &mut String, witness: &Witness) -> fmt::Result {
+    out.push_str(
+        "<dt>witness</dt><dd class=\"scroll\" tabindex=\"0\"><table class=\"witness\"><thead><tr><td></td><th scope=\"col\">exact</th><th scope=\"col\">enclosed by</th></tr></thead><tbody>",
+    );
+    for (name, value) in &witness.at {
+        write!(
+            out,
+            "<tr><th scope=\"row\"><code>{}</code></th><td><code>{}</code></td><td></td></tr>",
+            Text(name),
+            Text(value)
+        )?;
+    }
+    let sides = [
+        ("left side", &witness.left, &witness.left_decimal),
+        ("right side", &witness.right, &witness.right_decimal),
+    ];
+    for (name, exact, decimal) in sides {
+        write!(
+            out,
+            "<tr><th scope=\"row\">{name}</th><td><code>{}</code></td><td><code>{}</code></td></tr>",
+            Text(exact),
+            Text(decimal)
+        )?;
+    }
+    out.push_str("</tbody></table></dd>\n");
+    Ok(())
+}
+
+fn references(out: &mut String, name: &str, references: &[Reference]) -> fmt::Result {
+    if references.is_empty() {
+        return Ok(());
+    }
+    write!(out, "<dt>{name}</dt><dd>")?;
+    for (position, reference) in references.iter().enumerate() {
+        let comma = if position > 0 { ", " } else { "" };
+        match &reference.anchor {
+            Some(anchor) => write!(
+                out,
+                "{comma}<a href=\"#{anchor}\"><code>{}</code></a>",
+                Text(&reference.id)
+            )?,
+            None => write!(out, "{comma}<code>{}</code>", Text(&reference.id))?,
+        }
+    }
+    out.push_str("</dd>\n");
+    Ok(())
+}

@@ -1,0 +1,205 @@
+//! One self-contained page for a browser.
+//!
+//! The page is laid out here rather than by the typesetter's own HTML export, which has no say over
+//! anchors, filter attributes and disclosure; only the formulas are the typesetter's ([`crate::mathml`]).
+//! Style, script and pictures are inside of the page, and its content policy forbids any other source.
+//! Without the script it is a complete report; the script adds filter, search and keys.
+
+mod claim;
+mod overview;
+
+use std::fmt::{self, Write};
+
+use torse_claims::outcome::PaperOutcome;
+
+use crate::{
+    FigureImage, ReportError, base64, mathml,
+    model::{FormulaView, Report},
+    words::{self, KINDS, Term},
+};
+
+const STYLE: &str = include_str!("../../assets/page.css");
+const SCRIPT: &str = include_str!("../../assets/page.js");
+
+/// The report of one paper as one HTML file, with its pictures inside.
+///
+/// Each claim is an `article` with an `id` to link to and with `data-verdict`, `data-kind`,
+/// `data-evidence` and `data-section` to filter by. A formula that cannot be set is shown as plain text.
+///
+/// # Errors
+///
+/// [`ReportError::Typeset`] or [`ReportError::Formulas`] when the formulas cannot be written as MathML.
+pub fn html_page(paper: &PaperOutcome, figures: &[FigureImage]) -> Result<String, ReportError> {
+    let report = Report::new(paper, figures);
+    let math = mathml::set(&report.formulas)?;
+    let sources = figures.iter().map(data_uri).collect();
+    let page = Page {
+        report: &report,
+        math: &math.formulas,
+        sources,
+    };
+    let mut html = String::new();
+    page.write(&mut html, &math.style)
+        .map_err(|fmt::Error| ReportError::Typeset {
+            document: "the HTML page",
+            messages: vec!["a string refused to be written to".to_owned()],
+        })?;
+    Ok(html)
+}
+
+fn data_uri(figure: &FigureImage) -> String {
+    format!(
+        "data:{};base64,{}",
+        figure.image.media_type(),
+        base64::encode(figure.image.bytes())
+    )
+}
+
+/// The report with what the page needs besides: formulas as MathML and pictures as addresses.
+struct Page<'a> {
+    report: &'a Report,
+    math: &'a [Option<String>],
+    sources: Vec<String>,
+}
+
+impl Page<'_> {
+    fn write(&self, out: &mut String, math_style: &str) -> fmt::Result {
+        let title = Text(&self.report.title);
+        write!(
+            out,
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n\
+             <title>Verification report: {title}</title>\n<style>\n{math_style}\n{STYLE}</style>\n</head>\n<body>\n\
+             <a class=\"skip\" href=\"#claims\">Skip to the claims</a>\n\
+             <header class=\"masthead\">\n<p class=\"kicker\">Verification report</p>\n<h1>{title}</h1>\n\
+             <p class=\"meta\">{}</p>\n<p class=\"meta\"><em>{}</em></p>\n</header>\n<main>\n",
+            Text(&self.report.authors),
+            Text(&self.report.venue),
+        )?;
+        overview::write(out, self.report)?;
+        self.tools(out)?;
+        out.push_str("<div id=\"claims\">\n");
+        for section in &self.report.sections {
+            let (anchor, heading) = (&section.anchor, Text(&section.title));
+            writeln!(
+                out,
+                "<section id=\"{anchor}\" data-section>\n<h2>{heading}</h2>"
+            )?;
+            for claim in &section.claims {
+                claim::write(out, self, claim, anchor)?;
+            }
+            out.push_str("</section>\n");
+        }
+        out.push_str("</div>\n");
+        if !self.report.further_figures.is_empty() {
+            out.push_str("<h2>Further figures</h2>\n");
+            for position in &self.report.further_figures {
+                self.figure(out, *position)?;
+            }
+        }
+        overview::write_glossary(out)?;
+        write!(
+            out,
+            "</main>\n<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
+             <kbd>Esc</kbd> clear the search.</p></footer>\n<script>\n{SCRIPT}</script>\n</body>\n</html>\n"
+        )
+    }
+
+    /// The bar with search and filters; shown by the script, which it is of no use without.
+    fn tools(&self, out: &mut String) -> fmt::Result {
+        out.push_str(
+            "<div class=\"tools\" id=\"tools\" role=\"search\" aria-label=\"Claims\" hidden>\n<div class=\"line\">\n\
+             <input id=\"search\" type=\"search\" placeholder=\"Search the claims\" aria-label=\"Search the claims\">\n\
+             <select id=\"kind\" aria-label=\"Kind\"><option value=\"\">every kind</option>",
+        );
+        for kind in KINDS.into_iter().map(words::kind) {
+            if self.report.claims().any(|claim| claim.kind == kind) {
+                write!(
+                    out,
+                    "<option value=\"{}\">{}</option>",
+                    kind.key, kind.label
+                )?;
+            }
+        }
+        out.push_str("</select>\n<select id=\"section\" aria-label=\"Section\"><option value=\"\">every section</option>");
+        for section in &self.report.sections {
+            write!(
+                out,
+                "<option value=\"{}\">{}</option>",
+                section.anchor,
+                Text(&section.title)
+            )?;
+        }
+        out.push_str("</select>\n<button id=\"theme\" type=\"button\">Light/dark</button>\n</div>\n<div class=\"line\">\n");
+        for row in &self.report.tally.rows {
+            let Term {
+                key,
+                label,
+                meaning,
+            } = row.verdict;
+            writeln!(
+                out,
+                "<button class=\"chip v-{key}\" type=\"button\" value=\"{key}\" aria-pressed=\"true\" title=\"{}\">{label} {}</button>",
+                Text(meaning),
+                row.count
+            )?;
+        }
+        out.push_str(
+            "<button id=\"reset\" type=\"button\">Show all</button>\n<span id=\"shown\" role=\"status\"></span>\n</div>\n</div>\n",
+        );
+        Ok(())
+    }
+
+    /// A formula as MathML, or as plain text where it cannot be set.
+    fn formula(&self, out: &mut String, formula: &FormulaView) -> fmt::Result {
+        match self.math.get(formula.math).and_then(Option::as_ref) {
+            Some(math) => write!(out, "<div class=\"math\" tabindex=\"0\">{math}</div>"),
+            None => write!(out, "<code class=\"plain\">{}</code>", Text(&formula.text)),
+        }
+    }
+
+    fn figure(&self, out: &mut String, position: usize) -> fmt::Result {
+        let (Some(figure), Some(source)) = (
+            self.report.figures.get(position),
+            self.sources.get(position),
+        ) else {
+            return Ok(());
+        };
+        writeln!(
+            out,
+            "<figure id=\"{}\"><img src=\"{source}\" alt=\"{}\" loading=\"lazy\"><figcaption>Figure {}. {}</figcaption></figure>",
+            figure.anchor,
+            Text(&figure.alt),
+            position + 1,
+            Text(&figure.caption),
+        )
+    }
+}
+
+/// A verdict as a coloured word.
+fn badge(verdict: Term) -> String {
+    format!(
+        "<span class=\"badge v-{}\">{}</span>",
+        verdict.key, verdict.label
+    )
+}
+
+/// A string as text of the page, in an element or in a quoted attribute: never markup.
+struct Text<'a>(&'a str);
+
+impl fmt::Display for Text<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for character in self.0.chars() {
+            match character {
+                '&' => out.write_str("&amp;")?,
+                '<' => out.write_str("&lt;")?,
+                '>' => out.write_str("&gt;")?,
+                '"' => out.write_str("&quot;")?,
+                '\'' => out.write_str("&#39;")?,
+                _ => out.write_char(character)?,
+            }
+        }
+        Ok(())
+    }
+}

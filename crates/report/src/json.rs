@@ -1,0 +1,114 @@
+//! The verdicts as JSON: the interface that other programs read.
+//!
+//! One object with `claims`, a list in the order of the files; every claim has the same ten fields in
+//! the same order, each a string or null, except `witness`, an object or null. Nothing in it depends on
+//! a clock, a path, a locale or the order of a hash table, so a run's bytes can be compared.
+
+use serde::{Serialize, Serializer, ser::SerializeMap};
+use torse_claims::outcome::{Formula, Outcome, Witness};
+
+use crate::{ReportError, words};
+
+/// The verdicts of `outcomes` as pretty-printed JSON, ending in a newline.
+///
+/// The fields of a claim are `id`, `kind`, `verdict`, `evidence`, `printed`, `parsed`, `corrected`,
+/// `condition` (several are joined by ` and `), `witness` (`at`, an object from names to exact values,
+/// `left`, `right`, `left_decimal`, `right_decimal`) and `note`.
+///
+/// # Errors
+///
+/// [`ReportError::Json`] when the serialiser fails, which plain strings give it no reason to.
+///
+/// ```
+/// let none: [torse_claims::outcome::Outcome; 0] = [];
+/// assert_eq!(torse_report::verdicts_json(&none)?, "{\n  \"claims\": []\n}\n");
+/// # Ok::<(), torse_report::ReportError>(())
+/// ```
+pub fn verdicts_json<'a>(
+    outcomes: impl IntoIterator<Item = &'a Outcome>,
+) -> Result<String, ReportError> {
+    let list = List {
+        claims: outcomes.into_iter().map(Entry::from).collect(),
+    };
+    let mut text = serde_json::to_string_pretty(&list)?;
+    text.push('\n');
+    Ok(text)
+}
+
+#[derive(Serialize)]
+struct List<'a> {
+    claims: Vec<Entry<'a>>,
+}
+
+#[derive(Serialize)]
+struct Entry<'a> {
+    id: &'a str,
+    kind: &'static str,
+    verdict: &'static str,
+    evidence: Option<&'static str>,
+    printed: &'a str,
+    parsed: Option<&'a str>,
+    corrected: Option<&'a str>,
+    condition: Option<String>,
+    witness: Option<WitnessEntry<'a>>,
+    note: Option<&'a str>,
+}
+
+impl<'a> From<&'a Outcome> for Entry<'a> {
+    fn from(outcome: &'a Outcome) -> Self {
+        let conditions: Vec<&str> = outcome.conditions.iter().map(text).collect();
+        Entry {
+            id: &outcome.id,
+            kind: words::kind(outcome.kind).key,
+            verdict: words::verdict(outcome.verdict).key,
+            evidence: outcome.evidence.map(|of| words::evidence(of).key),
+            printed: &outcome.printed,
+            parsed: outcome.parsed.as_ref().map(text),
+            corrected: outcome
+                .correction
+                .as_ref()
+                .map(|repair| text(&repair.statement)),
+            condition: (!conditions.is_empty()).then(|| conditions.join(" and ")),
+            witness: outcome.witness.as_ref().map(WitnessEntry::from),
+            note: outcome.note.as_deref(),
+        }
+    }
+}
+
+fn text(formula: &Formula) -> &str {
+    &formula.text
+}
+
+#[derive(Serialize)]
+struct WitnessEntry<'a> {
+    at: Point<'a>,
+    left: &'a str,
+    right: &'a str,
+    left_decimal: &'a str,
+    right_decimal: &'a str,
+}
+
+impl<'a> From<&'a Witness> for WitnessEntry<'a> {
+    fn from(witness: &'a Witness) -> Self {
+        WitnessEntry {
+            at: Point(&witness.at),
+            left: &witness.left,
+            right: &witness.right,
+            left_decimal: &witness.left_decimal,
+            right_decimal: &witness.right_decimal,
+        }
+    }
+}
+
+/// The values of the symbols as an object whose members keep the order of the file.
+struct Point<'a>(&'a [(String, String)]);
+
+impl Serialize for Point<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut members = serializer.serialize_map(Some(self.0.len()))?;
+        for (name, value) in self.0 {
+            members.serialize_entry(name, value)?;
+        }
+        members.end()
+    }
+}

@@ -1,0 +1,372 @@
+//! The document model: what a report says about one paper, ready to be laid out.
+//!
+//! Every output is laid out from this one model, so PDF and HTML cannot disagree. It holds strings and
+//! indices only. Strings are cleared of characters that act on the text around them ([`visible`]); they
+//! are never read as markup by any output. Formulas are kept in one list and referred to by position,
+//! so that an output can set them all in one go.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use torse_claims::outcome::{Correction, Formula, Outcome, PaperOutcome, Witness};
+
+use crate::{
+    FigureImage,
+    findings::{self, Finding},
+    tally::Tally,
+    text::{anchor, section_title, visible},
+    words::{self, Term},
+};
+
+/// What a report says about one paper.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Report {
+    /// The paper's slug.
+    pub slug: String,
+    /// The title.
+    pub title: String,
+    /// The authors.
+    pub authors: String,
+    /// Where it appeared.
+    pub venue: String,
+    /// How many claims have which verdict and evidence.
+    pub tally: Tally,
+    /// What was found out, in plain words.
+    pub findings: Vec<Finding>,
+    /// How many verdicts differ from what the derivation files expect.
+    pub unexpected: usize,
+    /// The claims by section of the paper, in the order in which the sections first appear.
+    pub sections: Vec<Section>,
+    /// The pictures; their position is the number that readers see, less one.
+    pub figures: Vec<FigureView>,
+    /// Positions of the pictures that illustrate no claim of this paper.
+    pub further_figures: Vec<usize>,
+    /// All formulas, Typst mathematics; a [`FormulaView`] refers to its own by position.
+    pub formulas: Vec<String>,
+}
+
+/// The claims of one section of the paper.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Section {
+    /// The heading, for instance `Section 3`.
+    pub title: String,
+    /// An identifier for links, unique in the report.
+    pub anchor: String,
+    /// The claims, in file order.
+    pub claims: Vec<ClaimView>,
+}
+
+/// One claim.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ClaimView {
+    /// The id of the inventory.
+    pub id: String,
+    /// The id without the paper's slug.
+    pub name: String,
+    /// An identifier for links, unique in the report.
+    pub anchor: String,
+    /// Where the paper says it.
+    pub at: String,
+    /// The kind of statement.
+    pub kind: Term,
+    /// What is true of it.
+    pub verdict: Term,
+    /// What that rests on.
+    pub evidence: Option<Term>,
+    /// What the derivation file expects, where that is something else.
+    pub expected: Option<Term>,
+    /// The statement as printed.
+    pub printed: String,
+    /// How our copy of the text was read.
+    pub reading: Option<String>,
+    /// The statement as understood.
+    pub parsed: Option<FormulaView>,
+    /// The assumptions, as understood.
+    pub assumed: Vec<FormulaView>,
+    /// Extra conditions.
+    pub conditions: Vec<FormulaView>,
+    /// A proved correction.
+    pub correction: Option<CorrectionView>,
+    /// The derived right side.
+    pub derived: Option<FormulaView>,
+    /// Left side minus right side.
+    pub difference: Option<FormulaView>,
+    /// A counterexample.
+    pub witness: Option<Witness>,
+    /// The steps of the decision.
+    pub steps: Vec<String>,
+    /// Anything a reader should know.
+    pub note: Option<String>,
+    /// What it rests on.
+    pub uses: Vec<Reference>,
+    /// What rests on it.
+    pub used_by: Vec<Reference>,
+    /// Positions of the pictures shown here.
+    pub figures: Vec<usize>,
+    /// Positions of the pictures that illustrate it and are shown elsewhere.
+    pub see_figures: Vec<usize>,
+    /// The command that reproduces the verdict.
+    pub command: String,
+}
+
+/// A formula: its plain text, and where [`Report::formulas`] has its mathematics.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct FormulaView {
+    /// The notation of the derivation files, shown where the mathematics cannot be set.
+    pub text: String,
+    /// The position in [`Report::formulas`].
+    pub math: usize,
+}
+
+/// A proved correction.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct CorrectionView {
+    /// The corrected statement.
+    pub statement: FormulaView,
+    /// What was changed, one entry an edit.
+    pub edits: Vec<String>,
+    /// Whether no other repair with as few edits was found.
+    pub unique: bool,
+}
+
+/// A mention of another claim.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Reference {
+    /// The claim's id.
+    pub id: String,
+    /// Its identifier for links, if this report has it.
+    pub anchor: Option<String>,
+}
+
+/// A picture as the report shows it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct FigureView {
+    /// The name of its file in the typesetter's world.
+    pub file: String,
+    /// An identifier for links, unique in the report.
+    pub anchor: String,
+    /// The caption.
+    pub caption: String,
+    /// What it shows, in words.
+    pub alt: String,
+}
+
+impl Report {
+    /// The report of `paper`, with pictures.
+    #[must_use]
+    pub fn new(paper: &PaperOutcome, figures: &[FigureImage]) -> Self {
+        let mut builder = Builder::new(paper, figures);
+        let mut sections: Vec<Section> = Vec::new();
+        for (position, outcome) in paper.claims.iter().enumerate() {
+            let claim = builder.claim(position, outcome);
+            let title = section_title(&claim.at);
+            match sections.iter_mut().find(|section| section.title == title) {
+                Some(section) => section.claims.push(claim),
+                None => {
+                    let anchor = format!("section-{}", sections.len() + 1);
+                    sections.push(Section {
+                        title,
+                        anchor,
+                        claims: vec![claim],
+                    });
+                }
+            }
+        }
+        Report {
+            slug: visible(&paper.slug),
+            title: visible(&paper.title),
+            authors: visible(&paper.authors),
+            venue: visible(&paper.venue),
+            tally: Tally::new(&paper.claims),
+            findings: findings::of(&paper.claims, &builder.anchors),
+            unexpected: paper
+                .claims
+                .iter()
+                .filter(|claim| !claim.as_expected())
+                .count(),
+            sections,
+            figures: figures.iter().enumerate().map(figure_view).collect(),
+            further_figures: builder.further_figures(),
+            formulas: builder.formulas,
+        }
+    }
+
+    /// The claims, section by section.
+    pub fn claims(&self) -> impl Iterator<Item = &ClaimView> {
+        self.sections.iter().flat_map(|section| &section.claims)
+    }
+}
+
+/// The name under which the typesetter finds picture number `position`.
+pub(crate) fn figure_file(position: usize, image: &FigureImage) -> String {
+    format!("figure-{position}.{}", image.image.extension())
+}
+
+fn figure_view((position, image): (usize, &FigureImage)) -> FigureView {
+    FigureView {
+        file: figure_file(position, image),
+        anchor: format!("figure-{}", position + 1),
+        caption: visible(&image.caption),
+        alt: visible(&image.alt),
+    }
+}
+
+struct Builder<'a> {
+    paper: &'a PaperOutcome,
+    figures: &'a [FigureImage],
+    /// One identifier for each claim, by position; where ids differ in signs only, a number is added.
+    anchors: Vec<String>,
+    by_id: BTreeMap<&'a str, usize>,
+    formulas: Vec<String>,
+}
+
+impl<'a> Builder<'a> {
+    fn new(paper: &'a PaperOutcome, figures: &'a [FigureImage]) -> Self {
+        let mut by_id = BTreeMap::new();
+        let mut anchors: Vec<String> = Vec::new();
+        for (position, claim) in paper.claims.iter().enumerate() {
+            by_id.entry(claim.id.as_str()).or_insert(position);
+            let mut name = format!("claim-{}", anchor(name(&claim.id)));
+            while anchors.contains(&name) {
+                name.push_str(&format!("-{}", position + 1));
+            }
+            anchors.push(name);
+        }
+        Builder {
+            paper,
+            figures,
+            anchors,
+            by_id,
+            formulas: Vec::new(),
+        }
+    }
+
+    fn claim(&mut self, position: usize, outcome: &Outcome) -> ClaimView {
+        let (here, elsewhere) = self.figures_of(position, &outcome.id);
+        ClaimView {
+            id: visible(&outcome.id),
+            name: visible(name(&outcome.id)),
+            anchor: self.anchors.get(position).cloned().unwrap_or_default(),
+            at: visible(&outcome.at),
+            kind: words::kind(outcome.kind),
+            verdict: words::verdict(outcome.verdict),
+            evidence: outcome.evidence.map(words::evidence),
+            expected: outcome
+                .expect
+                .filter(|of| *of != outcome.verdict)
+                .map(words::verdict),
+            printed: visible(&outcome.printed),
+            reading: outcome.reading.as_deref().map(visible),
+            parsed: outcome.parsed.as_ref().map(|formula| self.formula(formula)),
+            assumed: outcome
+                .assumed
+                .iter()
+                .map(|formula| self.formula(formula))
+                .collect(),
+            conditions: outcome
+                .conditions
+                .iter()
+                .map(|formula| self.formula(formula))
+                .collect(),
+            correction: outcome
+                .correction
+                .as_ref()
+                .map(|repair| self.correction(repair)),
+            derived: outcome
+                .derived
+                .as_ref()
+                .map(|formula| self.formula(formula)),
+            difference: outcome
+                .difference
+                .as_ref()
+                .map(|formula| self.formula(formula)),
+            witness: outcome.witness.as_ref().map(witness),
+            steps: outcome.steps.iter().map(|step| visible(step)).collect(),
+            note: outcome.note.as_deref().map(visible),
+            uses: outcome.uses.iter().map(|id| self.reference(id)).collect(),
+            used_by: self.used_by(&outcome.id),
+            figures: here,
+            see_figures: elsewhere,
+            command: format!("torse explain {}", visible(&outcome.id)),
+        }
+    }
+
+    fn formula(&mut self, formula: &Formula) -> FormulaView {
+        self.formulas.push(visible(&formula.typst));
+        FormulaView {
+            text: visible(&formula.text),
+            math: self.formulas.len() - 1,
+        }
+    }
+
+    fn correction(&mut self, repair: &Correction) -> CorrectionView {
+        CorrectionView {
+            statement: self.formula(&repair.statement),
+            edits: repair.edits.iter().map(|edit| visible(edit)).collect(),
+            unique: repair.unique,
+        }
+    }
+
+    fn reference(&self, id: &str) -> Reference {
+        let anchor = self
+            .by_id
+            .get(id)
+            .and_then(|position| self.anchors.get(*position))
+            .cloned();
+        Reference {
+            id: visible(id),
+            anchor,
+        }
+    }
+
+    fn used_by(&self, id: &str) -> Vec<Reference> {
+        let users = self
+            .paper
+            .claims
+            .iter()
+            .filter(|claim| claim.uses.iter().any(|used| used == id));
+        users.map(|claim| self.reference(&claim.id)).collect()
+    }
+
+    /// The pictures that the claim shows itself, and those that it points to.
+    fn figures_of(&self, claim: usize, id: &str) -> (Vec<usize>, Vec<usize>) {
+        let illustrating = self.figures.iter().enumerate();
+        illustrating
+            .filter(|(_, figure)| figure.claims.iter().any(|illustrated| illustrated == id))
+            .map(|(position, _)| position)
+            .partition(|position| self.shown_at(*position) == Some(claim))
+    }
+
+    /// The claim at which a picture is shown: the first in file order of those that it illustrates.
+    fn shown_at(&self, figure: usize) -> Option<usize> {
+        let claims = self.figures.get(figure)?.claims.iter();
+        claims
+            .filter_map(|id| self.by_id.get(id.as_str()))
+            .min()
+            .copied()
+    }
+
+    fn further_figures(&self) -> Vec<usize> {
+        (0..self.figures.len())
+            .filter(|figure| self.shown_at(*figure).is_none())
+            .collect()
+    }
+}
+
+fn name(id: &str) -> &str {
+    id.split_once('/').map_or(id, |(_, name)| name)
+}
+
+fn witness(of: &Witness) -> Witness {
+    Witness {
+        at: of
+            .at
+            .iter()
+            .map(|(name, value)| (visible(name), visible(value)))
+            .collect(),
+        left: visible(&of.left),
+        right: visible(&of.right),
+        left_decimal: visible(&of.left_decimal),
+        right_decimal: visible(&of.right_decimal),
+    }
+}

@@ -1,0 +1,94 @@
+//! Strings made safe to show: nothing hidden, nothing that acts on its surroundings.
+
+/// The string with every character that cannot be seen, and would act on the text around it, spelled out
+/// as `‹U+202E›`: control characters other than the line break, and the marks that turn the direction of
+/// writing.
+pub(crate) fn visible(text: &str) -> String {
+    replace(text, |character| !acts_unseen(character))
+}
+
+/// The string with every character that `keep` refuses spelled out as `‹U+E0F6›`.
+pub(crate) fn replace(text: &str, keep: impl Fn(char) -> bool) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for character in text.chars() {
+        if keep(character) {
+            shown.push(character);
+        } else {
+            shown.push_str(&format!("‹U+{:04X}›", u32::from(character)));
+        }
+    }
+    shown
+}
+
+fn acts_unseen(character: char) -> bool {
+    (character.is_control() && character != '\n')
+        || matches!(
+            character,
+            '\u{061C}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{206F}' | '\u{FEFF}' | '\u{FFF9}'..='\u{FFFB}'
+        )
+}
+
+/// An identifier of letters, digits and hyphens, for links: other characters become hyphens.
+pub(crate) fn anchor(text: &str) -> String {
+    let plain = |character: char| {
+        if character.is_ascii_alphanumeric() {
+            character
+        } else {
+            '-'
+        }
+    };
+    text.chars().map(plain).collect()
+}
+
+/// The heading under which a claim is listed, from where the paper says it.
+///
+/// `Sect. 3.2, eq. (3.7)` is in `Section 3`; tables and figures have headings of their own; anything else
+/// is listed under its first words, up to a comma, semicolon or bracket.
+pub(crate) fn section_title(at: &str) -> String {
+    let start = at.split([',', ';', '(']).next().unwrap_or_default().trim();
+    if let Some(number) = start.strip_prefix("Sect.") {
+        let main: String = number
+            .trim()
+            .chars()
+            .take_while(char::is_ascii_digit)
+            .collect();
+        if !main.is_empty() {
+            return format!("Section {main}");
+        }
+    }
+    match start.split(['.', ' ']).next() {
+        Some("Fig" | "Figs" | "Figure" | "Figures") => "Figures".to_owned(),
+        Some("Table" | "Tables") => "Tables".to_owned(),
+        _ if start.is_empty() => "Elsewhere".to_owned(),
+        _ => start.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn unseen_characters_are_spelled_out_and_everything_else_is_kept() {
+        assert_eq!(
+            visible("a\u{202E}b\u{0}c\nπ²·𝔽"),
+            "a‹U+202E›b‹U+0000›c\nπ²·𝔽"
+        );
+    }
+
+    #[test]
+    fn sections_are_named_by_their_main_number() {
+        assert_eq!(section_title("Sect. 3.2, eq. (3.7)"), "Section 3");
+        assert_eq!(section_title("Sect. 12"), "Section 12");
+        assert_eq!(section_title("Sect. two, remark"), "Sect. two");
+        assert_eq!(section_title("Fig. 10 (b)"), "Figures");
+        assert_eq!(section_title("Table 1, row 2"), "Tables");
+        assert_eq!(section_title("Abstract; second sentence"), "Abstract");
+        assert_eq!(section_title(""), "Elsewhere");
+    }
+
+    #[test]
+    fn anchors_hold_letters_digits_and_hyphens_only() {
+        assert_eq!(anchor("eq-5.16 <b>\"é"), "eq-5-16--b---");
+    }
+}

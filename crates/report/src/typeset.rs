@@ -1,0 +1,238 @@
+//! PDF, and pages as pictures.
+
+use serde::Serialize;
+use serde_json::Value;
+use torse_claims::outcome::PaperOutcome;
+use typst::{foundations::Smart, utils::Scalar};
+use typst_layout::PagedDocument;
+use typst_pdf::{PdfOptions, PdfStandard, PdfStandards, Timestamp};
+use typst_render::RenderOptions;
+
+use crate::{
+    FigureImage, ReportError, formula,
+    model::{Report, figure_file},
+    text,
+    words::{self, EVIDENCE, RULES, Rule, Term, VERDICTS},
+    world::{MemoryWorld, fixed_date, has_glyph, refused},
+};
+
+const TEMPLATES: [(&str, &str); 3] = [
+    ("theme.typ", include_str!("../assets/theme.typ")),
+    ("formula.typ", include_str!("../assets/formula.typ")),
+    ("claim.typ", include_str!("../assets/claim.typ")),
+];
+const PAPER: &str = include_str!("../assets/paper.typ");
+const SUMMARY: &str = include_str!("../assets/summary.typ");
+
+/// A document with its pages laid out.
+///
+/// ```no_run
+/// # fn run(paper: &torse_claims::outcome::PaperOutcome) -> Result<(), torse_report::ReportError> {
+/// let document = torse_report::Typeset::paper(paper, &[])?;
+/// torse_report::write_file("report.pdf".as_ref(), &document.pdf()?)?;
+/// torse_report::write_file("first-page.png".as_ref(), &document.page_png(0, 2.0)?)?;
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug)]
+pub struct Typeset {
+    document: PagedDocument,
+    identifier: String,
+}
+
+impl Typeset {
+    /// The report of one paper, with its pictures.
+    ///
+    /// A formula that cannot be set is shown as plain text; a character that no font has is spelled out.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Typeset`] when the document cannot be set, for instance because a picture is not what
+    /// it is said to be.
+    pub fn paper(paper: &PaperOutcome, figures: &[FigureImage]) -> Result<Self, ReportError> {
+        let report = Report::new(paper, figures);
+        let data = Data {
+            formulas: formulas(&report.formulas)?,
+            glossary: Glossary::new(),
+            content: &report,
+        };
+        let pictures = figures.iter().enumerate().map(|(position, figure)| {
+            (figure_file(position, figure), figure.image.bytes().to_vec())
+        });
+        Self::set("the report of a paper", PAPER, &data, pictures, &paper.slug)
+    }
+
+    /// The summary of several papers: counts and findings, without the single claims.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Typeset`] when the document cannot be set.
+    pub fn summary(papers: &[PaperOutcome]) -> Result<Self, ReportError> {
+        let reports: Vec<Report> = papers.iter().map(|paper| Report::new(paper, &[])).collect();
+        let data = Data {
+            formulas: Vec::new(),
+            glossary: Glossary::new(),
+            content: reports,
+        };
+        Self::set("the summary", SUMMARY, &data, [], "summary")
+    }
+
+    fn set(
+        name: &'static str,
+        main: &str,
+        data: &impl Serialize,
+        pictures: impl IntoIterator<Item = (String, Vec<u8>)>,
+        identifier: &str,
+    ) -> Result<Self, ReportError> {
+        let mut data = serde_json::to_value(data)?;
+        spell_out_missing_glyphs(&mut data);
+        let files = pictures
+            .into_iter()
+            .chain([("data.json".to_owned(), serde_json::to_vec(&data)?)]);
+        let document = MemoryWorld::new(main, &TEMPLATES, files)?.compile(name)?;
+        Ok(Typeset {
+            document,
+            identifier: format!("torse-{identifier}"),
+        })
+    }
+
+    /// How many pages the document has.
+    #[must_use]
+    pub fn page_count(&self) -> usize {
+        self.document.pages().len()
+    }
+
+    /// The document as PDF/A-2b: fonts embedded, with outline and links; the same bytes on every run.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Typeset`] when the document cannot be written.
+    pub fn pdf(&self) -> Result<Vec<u8>, ReportError> {
+        const NAME: &str = "the PDF";
+        let standards =
+            PdfStandards::new(&[PdfStandard::A_2b]).map_err(|reason| ReportError::Typeset {
+                document: NAME,
+                messages: vec![reason.message().to_string()],
+            })?;
+        let options = PdfOptions {
+            ident: Smart::Custom(self.identifier.clone()),
+            timestamp: fixed_date().map(Timestamp::new_utc),
+            standards,
+            ..PdfOptions::default()
+        };
+        typst_pdf::pdf(&self.document, &options).map_err(|diagnostics| refused(NAME, &diagnostics))
+    }
+
+    /// A page, counted from 0, as PNG.
+    ///
+    /// An A4 page is 595 by 842 points.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::NoSuchPage`]; [`ReportError::Resolution`] for less than 0.1 or more than 20 pixels a
+    /// point, or none; [`ReportError::Png`] when encoding fails.
+    pub fn page_png(&self, page: usize, pixels_per_point: f32) -> Result<Vec<u8>, ReportError> {
+        if !(0.1..=20.0).contains(&pixels_per_point) {
+            return Err(ReportError::Resolution { pixels_per_point });
+        }
+        let pages = self.page_count();
+        let laid_out = self
+            .document
+            .pages()
+            .get(page)
+            .ok_or(ReportError::NoSuchPage { page, pages })?;
+        let options = RenderOptions {
+            pixel_per_pt: Scalar::new(f64::from(pixels_per_point)),
+            ..RenderOptions::default()
+        };
+        typst_render::render(laid_out, &options)
+            .encode_png()
+            .map_err(|reason| ReportError::Png {
+                page,
+                reason: reason.to_string(),
+            })
+    }
+}
+
+#[derive(Serialize)]
+struct Data<C> {
+    content: C,
+    formulas: Vec<FormulaData>,
+    glossary: Glossary,
+}
+
+#[derive(Serialize)]
+struct FormulaData {
+    source: String,
+    pieces: Vec<String>,
+    usable: bool,
+}
+
+/// For each formula its pieces; a formula counts as usable only when it can be set whole and in pieces.
+fn formulas(sources: &[String]) -> Result<Vec<FormulaData>, ReportError> {
+    let whole = formula::usable::<PagedDocument>(sources)?;
+    let pieces: Vec<Vec<String>> = sources
+        .iter()
+        .map(|source| formula::pieces(source))
+        .collect();
+    let flat: Vec<String> = pieces
+        .iter()
+        .zip(&whole)
+        .filter(|(_, whole)| **whole)
+        .flat_map(|(pieces, _)| pieces.iter().cloned())
+        .collect();
+    let mut flat_usable = formula::usable::<PagedDocument>(&flat)?.into_iter();
+    let data = sources
+        .iter()
+        .zip(whole)
+        .zip(pieces)
+        .map(|((source, whole), pieces)| {
+            let breakable = whole
+                && flat_usable
+                    .by_ref()
+                    .take(pieces.len())
+                    .fold(true, |all, one| all && one);
+            let pieces = if breakable {
+                pieces
+            } else {
+                vec![source.clone()]
+            };
+            FormulaData {
+                source: source.clone(),
+                pieces,
+                usable: whole,
+            }
+        });
+    Ok(data.collect())
+}
+
+#[derive(Serialize)]
+struct Glossary {
+    verdicts: Vec<Term>,
+    evidence: Vec<Term>,
+    rules: [Rule; 7],
+}
+
+impl Glossary {
+    fn new() -> Self {
+        Glossary {
+            verdicts: VERDICTS.into_iter().map(words::verdict).collect(),
+            evidence: EVIDENCE.into_iter().map(words::evidence).collect(),
+            rules: RULES,
+        }
+    }
+}
+
+/// PDF/A allows no glyph that stands for "no such glyph".
+fn spell_out_missing_glyphs(data: &mut Value) {
+    match data {
+        Value::String(string) => {
+            if !string.chars().all(has_glyph) {
+                *string = text::replace(string, has_glyph);
+            }
+        }
+        Value::Array(values) => values.iter_mut().for_each(spell_out_missing_glyphs),
+        Value::Object(members) => members.values_mut().for_each(spell_out_missing_glyphs),
+        Value::Null | Value::Bool(_) | Value::Number(_) => {}
+    }
+}

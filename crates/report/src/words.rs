@@ -1,0 +1,266 @@
+//! The words of the report: labels, meanings and rules, in one place for every output.
+//!
+//! A label is never chosen by hand in a template: a verdict's key is its name in the JSON interface,
+//! and the label, the meaning and the colour class follow from that.
+
+use serde::Serialize;
+use torse_claims::outcome::{Evidence, Kind, Verdict};
+
+/// A key with its label and its meaning in one sentence.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Term {
+    /// The name in the JSON interface, for instance `out-of-scope`.
+    pub key: &'static str,
+    /// What a reader sees.
+    pub label: &'static str,
+    /// What it means.
+    pub meaning: &'static str,
+}
+
+/// Every verdict, in the order in which tables list them.
+pub const VERDICTS: [Verdict; 11] = [
+    Verdict::Holds,
+    Verdict::Conditional,
+    Verdict::Misprint,
+    Verdict::False,
+    Verdict::Undecided,
+    Verdict::Vacuous,
+    Verdict::Definition,
+    Verdict::Underspecified,
+    Verdict::OutOfScope,
+    Verdict::Reproduced,
+    Verdict::Partial,
+];
+
+/// Every kind of evidence, strongest first.
+pub const EVIDENCE: [Evidence; 7] = [
+    Evidence::Identity,
+    Evidence::Induction,
+    Evidence::Inequality,
+    Evidence::Enclosure,
+    Evidence::Witness,
+    Evidence::CheckedRange,
+    Evidence::Sampled,
+];
+
+/// Every kind of statement.
+pub const KINDS: [Kind; 8] = [
+    Kind::Definition,
+    Kind::Identity,
+    Kind::Inequality,
+    Kind::Value,
+    Kind::Property,
+    Kind::Construction,
+    Kind::Figure,
+    Kind::Prose,
+];
+
+/// The words for a verdict.
+#[must_use]
+pub const fn verdict(of: Verdict) -> Term {
+    let (key, label, meaning) = match of {
+        Verdict::Holds => (
+            "holds",
+            "holds",
+            "True as printed, under the paper's own assumptions.",
+        ),
+        Verdict::Conditional => (
+            "conditional",
+            "conditional",
+            "True under an extra condition that the paper does not state; the condition is given.",
+        ),
+        Verdict::Misprint => (
+            "misprint",
+            "misprint",
+            "False as printed; a small correction is given, and the corrected statement is proved.",
+        ),
+        Verdict::False => (
+            "false",
+            "false",
+            "False as printed, with an exact counterexample; no small edit was proved to repair it.",
+        ),
+        Verdict::Undecided => (
+            "undecided",
+            "undecided",
+            "Neither proved nor refuted; what was tried is stated. This says nothing against the statement.",
+        ),
+        Verdict::Vacuous => (
+            "vacuous",
+            "vacuous",
+            "No point satisfies the assumptions, so the statement says nothing.",
+        ),
+        Verdict::Definition => (
+            "definition",
+            "definition",
+            "A definition; it was found to be well formed. There is nothing to prove.",
+        ),
+        Verdict::Underspecified => (
+            "underspecified",
+            "underspecified",
+            "The data needed to decide are not printed.",
+        ),
+        Verdict::OutOfScope => (
+            "out-of-scope",
+            "out of scope",
+            "Not a statement that can be decided by exact computation; the reason is given.",
+        ),
+        Verdict::Reproduced => (
+            "reproduced",
+            "reproduced",
+            "A figure, redrawn from the printed data alone.",
+        ),
+        Verdict::Partial => (
+            "partial",
+            "partial",
+            "A figure, redrawn under assumptions, each of which is listed.",
+        ),
+    };
+    Term {
+        key,
+        label,
+        meaning,
+    }
+}
+
+/// The words for what a verdict rests on.
+#[must_use]
+pub const fn evidence(of: Evidence) -> Term {
+    let (key, label, meaning) = match of {
+        Evidence::Identity => (
+            "identity",
+            "identity",
+            "Both sides were brought to the normal form of an exact algebra in which zero has one form only; their difference is zero, or is not.",
+        ),
+        Evidence::Induction => (
+            "induction",
+            "induction",
+            "Proved for every degree at once, with the degree as a symbol.",
+        ),
+        Evidence::Inequality => (
+            "inequality",
+            "inequality",
+            "A certificate of sign, valid on the whole stated range.",
+        ),
+        Evidence::Enclosure => (
+            "enclosure",
+            "enclosure",
+            "Certified interval arithmetic: the true value lies between two exact rationals.",
+        ),
+        Evidence::Witness => (
+            "witness",
+            "witness",
+            "An exact point at which the printed statement fails, with the values of both sides.",
+        ),
+        Evidence::CheckedRange => (
+            "checked-range",
+            "checked range",
+            "Every degree up to a stated bound, and no more: never a proof for all degrees.",
+        ),
+        Evidence::Sampled => (
+            "sampled",
+            "sampled",
+            "Sample points, and no more: never a proof.",
+        ),
+    };
+    Term {
+        key,
+        label,
+        meaning,
+    }
+}
+
+/// The words for a kind of statement.
+#[must_use]
+pub const fn kind(of: Kind) -> Term {
+    let (key, label, meaning) = match of {
+        Kind::Definition => ("definition", "definition", "A definition."),
+        Kind::Identity => (
+            "identity",
+            "identity",
+            "An equation said to hold identically.",
+        ),
+        Kind::Inequality => ("inequality", "inequality", "An inequality on a range."),
+        Kind::Value => ("value", "value", "A printed value."),
+        Kind::Property => ("property", "property", "A property in words."),
+        Kind::Construction => ("construction", "construction", "Something that is built."),
+        Kind::Figure => ("figure", "figure", "A figure."),
+        Kind::Prose => ("prose", "prose", "A checkable remark."),
+    };
+    Term {
+        key,
+        label,
+        meaning,
+    }
+}
+
+/// A rule that the verdicts rely on: its name and what it says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Rule {
+    /// The name.
+    pub name: &'static str,
+    /// The statement and, in brief, why it is true.
+    pub statement: &'static str,
+}
+
+/// The rules and theorems that every verdict relies on.
+pub const RULES: [Rule; 7] = [
+    Rule {
+        name: "Equality is decided, never sampled",
+        statement: "The formulas live in the ring of polynomials with rational coefficients in π, the parameters, the variable x and the pair s = sin(πx/2), c = cos(πx/2), modulo s² + c² = 1. Because π is transcendental, and x is algebraically independent of s and c, this ring embeds in the ring of functions: a zero normal form proves an identity, and a normal form other than zero disproves it.",
+    },
+    Rule {
+        name: "Every division is recorded",
+        statement: "A quotient is computed together with the statement that its divisor is not zero. Divisors that the paper's own assumptions do not exclude are listed with the verdict as conditions.",
+    },
+    Rule {
+        name: "A counterexample is exact",
+        statement: "A refuted statement comes with rational values of its symbols at which both sides were computed exactly. Decimals beside them are certified enclosures, given for the reader's convenience only.",
+    },
+    Rule {
+        name: "A correction is proved",
+        statement: "A corrected formula is offered only when the corrected statement itself has been decided to hold by the same procedure. Where another repair with as few edits was found, the report says so.",
+    },
+    Rule {
+        name: "Every degree at once",
+        statement: "Statements for all degrees are decided with the degree as a symbol: a curve of degree k is a Bernstein blend of local quadratics, and its endpoint derivatives follow from truncated power series whose coefficients are polynomials in k.",
+    },
+    Rule {
+        name: "Enclosures are one-sided by construction",
+        statement: "Values of π, sine and cosine are computed as pairs of rationals that enclose the true value; each operation rounds outward. An inequality or a printed decimal is accepted or refused only when the whole enclosure agrees.",
+    },
+    Rule {
+        name: "Failure to prove is not refutation",
+        statement: "A statement is called false only with a witness. Where neither a proof nor a witness was found, the verdict is undecided, with what was tried.",
+    },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_the_names_of_the_json_interface() {
+        for of in VERDICTS {
+            assert_eq!(serde_json::to_value(of).unwrap(), verdict(of).key);
+        }
+        for of in EVIDENCE {
+            assert_eq!(serde_json::to_value(of).unwrap(), evidence(of).key);
+        }
+        for of in KINDS {
+            assert_eq!(serde_json::to_value(of).unwrap(), kind(of).key);
+        }
+    }
+
+    #[test]
+    fn tables_list_every_verdict_evidence_and_kind_once() {
+        for (position, of) in VERDICTS.into_iter().enumerate() {
+            assert_eq!(of as usize, position);
+        }
+        for (position, of) in EVIDENCE.into_iter().enumerate() {
+            assert_eq!(of as usize, position);
+        }
+        for (position, of) in KINDS.into_iter().enumerate() {
+            assert_eq!(of as usize, position);
+        }
+    }
+}

@@ -1,0 +1,304 @@
+//! The outputs as a reader gets them, from a made-up paper with every verdict and hostile strings.
+
+#[path = "../examples/sample/paper.rs"]
+mod paper;
+
+use std::sync::LazyLock;
+
+use torse_claims::outcome::{Kind, PaperOutcome};
+use torse_report::{
+    FigureImage, Image, ReportError, Typeset, html_page, model::Report, verdicts_json,
+};
+
+static HTML: LazyLock<String> =
+    LazyLock::new(|| html_page(&paper::sample(), &paper::figures()).unwrap());
+
+/// The sample without the claims that take long to lay out.
+fn short() -> PaperOutcome {
+    let mut sample = paper::sample();
+    sample
+        .claims
+        .retain(|claim| claim.id != "sample/thm-4.det" && claim.id != "sample/eq-3.7");
+    sample
+}
+
+#[test]
+fn the_json_of_a_claim_has_the_ten_fields_in_order_and_null_where_there_is_nothing() {
+    let text = verdicts_json(&paper::sample().claims[3..5]).unwrap();
+    assert_eq!(
+        text,
+        r#"{
+  "claims": [
+    {
+      "id": "sample/thm-4.det",
+      "kind": "identity",
+      "verdict": "false",
+      "evidence": "witness",
+      "printed": "det H = 0 for every n",
+      "parsed": "det(H) == 0",
+      "corrected": null,
+      "condition": null,
+      "witness": {
+        "at": {
+          "n": "2"
+        },
+        "left": "1/12",
+        "right": "0",
+        "left_decimal": "0.0833[3, 4]",
+        "right_decimal": "0"
+      },
+      "note": null
+    },
+    {
+      "id": "sample/eq-5.third",
+      "kind": "construction",
+      "verdict": "conditional",
+      "evidence": "identity",
+      "printed": "Q¹_1 = Q_m + (1/α₁)(Q_m − Q_{m−1})",
+      "parsed": "Q1 == Q[m] + ...",
+      "corrected": null,
+      "condition": "alpha_1 != 0 and mu + nu + 2 != 0",
+      "witness": null,
+      "note": null
+    }
+  ]
+}
+"#
+    );
+}
+
+#[test]
+fn the_json_keeps_the_order_of_the_file_and_of_the_witness_and_any_string() {
+    let sample = paper::sample();
+    let text = verdicts_json(&sample.claims).unwrap();
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let claims = value["claims"].as_array().unwrap();
+    let ids: Vec<&str> = claims
+        .iter()
+        .map(|claim| claim["id"].as_str().unwrap())
+        .collect();
+    let expected: Vec<&str> = sample
+        .claims
+        .iter()
+        .map(|claim| claim.id.as_str())
+        .collect();
+    assert_eq!(ids, expected);
+    assert_eq!(claims[5]["printed"], paper::HOSTILE);
+    let place = |name: &str| text.find(&format!("\"{name}\": ")).unwrap();
+    assert!(place("k") < place("mu") && place("mu") < place("nu"));
+}
+
+#[test]
+fn the_pdf_has_the_same_bytes_on_every_run_and_every_claim_on_its_pages() {
+    let document = Typeset::paper(&short(), &paper::figures()).unwrap();
+    let first = document.pdf().unwrap();
+    let second = Typeset::paper(&short(), &paper::figures())
+        .unwrap()
+        .pdf()
+        .unwrap();
+    assert!(first.starts_with(b"%PDF-1."));
+    assert!(first == second, "two runs gave different bytes");
+    assert!(document.page_count() >= 4);
+}
+
+#[test]
+fn formulas_that_cannot_be_set_and_hostile_strings_do_not_keep_a_report_from_being_written() {
+    let mut sample = short();
+    sample
+        .claims
+        .retain(|claim| claim.printed == paper::HOSTILE);
+    assert_eq!(sample.claims.len(), 1);
+    sample.title = paper::HOSTILE.to_owned();
+    sample.slug = paper::HOSTILE.to_owned();
+    Typeset::paper(&sample, &[]).unwrap().pdf().unwrap();
+    Typeset::summary(&[sample]).unwrap().pdf().unwrap();
+}
+
+#[test]
+fn a_paper_without_claims_and_a_summary_without_papers_are_documents_too() {
+    let empty = PaperOutcome {
+        claims: Vec::new(),
+        ..paper::sample()
+    };
+    Typeset::paper(&empty, &[]).unwrap().pdf().unwrap();
+    Typeset::summary(&[]).unwrap().pdf().unwrap();
+    assert!(html_page(&empty, &[]).unwrap().contains("</html>"));
+}
+
+#[test]
+fn a_picture_that_is_none_is_an_error_that_names_the_document() {
+    let broken = FigureImage {
+        name: "broken".to_owned(),
+        caption: String::new(),
+        alt: String::new(),
+        image: Image::Png(b"no picture".to_vec()),
+        claims: Vec::new(),
+    };
+    let error = Typeset::paper(&short(), &[broken]).unwrap_err();
+    assert!(
+        matches!(
+            error,
+            ReportError::Typeset {
+                document: "the report of a paper",
+                ..
+            }
+        ),
+        "{error}"
+    );
+}
+
+#[test]
+fn pages_are_drawn_as_png_within_bounds_only() {
+    let document = Typeset::summary(&[short()]).unwrap();
+    assert!(document.page_png(0, 0.5).unwrap().starts_with(b"\x89PNG"));
+    let pages = document.page_count();
+    assert!(matches!(
+        document.page_png(pages, 1.0),
+        Err(ReportError::NoSuchPage { .. })
+    ));
+    for resolution in [0.0, -1.0, f32::NAN, f32::INFINITY, 21.0] {
+        assert!(matches!(
+            document.page_png(0, resolution),
+            Err(ReportError::Resolution { .. })
+        ));
+    }
+}
+
+#[test]
+fn the_page_has_an_anchor_and_filter_attributes_for_every_claim() {
+    let report = Report::new(&paper::sample(), &paper::figures());
+    assert_eq!(report.claims().count(), paper::sample().claims.len());
+    for claim in report.claims() {
+        let article = format!("<article id=\"{}\"", claim.anchor);
+        assert_eq!(HTML.matches(&article).count(), 1, "{article}");
+        let (_, after) = HTML.split_once(&article).unwrap();
+        let (tag, _) = after.split_once('>').unwrap();
+        assert!(
+            tag.contains(&format!("data-verdict=\"{}\"", claim.verdict.key)),
+            "{tag}"
+        );
+        assert!(
+            tag.contains(&format!("data-kind=\"{}\"", claim.kind.key)),
+            "{tag}"
+        );
+        assert!(
+            tag.contains("data-evidence=\"") && tag.contains("data-section=\"section-"),
+            "{tag}"
+        );
+    }
+}
+
+#[test]
+fn every_link_of_the_page_leads_to_an_anchor_of_it() {
+    let mut links = 0;
+    for after in HTML.split("href=\"#").skip(1) {
+        let (anchor, _) = after.split_once('"').unwrap();
+        assert!(HTML.contains(&format!("id=\"{anchor}\"")), "{anchor}");
+        links += 1;
+    }
+    assert!(links > 20, "{links}");
+}
+
+#[test]
+fn the_page_shows_hostile_strings_as_text_and_asks_for_nothing_from_elsewhere() {
+    assert!(!HTML.contains("<script>alert"));
+    assert!(HTML.contains("&lt;/article&gt;&lt;script&gt;alert(1)&lt;/script&gt; &amp;"));
+    assert!(!HTML.contains('\u{202E}') && !HTML.contains('\u{0}'));
+    for source in ["src=\"http", "href=\"http", "@import", "url("] {
+        assert!(!HTML.contains(source), "{source}");
+    }
+}
+
+#[test]
+fn the_page_shows_formulas_as_mathml_and_the_broken_one_as_plain_text() {
+    let report = Report::new(&paper::sample(), &[]);
+    assert_eq!(HTML.matches("<math").count(), report.formulas.len() - 1);
+    assert_eq!(HTML.matches("<code class=\"plain\">#panic(1)").count(), 1);
+}
+
+#[test]
+fn the_page_has_the_same_bytes_on_every_run() {
+    assert!(*HTML == html_page(&paper::sample(), &paper::figures()).unwrap());
+}
+
+#[test]
+fn findings_tell_the_refuted_first_and_leave_out_what_holds() {
+    let report = Report::new(&paper::sample(), &[]);
+    let told: Vec<(&str, &str)> = report
+        .findings
+        .iter()
+        .map(|finding| (finding.id.as_str(), finding.text.as_str()))
+        .collect();
+    assert_eq!(
+        told[0],
+        (
+            "sample/thm-4.det",
+            "False: at n = 2 the left side is 1/12, the right side 0."
+        )
+    );
+    assert_eq!(
+        told[1],
+        (
+            "sample/eq-3.7",
+            "False as printed. Proved with this change: the factor 2 added before μ; k replaced by k − 2."
+        )
+    );
+    assert_eq!(
+        told[2].1,
+        "True only under a condition: alpha_1 != 0 and mu + nu + 2 != 0."
+    );
+    assert!(!told.iter().any(|(id, _)| *id == "sample/thm-2.b"));
+}
+
+#[test]
+fn a_claim_knows_what_rests_on_it_and_where_its_figures_are() {
+    let report = Report::new(&paper::sample(), &paper::figures());
+    let claim = |id: &str| report.claims().find(|claim| claim.id == id).unwrap();
+    let users: Vec<&str> = claim("sample/def-1.g0")
+        .used_by
+        .iter()
+        .map(|reference| reference.id.as_str())
+        .collect();
+    assert_eq!(users, ["sample/thm-2.b", "sample/eq-3.7"]);
+    assert_eq!(claim("sample/eq-3.7").uses[2].anchor, None);
+    assert_eq!(
+        claim("sample/thm-2.b").figures,
+        [0],
+        "shown at the first claim in file order"
+    );
+    assert_eq!(claim("sample/fig-1").see_figures, [0]);
+    assert_eq!(report.further_figures, [2]);
+}
+
+#[test]
+fn counts_add_up_on_both_axes() {
+    let sample = paper::sample();
+    let tally = Report::new(&sample, &[]).tally;
+    assert_eq!(
+        tally.rows.iter().map(|row| row.count).sum::<usize>(),
+        sample.claims.len()
+    );
+    for row in &tally.rows {
+        assert_eq!(
+            row.by_evidence.iter().sum::<usize>() + row.without,
+            row.count
+        );
+    }
+    assert!(sample.claims.iter().any(|claim| claim.kind == Kind::Figure));
+    assert_eq!(Report::new(&sample, &[]).unexpected, 1);
+}
+
+#[test]
+fn claims_whose_ids_differ_in_signs_only_keep_anchors_apart() {
+    let mut sample = short();
+    let names = ["sample/a.b", "sample/a-b", "sample/a_b"];
+    sample.claims.truncate(names.len());
+    for (claim, name) in sample.claims.iter_mut().zip(names) {
+        claim.id = name.to_owned();
+    }
+    let report = Report::new(&sample, &[]);
+    let mut anchors: Vec<&str> = report.claims().map(|claim| claim.anchor.as_str()).collect();
+    anchors.sort_unstable();
+    anchors.dedup();
+    assert_eq!(anchors.len(), names.len());
+}
