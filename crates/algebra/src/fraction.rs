@@ -235,17 +235,7 @@ impl Fraction {
         if !self.symbols().iter().any(|s| value(s).is_some()) && self.conditions.is_empty() {
             return Ok(self.clone());
         }
-        let replace = |p: &Polynomial| -> Self {
-            let replaced = p.evaluate(&Self::integer(1), |symbol| {
-                Ok::<_, std::convert::Infallible>(
-                    value(symbol).unwrap_or_else(|| Self::symbol(symbol.clone())),
-                )
-            });
-            match replaced {
-                Ok(result) => result,
-                Err(never) => match never {},
-            }
-        };
+        let replace = |p: &Polynomial| -> Self { p.replaced(&Self::zero(), &value) };
         let mut result = replace(&self.numerator);
         for (factor, exponent) in &self.denominator {
             let divisor = replace(factor);

@@ -1,5 +1,15 @@
 //! The formula language, derivation files, decision procedures and verdicts.
+//!
+//! Data flow one way: [`syntax`] turns text into trees, [`derivation`] reads files of claims,
+//! [`evaluate`] turns trees into exact values, [`decide`] turns statements into decisions,
+//! [`engine`] runs all claims of a paper and writes [`outcome`]s.
 
+pub mod decide;
+pub mod derivation;
+pub mod engine;
+pub mod evaluate;
+pub mod notation;
 pub mod outcome;
+pub mod syntax;
 
 pub use outcome::{Correction, Evidence, Formula, Kind, Outcome, PaperOutcome, Verdict, Witness};

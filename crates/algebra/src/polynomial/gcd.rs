@@ -1,19 +1,28 @@
-//! Greatest common divisors by primitive remainder sequences, recursively in the main symbol.
+//! Greatest common divisors.
 //!
 //! Used to keep fractions and printed formulas small; no verdict depends on it. The relations are not
 //! used: the gcd is that of the normal forms in the free polynomial ring.
+//!
+//! First images modulo a prime, with all symbols but one replaced by numbers: **if the leading
+//! coefficient survives, the degree of the image's gcd bounds the degree of the gcd in that symbol from
+//! above.** Most pairs are coprime or one divides the other, and the bounds show it; what is left goes
+//! through a primitive remainder sequence in the symbol of the smallest bound, within a budget.
 
 use super::Polynomial;
+use super::modular;
 use crate::rational::integer;
 use crate::symbol::Symbol;
 use num_traits::Zero;
 
-/// Above this many terms the gcd is not attempted: simplification must stay cheap.
-const MAX_TERMS: usize = 400;
+/// Above this many terms a remainder sequence is not attempted: simplification must stay cheap.
+const MAX_TERMS: usize = 300;
+/// The most bits of a coefficient in a remainder sequence.
+const MAX_BITS: usize = 2_000;
 
 impl Polynomial {
     /// A greatest common divisor with coprime integer coefficients and positive leading coefficient.
-    /// For very large arguments (more than a few hundred terms) the answer is one.
+    /// Where the remainder sequence would be long the answer is one: a common divisor always, the
+    /// greatest for all but large arguments.
     ///
     /// ```
     /// use torse_algebra::Polynomial;
@@ -29,35 +38,46 @@ impl Polynomial {
         if other.is_zero() {
             return self.primitive().1;
         }
+        let shared: Vec<&Symbol> = self.symbols.iter().filter(|s| other.symbols.binary_search(s).is_ok()).collect();
+        let bounds: Vec<(u16, &Symbol)> = shared
+            .into_iter()
+            .map(|s| (modular::gcd_degree_bound(self, other, s), s))
+            .filter(|(bound, _)| *bound > 0)
+            .collect();
+        let Some((_, main)) = bounds.iter().min() else {
+            return Self::integer(1);
+        };
+        // If the bounds allow the whole of one argument, try it.
+        for (candidate, target) in [(self, other), (other, self)] {
+            let allowed = candidate
+                .symbols
+                .iter()
+                .all(|s| bounds.iter().any(|(bound, symbol)| *symbol == s && *bound >= candidate.degree_in(s)));
+            if allowed && target.exact_quotient(candidate).is_some() {
+                return candidate.primitive().1;
+            }
+        }
         if self.len() > MAX_TERMS || other.len() > MAX_TERMS {
             return Self::integer(1);
         }
-        // A main symbol that both contain; without one the gcd is constant.
-        let Some(main) = self
-            .symbols
-            .iter()
-            .find(|s| other.symbols.binary_search(s).is_ok())
-            .cloned()
-        else {
-            return Self::integer(1);
-        };
-        let (content_a, part_a) = self.split_content(&main);
-        let (content_b, part_b) = other.split_content(&main);
+        self.remainder_sequence(other, main)
+    }
+
+    fn remainder_sequence(&self, other: &Self, main: &Symbol) -> Self {
+        let (content_a, part_a) = self.split_content(main);
+        let (content_b, part_b) = other.split_content(main);
         let content = content_a.gcd(&content_b);
-        let (mut a, mut b) = if part_a.degree_in(&main) >= part_b.degree_in(&main) {
-            (part_a, part_b)
-        } else {
-            (part_b, part_a)
-        };
+        let (mut a, mut b) =
+            if part_a.degree_in(main) >= part_b.degree_in(main) { (part_a, part_b) } else { (part_b, part_a) };
         while !b.is_zero() {
-            if b.degree_in(&main) == 0 {
+            if b.degree_in(main) == 0 {
                 return content.primitive().1;
             }
-            let Some(remainder) = a.pseudo_remainder(&b, &main) else {
+            let Some(remainder) = a.pseudo_remainder(&b, main) else {
                 return Self::integer(1);
             };
             a = b;
-            b = remainder.split_content(&main).1;
+            b = remainder.split_content(main).1;
         }
         (&content * &a).primitive().1
     }
@@ -93,7 +113,7 @@ impl Polynomial {
         let degree = divisor.degree_in(main);
         let mut rest = self.clone();
         while !rest.is_zero() && rest.degree_in(main) >= degree {
-            if rest.len() > 4 * MAX_TERMS {
+            if rest.len() > 4 * MAX_TERMS || rest.largest_bits() > MAX_BITS {
                 return None;
             }
             let step = rest.degree_in(main) - degree;
@@ -108,5 +128,10 @@ impl Polynomial {
     #[must_use]
     pub fn is_one(&self) -> bool {
         self.as_constant().is_some_and(|value| value == integer(1))
+    }
+
+    /// The bits of the largest coefficient.
+    fn largest_bits(&self) -> usize {
+        self.coefficients.iter().map(dashu_int::ops::BitTest::bit_len).max().unwrap_or(0)
     }
 }

@@ -15,6 +15,7 @@ pub mod calculus;
 pub mod divide;
 pub mod evaluate;
 pub mod gcd;
+mod modular;
 pub mod multiply;
 mod reduce;
 pub mod trigonometry;

@@ -1,0 +1,244 @@
+//! Where a statement is meant to hold: the declared ranges of its symbols and its assumptions.
+
+use crate::evaluate::scope::{Declarations, Interval, SymbolKind};
+use crate::syntax::Relation;
+use torse_algebra::rational::{integer, ratio};
+use torse_algebra::{Affine, Ball, Fraction, Polynomial, Rational, Scalar, Symbol};
+
+/// Bits of the enclosures that decide signs of constants.
+const BITS: usize = 256;
+
+/// A condition `value relation 0` from the assumptions.
+#[derive(Debug, Clone)]
+pub struct Constraint {
+    /// The quantity compared with zero.
+    pub value: Fraction,
+    /// How.
+    pub relation: Relation,
+}
+
+/// The domain of a statement.
+#[derive(Debug, Clone)]
+pub struct Domain<'a> {
+    /// The ranges.
+    pub declarations: &'a Declarations,
+    /// The assumptions that are no equalities.
+    pub constraints: Vec<Constraint>,
+}
+
+impl Domain<'_> {
+    /// The interval in which a symbol lives; integers from their bounds, functions of angles from -1
+    /// to 1 or, for a variable of [0,1], from 0 to 1.
+    #[must_use]
+    pub fn interval(&self, symbol: &Symbol) -> Interval {
+        let closed = |n: i64| {
+            Some(crate::evaluate::scope::Bound {
+                value: Fraction::integer(n),
+                closed: true,
+            })
+        };
+        match symbol {
+            Symbol::Named(name) => match self.declarations.symbol(name) {
+                Some(SymbolKind::Real(interval)) => interval.clone(),
+                Some(SymbolKind::Integer { .. }) => {
+                    let form = Affine::symbol(name);
+                    Interval {
+                        lower: self.declarations.least(&form).and_then(closed),
+                        upper: self.declarations.greatest(&form).and_then(closed),
+                    }
+                }
+                _ => Interval::default(),
+            },
+            Symbol::Sin(name, torse_algebra::Angle::QuarterTurn)
+            | Symbol::Cos(name, torse_algebra::Angle::QuarterTurn) => {
+                let of = self.interval(&Symbol::Named(name.clone()));
+                let inside = |bound: &Option<crate::evaluate::scope::Bound>, low: bool| {
+                    bound
+                        .as_ref()
+                        .and_then(|b| b.value.as_rational())
+                        .is_some_and(|v| {
+                            if low {
+                                v >= integer(0)
+                            } else {
+                                v <= integer(1)
+                            }
+                        })
+                };
+                let unit = inside(&of.lower, true) && inside(&of.upper, false);
+                Interval {
+                    lower: closed(if unit { 0 } else { -1 }),
+                    upper: closed(1),
+                }
+            }
+            Symbol::Sin(..) | Symbol::Cos(..) => Interval {
+                lower: closed(-1),
+                upper: closed(1),
+            },
+            Symbol::Indexed(..) | Symbol::Root(_) | Symbol::Pi => Interval::default(),
+        }
+    }
+
+    /// Whether a symbol is an integer.
+    #[must_use]
+    pub fn is_integer(&self, symbol: &Symbol) -> bool {
+        matches!(symbol, Symbol::Named(name)
+            if matches!(self.declarations.symbol(name), Some(SymbolKind::Integer { .. })))
+    }
+
+    /// Simple values of a symbol inside its interval, simplest first. A variable under a sine or cosine
+    /// gets values at which these are exact.
+    #[must_use]
+    pub fn candidates(&self, symbol: &Symbol, turns: Turns) -> Vec<Fraction> {
+        let interval = self.interval(symbol);
+        let numbers: &[(i64, i64)] = match (symbol, turns) {
+            (Symbol::Indexed(..), _) => &[(0, 1), (1, 1), (-1, 1), (2, 1), (3, 1), (-2, 1), (5, 1)],
+            (_, Turns::Quarter) => &[
+                (1, 2),
+                (1, 3),
+                (2, 3),
+                (0, 1),
+                (1, 1),
+                (3, 2),
+                (4, 3),
+                (5, 3),
+                (2, 1),
+            ],
+            (_, Turns::Radian) => &[
+                (1, 3),
+                (1, 2),
+                (1, 4),
+                (1, 6),
+                (2, 3),
+                (1, 1),
+                (3, 4),
+                (4, 3),
+                (3, 2),
+                (5, 3),
+                (0, 1),
+                (2, 1),
+            ],
+            (s, Turns::None) if self.is_integer(s) => &[
+                (0, 1),
+                (1, 1),
+                (2, 1),
+                (3, 1),
+                (4, 1),
+                (5, 1),
+                (6, 1),
+                (7, 1),
+                (-1, 1),
+                (-2, 1),
+                (8, 1),
+                (9, 1),
+            ],
+            _ => &[
+                (1, 1),
+                (0, 1),
+                (2, 1),
+                (1, 2),
+                (-1, 1),
+                (3, 1),
+                (1, 3),
+                (-1, 2),
+                (2, 3),
+                (3, 2),
+                (-2, 1),
+                (1, 4),
+                (3, 4),
+                (5, 1),
+                (-3, 1),
+                (1, 5),
+                (4, 1),
+                (-1, 3),
+                (1, 10),
+                (9, 10),
+                (10, 1),
+            ],
+        };
+        let unit = if turns == Turns::Radian {
+            Fraction::symbol(Symbol::Pi)
+        } else {
+            Fraction::integer(1)
+        };
+        numbers
+            .iter()
+            .filter_map(|(n, d)| ratio(*n, *d))
+            .map(|q| unit.scaled(&q))
+            .filter(|value| self.inside(&interval, value))
+            .collect()
+    }
+
+    fn inside(&self, interval: &Interval, value: &Fraction) -> bool {
+        let fits =
+            |bound: &Option<crate::evaluate::scope::Bound>, relation: Relation, open: Relation| {
+                bound.as_ref().is_none_or(|b| {
+                    let gap = value.clone() - b.value.clone();
+                    truth(&gap, if b.closed { relation } else { open }) == Some(true)
+                })
+            };
+        fits(&interval.lower, Relation::AtLeast, Relation::Greater)
+            && fits(&interval.upper, Relation::AtMost, Relation::Less)
+    }
+
+    /// Whether the assumptions state that this polynomial, or one it is a factor of, is not zero.
+    #[must_use]
+    pub fn assumes_nonzero(&self, polynomial: &Polynomial) -> bool {
+        self.constraints.iter().any(|c| {
+            matches!(
+                c.relation,
+                Relation::Different | Relation::Less | Relation::Greater
+            ) && c.value.numerator().exact_quotient(polynomial).is_some()
+        })
+    }
+}
+
+/// Under which trigonometric functions a variable stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turns {
+    /// None.
+    None,
+    /// Sine and cosine of a quarter turn times it.
+    Quarter,
+    /// Sine and cosine of it, in radians.
+    Radian,
+}
+
+/// The enclosure of a fraction without free symbols: pi and roots only.
+#[must_use]
+pub fn enclosure(value: &Fraction, bits: usize) -> Option<Ball> {
+    let like = Ball::from_rational(&integer(0), bits);
+    let part = |p: &Polynomial| {
+        p.evaluate(&like, |symbol| match symbol {
+            Symbol::Pi => Ok(Ball::pi(bits)),
+            Symbol::Root(prime) => {
+                Ball::from_rational(&Rational::from_integer((*prime).into()), bits)
+                    .sqrt()
+                    .map_err(drop)
+            }
+            _ => Err(()),
+        })
+        .ok()
+    };
+    let denominator = part(&value.denominator())?;
+    part(value.numerator())?.divided_by(&denominator).ok()
+}
+
+/// Whether `value relation 0` holds, for a fraction without free symbols.
+#[must_use]
+pub fn truth(value: &Fraction, relation: Relation) -> Option<bool> {
+    use std::cmp::Ordering;
+    // Zero is decided by the normal form, the sign of a nonzero number by an enclosure.
+    let order = if value.is_zero() {
+        Ordering::Equal
+    } else {
+        enclosure(value, BITS)?.sign()?
+    };
+    Some(match relation {
+        Relation::Equal => order == Ordering::Equal,
+        Relation::Different => order != Ordering::Equal,
+        Relation::Less => order == Ordering::Less,
+        Relation::AtMost => order != Ordering::Greater,
+        Relation::Greater => order == Ordering::Greater,
+        Relation::AtLeast => order != Ordering::Less,
+    })
+}

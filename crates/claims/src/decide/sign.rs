@@ -1,0 +1,319 @@
+//! Signs of polynomials on the declared domain.
+//!
+//! A bounded symbol is written v = a + (b - a) t with t in [0,1] and the polynomial in Bernstein form in
+//! t; a symbol with one bound is written v = a + t with t >= 0; pi stays and is enclosed. **Theorem.**
+//! Bernstein polynomials and powers of t are nonnegative and the Bernstein polynomials sum to one, so if
+//! all coefficients are nonnegative the polynomial is, and if moreover every Bernstein coefficient has a
+//! positive constant term it is positive. Sine and cosine of a quarter turn are taken as independent
+//! numbers of [0,1], which only enlarges the domain.
+
+use super::domain::{Domain, truth};
+use super::{Decision, Refutation, witness};
+use crate::evaluate::fault::Fault;
+use crate::evaluate::scope::{Bound, Interval};
+use crate::evaluate::value::Value;
+use crate::outcome::Evidence;
+use crate::syntax::Relation;
+use torse_algebra::rational::integer;
+use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
+
+/// The most Bernstein coefficients computed.
+const MAX_PIECES: usize = 20_000;
+/// The most boxes examined.
+const MAX_BOXES: usize = 200;
+
+/// A proved sign.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// Greater than zero everywhere.
+    Positive,
+    /// Zero or more.
+    Nonnegative,
+    /// Less than zero everywhere.
+    Negative,
+    /// Zero or less.
+    Nonpositive,
+}
+
+/// A sign of the polynomial on the whole domain, if one can be proved this way.
+#[must_use]
+pub fn of(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Sign> {
+    match (
+        one_sided(polynomial, domain),
+        one_sided(&-polynomial, domain),
+    ) {
+        (Some(true), _) => Some(Sign::Positive),
+        (_, Some(true)) => Some(Sign::Negative),
+        (Some(false), _) => Some(Sign::Nonnegative),
+        (_, Some(false)) => Some(Sign::Nonpositive),
+        (None, None) => None,
+    }
+}
+
+/// Whether the polynomial never vanishes on the domain, by its sign.
+#[must_use]
+pub fn never_zero(polynomial: &Polynomial, domain: &Domain<'_>) -> bool {
+    matches!(
+        of(polynomial, domain),
+        Some(Sign::Positive | Sign::Negative)
+    )
+}
+
+/// `Some(true)` for positive, `Some(false)` for nonnegative, `None` for not proved.
+fn one_sided(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<bool> {
+    // Single symbols that are positive themselves are split off first.
+    let mut rest = polynomial.clone();
+    let mut strict = true;
+    for symbol in polynomial.symbols() {
+        let interval = domain.interval(symbol);
+        let Some(lower) = &interval.lower else {
+            continue;
+        };
+        if truth(&lower.value, Relation::AtLeast) != Some(true) {
+            continue;
+        }
+        let factor = Polynomial::symbol(symbol.clone());
+        while let Some(quotient) = rest.exact_quotient(&factor) {
+            strict &= truth(&lower.value, Relation::Greater) == Some(true) || !lower.closed;
+            rest = quotient;
+        }
+    }
+    let boxes: Vec<(Symbol, Interval)> = rest
+        .symbols()
+        .iter()
+        .filter(|s| !matches!(s, Symbol::Pi | Symbol::Root(_)))
+        .map(|s| (s.clone(), domain.interval(s)))
+        .collect();
+    let mut budget = MAX_BOXES;
+    subdivided(&rest, &boxes, &mut budget).map(|positive| strict && positive)
+}
+
+/// The sign on a box, by halving bounded symbols where the coefficients of the whole box do not tell.
+fn subdivided(polynomial: &Polynomial, boxes: &[(Symbol, Interval)], budget: &mut usize) -> Option<bool> {
+    *budget = budget.checked_sub(1)?;
+    let whole = on_box(polynomial, boxes);
+    if whole == Some(true) {
+        return whole;
+    }
+    // The symbol of the highest degree that can be halved.
+    let widest = boxes
+        .iter()
+        .enumerate()
+        .filter(|(_, (_, interval))| interval.lower.is_some() && interval.upper.is_some())
+        .max_by_key(|(position, (symbol, _))| (polynomial.degree_in(symbol), std::cmp::Reverse(*position)));
+    let halves = widest.filter(|(_, (symbol, _))| polynomial.degree_in(symbol) > 1).and_then(|(position, (symbol, interval))| {
+        let (lower, upper) = (interval.lower.clone()?, interval.upper.clone()?);
+        let middle = (lower.value.clone() + upper.value.clone()).scaled(&Rational::new(1.into(), 2.into()));
+        let middle = Bound { value: middle, closed: true };
+        let with = |lower, upper| {
+            let mut boxes = boxes.to_vec();
+            if let Some(slot) = boxes.get_mut(position) {
+                *slot = (symbol.clone(), Interval { lower: Some(lower), upper: Some(upper) });
+            }
+            boxes
+        };
+        Some([with(lower, middle.clone()), with(middle, upper)])
+    });
+    let Some([left, right]) = halves else {
+        return whole;
+    };
+    match (subdivided(polynomial, &left, budget), subdivided(polynomial, &right, budget)) {
+        (Some(a), Some(b)) => Some(a && b),
+        _ => whole,
+    }
+}
+
+/// The sign from the coefficients on one box.
+fn on_box(polynomial: &Polynomial, boxes: &[(Symbol, Interval)]) -> Option<bool> {
+    let mut pieces = vec![Fraction::from(polynomial.clone())];
+    for (symbol, interval) in boxes {
+        pieces = split(pieces, symbol, interval)?;
+        if pieces.len() > MAX_PIECES {
+            return None;
+        }
+    }
+    let mut strict = true;
+    for piece in &pieces {
+        let (nonnegative, positive) = ray_sign(piece.as_polynomial()?)?;
+        if !nonnegative {
+            return None;
+        }
+        strict &= positive;
+    }
+    Some(strict)
+}
+
+/// Writes every piece in the Bernstein form of a bounded symbol, or shifts a symbol with one bound.
+fn split(pieces: Vec<Fraction>, symbol: &Symbol, interval: &Interval) -> Option<Vec<Fraction>> {
+    let variable = Fraction::symbol(symbol.clone());
+    let (value, bounded) = match (interval.lower.clone(), interval.upper.clone()) {
+        (Some(a), Some(b)) => (a.value.clone() + variable * (b.value - a.value), true),
+        (Some(a), None) => (a.value + variable, false),
+        (None, Some(b)) => (b.value - variable, false),
+        (None, None) => return None,
+    };
+    let mut result = vec![];
+    for piece in pieces {
+        let moved = piece
+            .substituted(|s| (s == symbol).then(|| value.clone()))
+            .ok()?;
+        let polynomial = moved.as_polynomial()?;
+        if !bounded {
+            result.push(moved);
+            continue;
+        }
+        let coefficients = polynomial.coefficients_in(symbol);
+        let degree = coefficients.len().saturating_sub(1);
+        for j in 0..=degree {
+            // b_j = sum over i <= j of binom(j, i) / binom(degree, i) c_i
+            let entry = coefficients
+                .iter()
+                .take(j + 1)
+                .enumerate()
+                .fold(Polynomial::zero(), |sum, (i, c)| {
+                    &sum + &c.scaled(&(binomial(j, i) / binomial(degree, i)))
+                });
+            result.push(entry.into());
+        }
+    }
+    Some(result)
+}
+
+fn binomial(n: usize, k: usize) -> Rational {
+    (0..k).fold(integer(1), |product, i| {
+        let (top, below) = (
+            i64::try_from(n - i).unwrap_or(i64::MAX),
+            i64::try_from(i + 1).unwrap_or(i64::MAX),
+        );
+        product * integer(top) / integer(below)
+    })
+}
+
+/// For a polynomial in nonnegative symbols, pi and roots: whether every coefficient is nonnegative, and
+/// whether the constant one is positive.
+fn ray_sign(polynomial: &Polynomial) -> Option<(bool, bool)> {
+    use std::collections::BTreeMap;
+    // Group by the powers of the nonnegative symbols; the coefficients are numbers.
+    let mut groups: BTreeMap<Polynomial, Polynomial> = BTreeMap::new();
+    for term in polynomial.terms() {
+        let (mut powers, mut number) = (
+            Polynomial::integer(1),
+            Polynomial::constant(&term.coefficient),
+        );
+        for (symbol, exponent) in term.powers {
+            let power = Polynomial::symbol(symbol.clone()).power(u32::from(exponent));
+            if matches!(symbol, Symbol::Pi | Symbol::Root(_)) {
+                number = &number * &power;
+            } else {
+                powers = &powers * &power;
+            }
+        }
+        let entry = groups.entry(powers).or_insert_with(Polynomial::zero);
+        *entry = &*entry + &number;
+    }
+    let mut positive = false;
+    for (powers, number) in groups {
+        let number = Fraction::from(number);
+        if truth(&number, Relation::AtLeast)? {
+            positive |= powers.is_one() && truth(&number, Relation::Greater)?;
+        } else {
+            return Some((false, false));
+        }
+    }
+    Some((true, positive))
+}
+
+/// Decides `left relation right` for an order relation or `!=`, on the domain.
+///
+/// # Errors
+/// None at present; the signature is that of the other procedures.
+pub fn compare(
+    relation: Relation,
+    left: &Value,
+    right: &Value,
+    domain: &Domain<'_>,
+) -> Result<Decision, Fault> {
+    let (Some([x]), Some([y])) = (
+        left.entries().first_chunk::<1>().map(|c| *c),
+        right.entries().first_chunk::<1>().map(|c| *c),
+    ) else {
+        return Ok(Decision::Open {
+            reason: "an order of vectors".to_owned(),
+            tried: vec![],
+        });
+    };
+    let (Some(x), Some(y)) = (x.as_fraction(), y.as_fraction()) else {
+        return Err(Fault::limit(
+            crate::evaluate::value::NOWHERE,
+            "an order relation of symbolic degree",
+        ));
+    };
+    let difference = x.clone() - y.clone();
+    let opposite = match relation {
+        Relation::Equal => Relation::Different,
+        Relation::Different => Relation::Equal,
+        Relation::Less => Relation::AtLeast,
+        Relation::AtMost => Relation::Greater,
+        Relation::Greater => Relation::AtMost,
+        Relation::AtLeast => Relation::Less,
+    };
+    if difference.is_zero() && matches!(relation, Relation::AtMost | Relation::AtLeast) {
+        return Ok(Decision::identity(
+            witness::nonconstant(difference.conditions().to_vec()),
+            "both sides are equal identically".to_owned(),
+        ));
+    }
+    if let Some(sign) = sign_of_fraction(&difference, domain) {
+        let proven = match relation {
+            Relation::Different => matches!(sign, Sign::Positive | Sign::Negative),
+            Relation::Less => sign == Sign::Negative,
+            Relation::AtMost => matches!(sign, Sign::Negative | Sign::Nonpositive),
+            Relation::Greater => sign == Sign::Positive,
+            Relation::AtLeast => matches!(sign, Sign::Positive | Sign::Nonnegative),
+            Relation::Equal => false,
+        };
+        if proven {
+            return Ok(Decision::Proven {
+                evidence: Evidence::Inequality,
+                conditions: witness::nonconstant(difference.conditions().to_vec()),
+                steps: vec!["all Bernstein coefficients of the difference on the domain have the right sign".to_owned()],
+            });
+        }
+    }
+    if let Some(point) = witness::find(&difference, domain, opposite)
+        && let Some(witness) = witness::described(&point, &[x.clone()], &[y.clone()])
+    {
+        return Ok(Decision::Refuted(Box::new(Refutation {
+            witness,
+            sides: Some((vec![x.clone()], vec![y.clone()])),
+            steps: vec!["a point of the domain at which the relation fails".to_owned()],
+        })));
+    }
+    Ok(Decision::Open {
+        reason: "the sign of the difference on the domain is not settled".to_owned(),
+        tried: vec![
+            "Bernstein coefficients on the whole domain".to_owned(),
+            "simple points".to_owned(),
+        ],
+    })
+}
+
+/// The sign of a fraction from the signs of its parts.
+fn sign_of_fraction(value: &Fraction, domain: &Domain<'_>) -> Option<Sign> {
+    let above = of(value.numerator(), domain)?;
+    let mut negative = false;
+    for (factor, exponent) in value.denominator_factors() {
+        match of(factor, domain)? {
+            Sign::Positive => {}
+            Sign::Negative => negative ^= exponent % 2 == 1,
+            _ => return None,
+        }
+    }
+    Some(match (above, negative) {
+        (sign, false) => sign,
+        (Sign::Positive, true) => Sign::Negative,
+        (Sign::Negative, true) => Sign::Positive,
+        (Sign::Nonnegative, true) => Sign::Nonpositive,
+        (Sign::Nonpositive, true) => Sign::Nonnegative,
+    })
+}

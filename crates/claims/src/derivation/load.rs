@@ -1,0 +1,274 @@
+//! Reading a folder of derivations and parsing every formula in it.
+
+use super::error::{DerivationError, LoadError};
+use super::schema::{ClaimEntry, ClaimsFile, PaperFile, PaperHead};
+use super::source::{Origin, Source};
+use crate::evaluate::scope::{Declarations, Definition};
+use crate::syntax::{Expr, parse};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+use toml::Spanned;
+
+/// A parsed formula and where it was written.
+#[derive(Debug, Clone)]
+pub struct Written {
+    /// The formula.
+    pub expr: Expr,
+    /// Its origin.
+    pub origin: Origin,
+}
+
+/// A claim, parsed but not decided.
+#[derive(Debug, Clone)]
+pub struct Claim {
+    /// The fields of the file.
+    pub entry: ClaimEntry,
+    /// Where the claim's id stands, for errors about the claim as a whole.
+    pub origin: Origin,
+    /// Symbols, bases and definitions it may use: its own, its file's, its paper's.
+    pub declarations: Arc<Declarations>,
+    /// The given equations.
+    pub given: Vec<Written>,
+    /// The unknowns.
+    pub unknowns: Vec<Written>,
+    /// The assumptions.
+    pub assumptions: Vec<Written>,
+    /// The statement, if it has one.
+    pub statement: Option<Written>,
+}
+
+/// A paper with its claims in order.
+#[derive(Debug, Clone)]
+pub struct Paper {
+    /// Who and what.
+    pub head: PaperHead,
+    /// What `paper.toml` declares.
+    pub declarations: Arc<Declarations>,
+    /// The claims.
+    pub claims: Vec<Claim>,
+}
+
+/// Loads all papers below `folder`, in the order of their folders' names.
+///
+/// # Errors
+/// [`LoadError`]: unreadable files, TOML errors, unknown fields, syntax errors, repeated ids.
+pub fn load(folder: &Path) -> Result<Vec<Paper>, LoadError> {
+    let unreadable = |path: &Path, error: &std::io::Error| LoadError::Unreadable {
+        path: path.display().to_string(),
+        reason: error.to_string(),
+    };
+    let mut slugs = vec![];
+    for entry in std::fs::read_dir(folder).map_err(|e| unreadable(folder, &e))? {
+        let path = entry.map_err(|e| unreadable(folder, &e))?.path();
+        if path.join("paper.toml").is_file() {
+            slugs.extend(
+                path.file_name()
+                    .map(|name| name.to_string_lossy().into_owned()),
+            );
+        }
+    }
+    slugs.sort();
+    if slugs.is_empty() {
+        return Err(LoadError::Empty {
+            path: folder.display().to_string(),
+        });
+    }
+    slugs
+        .iter()
+        .map(|slug| {
+            let read = |name: &str| -> Result<Arc<Source>, LoadError> {
+                let path = folder.join(slug).join(name);
+                let text = std::fs::read_to_string(&path).map_err(|e| unreadable(&path, &e))?;
+                Ok(Arc::new(Source {
+                    name: format!("{slug}/{name}"),
+                    text,
+                }))
+            };
+            paper(read)
+        })
+        .collect()
+}
+
+/// Loads one paper through `read`, which returns a file of its folder.
+fn paper(read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Result<Paper, LoadError> {
+    let source = read("paper.toml")?;
+    let file: PaperFile = toml_file(&source)?;
+    let mut declarations = Declarations::default();
+    declarations.add_symbols(&source, &file.symbols)?;
+    declarations.add_bases(&source, &file.basis)?;
+    add_definitions(&mut declarations, &source, &file.define)?;
+    let declarations = Arc::new(declarations);
+    let mut claims = vec![];
+    for name in &file.paper.claims {
+        claims.extend(claims_of(
+            &read(name.get_ref())?,
+            &declarations,
+            &file.paper.id,
+        )?);
+    }
+    let mut seen: BTreeMap<&str, ()> = BTreeMap::new();
+    for claim in &claims {
+        if seen.insert(claim.entry.id.get_ref(), ()).is_some() {
+            return Err(wrong(
+                &claim.origin,
+                format!("the id `{}` is used twice", claim.entry.id.get_ref()),
+            ));
+        }
+    }
+    Ok(Paper {
+        head: file.paper,
+        declarations,
+        claims,
+    })
+}
+
+fn claims_of(
+    source: &Arc<Source>,
+    paper: &Arc<Declarations>,
+    slug: &str,
+) -> Result<Vec<Claim>, LoadError> {
+    let file: ClaimsFile = toml_file(source)?;
+    let mut shared = (**paper).clone();
+    shared.add_symbols(source, &file.symbols)?;
+    shared.add_bases(source, &file.basis)?;
+    add_definitions(&mut shared, source, &file.define)?;
+    let shared = Arc::new(shared);
+    file.claim
+        .iter()
+        .map(|entry| claim(source, &shared, slug, entry))
+        .collect()
+}
+
+fn claim(
+    source: &Arc<Source>,
+    shared: &Arc<Declarations>,
+    slug: &str,
+    entry: &Spanned<ClaimEntry>,
+) -> Result<Claim, LoadError> {
+    let entry = entry.get_ref().clone();
+    let origin = Origin::of(source, &entry.id);
+    if !entry.id.get_ref().starts_with(&format!("{slug}/")) {
+        return Err(wrong(&origin, format!("the id must begin with `{slug}/`")));
+    }
+    let declarations = if entry.symbols.is_empty() && entry.local.is_empty() {
+        Arc::clone(shared)
+    } else {
+        let mut own = (**shared).clone();
+        own.add_symbols(source, &entry.symbols)?;
+        add_definitions(&mut own, source, &entry.local)?;
+        Arc::new(own)
+    };
+    let all = |texts: &[Spanned<String>]| -> Result<Vec<Written>, LoadError> {
+        texts.iter().map(|text| written(source, text)).collect()
+    };
+    let statement = entry
+        .states
+        .as_ref()
+        .map(|text| written(source, text))
+        .transpose()?;
+    let undecidable = entry.underspecified.is_some() || entry.out_of_scope.is_some();
+    let needs_statement =
+        !matches!(entry.kind, crate::Kind::Definition | crate::Kind::Figure) && !undecidable;
+    if needs_statement && statement.is_none() {
+        return Err(LoadError::Derivation(Box::new(
+            DerivationError::at(
+                &origin,
+                whole(&entry.id),
+                "this claim states nothing: the field `states` is missing",
+            )
+            .with_help(
+                "add `states = '...'`, or say why not with `underspecified` or `out_of_scope`",
+            ),
+        )));
+    }
+    if entry.given.is_empty() != entry.solve_for.is_empty() {
+        return Err(wrong(
+            &origin,
+            "`given` and `solve_for` go together".to_owned(),
+        ));
+    }
+    Ok(Claim {
+        given: all(&entry.given)?,
+        unknowns: all(&entry.solve_for)?,
+        assumptions: all(&entry.assume)?,
+        statement,
+        declarations,
+        origin,
+        entry,
+    })
+}
+
+fn whole(text: &Spanned<String>) -> crate::syntax::Place {
+    crate::syntax::Place {
+        start: 0,
+        end: text.get_ref().len(),
+    }
+}
+
+fn wrong(origin: &Origin, message: String) -> LoadError {
+    let place = crate::syntax::Place { start: 0, end: 1 };
+    LoadError::Derivation(Box::new(DerivationError::at(origin, place, message)))
+}
+
+/// Parses a text of a file.
+pub(crate) fn written(source: &Arc<Source>, text: &Spanned<String>) -> Result<Written, LoadError> {
+    let origin = Origin::of(source, text);
+    match parse(text.get_ref()) {
+        Ok(expr) => Ok(Written { expr, origin }),
+        Err(error) => Err(LoadError::Derivation(Box::new(DerivationError::syntax(
+            &origin, &error,
+        )))),
+    }
+}
+
+/// Parses definitions: the key is a name or a head `F(z, mu)`.
+fn add_definitions(
+    declarations: &mut Declarations,
+    source: &Arc<Source>,
+    table: &BTreeMap<String, Spanned<String>>,
+) -> Result<(), LoadError> {
+    use crate::syntax::Node;
+    for (head, text) in table {
+        let body = written(source, text)?;
+        let bad_head = || {
+            wrong(
+                &body.origin,
+                format!("`{head}` is no name and no head such as `F(z, mu)`"),
+            )
+        };
+        let (name, parameters) = match parse(head).map_err(|_| bad_head())?.node {
+            Node::Name(name) => (name, vec![]),
+            Node::Call(function, arguments) => {
+                let parameters = arguments.into_iter().map(|a| match a.node {
+                    Node::Name(parameter) => Ok(parameter),
+                    _ => Err(bad_head()),
+                });
+                match function.node {
+                    Node::Name(name) => (name, parameters.collect::<Result<_, _>>()?),
+                    _ => return Err(bad_head()),
+                }
+            }
+            _ => return Err(bad_head()),
+        };
+        declarations.define(name, Definition { parameters, body });
+    }
+    Ok(())
+}
+
+/// Reads a TOML file into its schema, with the place of a mistake.
+fn toml_file<T: serde::de::DeserializeOwned>(source: &Arc<Source>) -> Result<T, LoadError> {
+    toml::from_str(&source.text).map_err(|error| {
+        let range = error.span().unwrap_or(0..0);
+        let origin = Origin::range(
+            source,
+            range.start,
+            range.end.max(range.start + 1).min(source.text.len()),
+        );
+        LoadError::Derivation(Box::new(DerivationError::at(
+            &origin,
+            crate::syntax::Place::default(),
+            error.message().to_owned(),
+        )))
+    })
+}

@@ -1,0 +1,14 @@
+//! Derivation files: papers and their claims as data.
+//!
+//! A folder of derivations holds one folder a paper. Its `paper.toml` names the paper, declares symbols,
+//! basis families and definitions, and lists the files with claims, in order.
+
+mod error;
+mod load;
+pub mod schema;
+mod source;
+
+pub use error::{DerivationError, LoadError};
+pub(crate) use load::written;
+pub use load::{Claim, Paper, Written, load};
+pub use source::{Origin, Source};

@@ -1,0 +1,218 @@
+//! Running claims: from a loaded paper to outcomes.
+
+pub mod case;
+
+use crate::decide::{self, Decision, Refutation, instances, sign};
+use crate::derivation::{Claim, DerivationError, Paper, Written};
+use crate::evaluate::fault::Fault;
+use crate::notation;
+use crate::outcome::{Evidence, Formula, Kind, Outcome, PaperOutcome, Verdict};
+use case::Case;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use torse_algebra::{Fraction, Polynomial};
+
+/// Decides all claims of a paper, in parallel; the outcomes are in the order of the file. `done` is
+/// called once a claim, from any thread.
+///
+/// # Errors
+/// The first claim, in file order, whose formulas do not make sense.
+pub fn run(paper: &Paper, done: &(dyn Fn() + Sync)) -> Result<PaperOutcome, Box<DerivationError>> {
+    let outcomes: Vec<Result<Outcome, Box<DerivationError>>> = paper
+        .claims
+        .par_iter()
+        .map(|claim| {
+            let outcome = decide_claim(&paper.head.id, claim);
+            done();
+            outcome
+        })
+        .collect();
+    Ok(PaperOutcome {
+        slug: paper.head.id.clone(),
+        title: paper.head.title.clone(),
+        authors: paper.head.authors.clone(),
+        venue: paper.head.venue.clone(),
+        claims: outcomes.into_iter().collect::<Result<_, _>>()?,
+    })
+}
+
+/// Decides one claim.
+///
+/// # Errors
+/// A [`DerivationError`] when a formula of the claim does not make sense.
+pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<DerivationError>> {
+    let entry = &claim.entry;
+    let mut outcome = Outcome {
+        id: entry.id.get_ref().clone(),
+        paper: paper.to_owned(),
+        at: entry.at.clone(),
+        kind: entry.kind,
+        verdict: Verdict::Undecided,
+        evidence: None,
+        printed: entry.printed.clone(),
+        reading: entry.reading.clone(),
+        parsed: claim.statement.as_ref().map(|s| notation::formula(&s.expr)),
+        assumed: claim
+            .assumptions
+            .iter()
+            .map(|a| notation::formula(&a.expr))
+            .collect(),
+        correction: None,
+        derived: None,
+        difference: None,
+        conditions: vec![],
+        witness: None,
+        steps: vec![],
+        note: entry.note.clone(),
+        uses: entry.uses.clone(),
+        expect: entry.expect,
+    };
+    if let Some(missing) = &entry.underspecified {
+        outcome.verdict = Verdict::Underspecified;
+        outcome.steps.push(missing.clone());
+        return Ok(outcome);
+    }
+    if let Some(reason) = &entry.out_of_scope {
+        outcome.verdict = Verdict::OutOfScope;
+        outcome.steps.push(reason.clone());
+        return Ok(outcome);
+    }
+    let Some(statement) = &claim.statement else {
+        outcome.verdict = Verdict::Definition;
+        return Ok(outcome);
+    };
+    let decision = decide_statement(claim, statement)
+        .map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
+    conclude(&mut outcome, claim, statement, decision);
+    Ok(outcome)
+}
+
+/// Decides a statement in the setting of a claim: symbolically, or else by instances.
+///
+/// # Errors
+/// [`Fault`] for formulas that do not make sense; limits of the engine end as [`Decision::Open`].
+pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, Fault> {
+    let reason = match symbolic(claim, statement, BTreeMap::new()) {
+        Ok(Decision::Open { reason, tried }) => (reason, tried),
+        Ok(decision) => return Ok(decision),
+        Err(fault) if fault.is_limit() => (fault.problem.to_string(), vec![]),
+        Err(fault) => return Err(fault),
+    };
+    let exprs: Vec<_> = std::iter::once(statement)
+        .chain(&claim.given)
+        .chain(&claim.assumptions)
+        .map(|w| &w.expr)
+        .collect();
+    let integers = instances::integers_used(&exprs, &claim.declarations);
+    if integers.is_empty() {
+        return Ok(Decision::Open {
+            reason: reason.0,
+            tried: reason.1,
+        });
+    }
+    let (assignments, complete) = instances::assignments(&integers, &claim.declarations);
+    let mut decided = vec![];
+    for assignment in assignments {
+        let decision = match symbolic(claim, statement, instances::fixed(&assignment)) {
+            Ok(decision) => decision,
+            Err(fault) if fault.is_limit() => Decision::Open {
+                reason: fault.problem.to_string(),
+                tried: vec![],
+            },
+            Err(fault) => return Err(fault),
+        };
+        let ends = !decision.is_proven();
+        decided.push((assignment, decision));
+        if ends {
+            break;
+        }
+    }
+    Ok(instances::combined(decided, complete, &reason.0))
+}
+
+fn symbolic(
+    claim: &Claim,
+    statement: &Written,
+    fixed: BTreeMap<String, Fraction>,
+) -> Result<Decision, Fault> {
+    let case = Case::new(claim, statement, fixed)?;
+    let decision = decide::decide(&case.statement, &case.domain, &case.evaluator)?;
+    Ok(match decision {
+        // Conditions that the assumptions state or the domain implies are no conditions.
+        Decision::Proven {
+            evidence,
+            conditions,
+            steps,
+        } => Decision::Proven {
+            evidence,
+            conditions: open_conditions(conditions, &case),
+            steps,
+        },
+        other => other,
+    })
+}
+
+fn open_conditions(conditions: Vec<Polynomial>, case: &Case<'_>) -> Vec<Polynomial> {
+    conditions
+        .into_iter()
+        .filter(|p| !case.domain.assumes_nonzero(p) && !sign::never_zero(p, &case.domain))
+        .collect()
+}
+
+/// Writes a decision into the outcome.
+fn conclude(outcome: &mut Outcome, claim: &Claim, statement: &Written, decision: Decision) {
+    match decision {
+        Decision::Proven {
+            evidence,
+            conditions,
+            steps,
+        } => {
+            outcome.evidence = Some(evidence);
+            outcome.steps = steps;
+            outcome.conditions = conditions.iter().map(nonzero).collect();
+            outcome.verdict = if outcome.conditions.is_empty() {
+                Verdict::Holds
+            } else {
+                Verdict::Conditional
+            };
+            if outcome.kind == Kind::Definition {
+                outcome.verdict = Verdict::Definition;
+            }
+        }
+        Decision::Refuted(refutation) => {
+            outcome.verdict = Verdict::False;
+            outcome.evidence = Some(Evidence::Witness);
+            refute(outcome, claim, statement, *refutation);
+        }
+        Decision::Open { reason, tried } => {
+            outcome.verdict = Verdict::Undecided;
+            outcome.evidence = (!tried.is_empty()).then_some(Evidence::CheckedRange);
+            outcome.steps = std::iter::once(reason).chain(tried).collect();
+        }
+    }
+}
+
+fn refute(outcome: &mut Outcome, _claim: &Claim, _statement: &Written, refutation: Refutation) {
+    outcome.steps = refutation.steps;
+    outcome.witness = Some(refutation.witness);
+    if let Some((left, right)) = refutation.sides {
+        let differing = left.iter().zip(&right).find(|(x, y)| x != y);
+        if let Some((x, y)) = differing {
+            outcome.difference = Some(notation::formula(&notation::expression(
+                &(x.clone() - y.clone()),
+            )));
+            outcome.derived = Some(notation::formula(&notation::expression(x)));
+        }
+    }
+}
+
+/// `p != 0`, as a formula.
+fn nonzero(polynomial: &Polynomial) -> Formula {
+    use crate::syntax::{Expr, Node, Relation};
+    let left = notation::expression(&polynomial.clone().into());
+    let zero = Expr::number(&torse_algebra::rational::integer(0));
+    notation::formula(&Expr::made(Node::Compare(
+        Box::new(left),
+        vec![(Relation::Different, zero)],
+    )))
+}

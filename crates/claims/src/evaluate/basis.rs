@@ -1,0 +1,157 @@
+//! Members of a basis family: `g[i,k](x, mu, nu)`.
+
+use super::fault::{Fault, Problem};
+use super::quantity::Quantity;
+use super::scope::Basis;
+use super::series::{Series, Target};
+use super::value::Value;
+use super::{Bindings, Evaluator, wrong_type};
+use crate::syntax::{Expr, Place};
+use torse_algebra::{Affine, Fraction};
+
+impl Evaluator<'_> {
+    /// The member `name[index, degree](arguments)`; without arguments, of the family's own variable.
+    pub(super) fn member(
+        &self,
+        name: &str,
+        basis: &Basis,
+        indices: &[Expr],
+        arguments: &[Expr],
+        place: Place,
+        bound: &Bindings,
+    ) -> Result<Value, Fault> {
+        let [index, degree] = indices else {
+            let wanted = "two indices: which function, and the degree".to_owned();
+            return Err(Fault::at(
+                place,
+                Problem::Count {
+                    name: name.to_owned(),
+                    wanted,
+                    found: indices.len(),
+                },
+            ));
+        };
+        let (index, degree) = (self.index(index, bound)?, self.index(degree, bound)?);
+        if arguments.len() > basis.parameters.len() + 1 {
+            let wanted = format!("a variable and {} shape parameters", basis.parameters.len());
+            return Err(Fault::at(
+                place,
+                Problem::Count {
+                    name: name.to_owned(),
+                    wanted,
+                    found: arguments.len(),
+                },
+            ));
+        }
+        let mut values = vec![];
+        for argument in arguments {
+            match self.value(argument, bound)? {
+                Value::Scalar(q) => match q.as_fraction() {
+                    Some(f) => values.push(f.clone()),
+                    None => return Err(super::symbolic_degree(argument.place)),
+                },
+                other => return Err(wrong_type(argument.place, other.kind(), "a number")),
+            }
+        }
+        let (operator, seeds) = self.seeds(basis, &values, place)?;
+        let power = degree.clone() - Affine::number(i64::from(basis.degree));
+        if let Some(n) = power.as_number() {
+            let (Ok(steps), Some(position)) = (usize::try_from(n), index.as_number()) else {
+                let range = format!("{}..", basis.degree);
+                let (what, index) = if n < 0 {
+                    ("the degree of ", degree)
+                } else {
+                    ("", index)
+                };
+                return Err(Fault::at(
+                    place,
+                    Problem::IndexOutside {
+                        name: format!("{what}{name}"),
+                        index: index.to_string(),
+                        range,
+                    },
+                ));
+            };
+            if steps > 60 {
+                return Err(Fault::limit(
+                    place,
+                    format!("degree {degree} is larger than 60"),
+                ));
+            }
+            let row = self.row(name, &operator, &seeds, steps, &values);
+            // Outside 0..k the functions are zero by convention.
+            let entry = usize::try_from(position)
+                .ok()
+                .and_then(|i| row.get(i).cloned());
+            return Ok(entry.unwrap_or_else(Fraction::zero).into());
+        }
+        self.symbolic_degree.set(true);
+        let series = Series {
+            operator,
+            power,
+            seeds,
+            lowest: 0,
+            factor: Fraction::integer(1),
+            target: Target::Entry(index),
+        };
+        Ok(Value::Scalar(self.settled(Quantity::from(series), place)?))
+    }
+
+    /// Step factors and seeds at the arguments (variable first, then shape parameters).
+    pub(super) fn seeds(
+        &self,
+        basis: &Basis,
+        values: &[Fraction],
+        place: Place,
+    ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
+        let bound: Bindings = std::iter::once(&basis.variable)
+            .chain(&basis.parameters)
+            .zip(values)
+            .map(|(name, value)| (name.clone(), value.clone().into()))
+            .collect();
+        let one = |written: &crate::derivation::Written| -> Result<Fraction, Fault> {
+            let value = self
+                .deeper(place, || self.value(&written.expr, &bound))
+                .map_err(|fault| fault.within(&written.origin))?;
+            match &value {
+                Value::Scalar(q) => q
+                    .as_fraction()
+                    .cloned()
+                    .ok_or_else(|| super::symbolic_degree(place)),
+                other => Err(wrong_type(written.expr.place, other.kind(), "a number")
+                    .within(&written.origin)),
+            }
+        };
+        let seeds = basis.seeds.iter().map(one).collect::<Result<Vec<_>, _>>()?;
+        Ok(((one(&basis.step.0)?, one(&basis.step.1)?), seeds))
+    }
+
+    /// All functions of one numeric degree, remembered.
+    fn row(
+        &self,
+        name: &str,
+        operator: &(Fraction, Fraction),
+        seeds: &[Fraction],
+        steps: usize,
+        values: &[Fraction],
+    ) -> Vec<Fraction> {
+        let key = format!("{name} {steps} {values:?}");
+        if let Some(row) = self.members.borrow().get(&key) {
+            return row.clone();
+        }
+        let mut row = seeds.to_vec();
+        for _ in 0..steps {
+            let mut next = vec![Fraction::zero(); row.len() + 1];
+            for (i, function) in row.iter().enumerate() {
+                for (offset, factor) in [&operator.0, &operator.1].into_iter().enumerate() {
+                    if let Some(slot) = next.get_mut(i + offset) {
+                        *slot = slot.clone() + factor.clone() * function.clone();
+                    }
+                }
+            }
+            row = next;
+        }
+        self.members.borrow_mut().insert(key, row.clone());
+        row
+    }
+}

@@ -1,0 +1,142 @@
+//! A scalar quantity: an exact fraction plus series of symbolic degree.
+
+use super::series::{self, Series};
+use torse_algebra::{ExactError, Fraction, Polynomial};
+
+/// `plain + sum of series`.
+#[derive(Debug, Clone)]
+pub struct Quantity {
+    /// The part without symbolic degree.
+    pub plain: Fraction,
+    /// The series.
+    pub series: Vec<Series>,
+}
+
+impl From<Fraction> for Quantity {
+    fn from(plain: Fraction) -> Self {
+        Self {
+            plain,
+            series: vec![],
+        }
+    }
+}
+
+impl From<Series> for Quantity {
+    fn from(series: Series) -> Self {
+        Self {
+            plain: Fraction::zero(),
+            series: vec![series],
+        }
+    }
+}
+
+impl Quantity {
+    /// The fraction, if there is no series.
+    #[must_use]
+    pub fn as_fraction(&self) -> Option<&Fraction> {
+        self.series.is_empty().then_some(&self.plain)
+    }
+
+    /// The sum.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let series = self.series.iter().chain(&other.series).cloned().collect();
+        Self {
+            plain: self.plain.clone() + other.plain.clone(),
+            series,
+        }
+    }
+
+    /// The product with a fraction.
+    #[must_use]
+    pub fn times(&self, factor: &Fraction) -> Self {
+        if factor.is_zero() {
+            return Fraction::zero().under(factor.conditions()).into();
+        }
+        let series = self
+            .series
+            .iter()
+            .map(|s| Series {
+                factor: s.factor.clone() * factor.clone(),
+                ..s.clone()
+            })
+            .collect();
+        Self {
+            plain: self.plain.clone() * factor.clone(),
+            series,
+        }
+    }
+
+    /// The negative.
+    #[must_use]
+    pub fn negated(&self) -> Self {
+        self.times(&Fraction::integer(-1))
+    }
+
+    /// The difference.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        self.plus(&other.negated())
+    }
+
+    /// The derivative by the variable or parameter `name`.
+    #[must_use]
+    pub fn derivative(&self, name: &str) -> Self {
+        Self {
+            plain: self.plain.derivative(name),
+            series: self
+                .series
+                .iter()
+                .flat_map(|s| s.derivative(name))
+                .collect(),
+        }
+    }
+
+    /// Applies a replacement to every fraction inside.
+    ///
+    /// # Errors
+    /// Whatever the replacement returns.
+    pub fn mapped(
+        &self,
+        change: impl Fn(&Fraction) -> Result<Fraction, ExactError>,
+    ) -> Result<Self, ExactError> {
+        Ok(Self {
+            plain: change(&self.plain)?,
+            series: self
+                .series
+                .iter()
+                .map(|s| s.mapped(&change))
+                .collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// Whether this is zero for every degree. `true` is a proof; `false` without series is one as well.
+    ///
+    /// # Errors
+    /// [`ExactError`] when a denominator vanishes.
+    pub fn vanishes(&self) -> Result<bool, ExactError> {
+        Ok(self.plain.is_zero() && series::vanishes(&self.series)?)
+    }
+
+    /// Everything that was divided by on the way here.
+    #[must_use]
+    pub fn conditions(&self) -> Vec<Polynomial> {
+        let series = self.series.iter().flat_map(|s| {
+            let points = match &s.target {
+                series::Target::Sum(term) => Some(term),
+                series::Target::Entry(_) => None,
+            };
+            [&s.operator.0, &s.operator.1, &s.factor]
+                .into_iter()
+                .chain(&s.seeds)
+                .chain(points)
+        });
+        let mut all: Vec<Polynomial> = std::iter::once(&self.plain)
+            .chain(series)
+            .flat_map(|f| f.conditions().iter().cloned())
+            .collect();
+        all.sort();
+        all.dedup();
+        all
+    }
+}

@@ -1,0 +1,119 @@
+//! How names are read: `mu_1`, `Q2`, `H''`.
+//!
+//! One generic rule and no list of special cases: trailing digits and what follows an underscore are
+//! subscripts, Greek words are Greek letters, other words stay upright words.
+
+/// Letters with the same name in Typst and LaTeX. Capitals that look Latin are not Greek here.
+const GREEK: [&str; 33] = [
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+    "lambda", "mu", "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi",
+    "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi", "Psi", "Omega",
+];
+
+/// Functions that both Typst and LaTeX know and set upright.
+const FUNCTIONS: [&str; 14] = [
+    "sin", "cos", "tan", "cot", "sec", "arcsin", "arccos", "arctan", "exp", "log", "ln", "min",
+    "max", "det",
+];
+
+/// A name taken apart.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Name<'a> {
+    /// What carries the subscripts.
+    pub stem: &'a str,
+    /// Trailing digits of the stem, then the parts behind underscores.
+    pub subscripts: Vec<&'a str>,
+    /// How many primes.
+    pub primes: usize,
+}
+
+/// What a single word is in mathematics.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Word<'a> {
+    /// One letter, or digits: set as it is.
+    Plain(&'a str),
+    /// The name of a Greek letter.
+    Greek(&'a str),
+    /// The name of a function that the notations know.
+    Function(&'a str),
+    /// A word, set upright.
+    Text(&'a str),
+}
+
+impl<'a> Name<'a> {
+    /// Takes `name` apart.
+    pub fn of(name: &'a str) -> Self {
+        let body = name.trim_end_matches('\'');
+        let primes = name.len() - body.len();
+        let mut parts = body.split('_');
+        let first = parts.next().unwrap_or(body);
+        let stem = first.trim_end_matches(|c: char| c.is_ascii_digit());
+        if stem.is_empty() {
+            return Self {
+                stem: body,
+                subscripts: vec![],
+                primes,
+            };
+        }
+        let digits = first.get(stem.len()..).unwrap_or("");
+        let subscripts = std::iter::once(digits)
+            .chain(parts)
+            .filter(|part| !part.is_empty())
+            .collect();
+        Self {
+            stem,
+            subscripts,
+            primes,
+        }
+    }
+}
+
+impl<'a> Word<'a> {
+    /// Sorts a word.
+    pub fn of(word: &'a str) -> Self {
+        if GREEK.contains(&word) {
+            Self::Greek(word)
+        } else if FUNCTIONS.contains(&word) {
+            Self::Function(word)
+        } else if word.chars().count() == 1 || word.chars().all(|c| c.is_ascii_digit()) {
+            Self::Plain(word)
+        } else {
+            Self::Text(word)
+        }
+    }
+}
+
+/// The name as an identifier of a programming language: primes become `_d1`, `_d2`, ..., a reserved
+/// word gets an underscore behind it.
+pub(super) fn identifier(name: &str, reserved: &[&str]) -> String {
+    let body = name.trim_end_matches('\'');
+    match name.len() - body.len() {
+        0 if reserved.contains(&name) => format!("{name}_"),
+        0 => name.to_owned(),
+        primes => format!("{body}_d{primes}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_and_underscores_become_subscripts_and_primes_are_counted() {
+        let mu = Name {
+            stem: "mu",
+            subscripts: vec!["1"],
+            primes: 2,
+        };
+        assert_eq!(Name::of("mu1''"), mu);
+        assert_eq!(Name::of("p0_u").subscripts, ["0", "u"]);
+        assert_eq!(Name::of("p0u").stem, "p0u");
+        assert_eq!(Name::of("_x").stem, "_x");
+    }
+
+    #[test]
+    fn reserved_words_and_primes_make_safe_identifiers() {
+        assert_eq!(identifier("lambda", &["lambda"]), "lambda_");
+        assert_eq!(identifier("H''", &[]), "H_d2");
+    }
+}
