@@ -7,7 +7,7 @@
 //! enclosure and carries its own conditions.
 
 use std::cmp::Ordering;
-use torse_algebra::{Ball, ExactError, Fraction, Integer, Jet, Rational, Scalar};
+use torse_algebra::{Ball, ExactError, Fraction, Integer, Jet, Rational, Scalar, Symbol};
 
 use crate::error::{GeometryError, Result};
 
@@ -134,6 +134,10 @@ impl Coordinate for Fraction {
             return Some(Ordering::Equal);
         }
         self.as_rational().and_then(|q| q.sign())
+    }
+
+    fn half_pi(&self) -> Result<Self, ExactError> {
+        Self::symbol(Symbol::Pi).divided_by(&self.natural(2))
     }
 }
 

@@ -172,7 +172,7 @@ fn monomials<const N: usize>(conversion: &Conversion<N>) -> Vec<Vec<Rational>> {
                     .zip(column.iter().skip(1))
                     .map(|(a, b)| b - a)
                     .collect();
-                binomial = binomial * Rational::new((N - 1 - m).into(), (m + 1).into());
+                binomial *= Rational::new((N - 1 - m).into(), (m + 1).into());
             }
             coefficients
         })

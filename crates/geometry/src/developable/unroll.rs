@@ -12,6 +12,7 @@
 //! integrated with the classical Runge-Kutta method, halving the step until two successive solutions
 //! agree.
 
+use crate::coordinate::check_positive;
 use crate::error::{GeometryError, Result};
 use crate::surface::Rails;
 use crate::vector::{cross, dot, norm, scale, sub, unit};
@@ -58,7 +59,8 @@ const MOST_STEPS: usize = 1 << 16;
 /// `rulings` rulings. The first rail starts at the origin and the first ruling points along x.
 ///
 /// # Errors
-/// [`GeometryError::OutOfRange`] unless `accuracy > 0`, [`GeometryError::Degenerate`] where the patch has
+/// [`GeometryError::OutOfRange`] unless `accuracy > 0` ([`GeometryError::NotFinite`] for NaN),
+/// [`GeometryError::Degenerate`] where the patch has
 /// no normal or a ruling of length zero, [`GeometryError::NotConverged`] when the accuracy is out of reach.
 ///
 /// ```
@@ -73,14 +75,7 @@ const MOST_STEPS: usize = 1 << 16;
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 pub fn unroll(patch: &impl Rails<f64>, rulings: usize, accuracy: f64) -> Result<FlatPattern> {
-    if !(accuracy > 0.0) {
-        let (value, range) = (accuracy.to_string(), "(0, infinity)");
-        return Err(GeometryError::OutOfRange {
-            name: "accuracy",
-            value,
-            range,
-        });
-    }
+    check_positive("accuracy", &accuracy)?;
     let mut steps = rulings.clamp(4, MOST_STEPS);
     let mut coarse = integrate(patch, steps)?;
     loop {

@@ -7,6 +7,7 @@ use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
 use crate::planes::PlaneFamily;
 use crate::vector::{scale, sub};
+use std::cmp::Ordering;
 
 /// What a joint satisfies: best-fitting beta (and scale) values and what is left over, order by order.
 ///
@@ -62,10 +63,11 @@ impl<const D: usize> JointMeasure<f64, D> {
         let mut reached = None;
         for (n, (residual, right)) in self.residuals.iter().zip(&self.right).enumerate() {
             size = size.max(length(right));
-            if !(length(residual) <= tolerance * size) {
-                break;
+            // A NaN anywhere is no agreement.
+            match length(residual).partial_cmp(&(tolerance * size)) {
+                Some(Ordering::Less | Ordering::Equal) => reached = Some(n),
+                _ => break,
             }
-            reached = Some(n);
         }
         reached
     }

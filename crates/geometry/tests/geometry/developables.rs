@@ -1,0 +1,268 @@
+//! Developables: exactly developable, tangent to their planes, and unrolled isometrically.
+
+use proptest::prelude::*;
+use torse_algebra::rational::{integer, ratio};
+use torse_algebra::{Jet, Rational};
+use torse_geometry::developable::{QuarticData, certify, oblique_image, unroll};
+use torse_geometry::vector::{det, dot, norm, sub};
+use torse_geometry::{
+    Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, HermiteCone, PlaneFamily, Rails, RuledSurface,
+    Surface, TangentPatch, hermite,
+};
+
+/// `det(P', Q', Q - P)` at `x`, exactly.
+fn determinant(patch: &impl Rails<Rational>, x: &Rational) -> Rational {
+    let [p, q] = patch.rail_jets(x, 1).unwrap();
+    let part =
+        |jets: &[Jet<Rational>; 3], n: usize| jets.each_ref().map(|j| j.coefficients()[n].clone());
+    det(&part(&p, 1), &part(&q, 1), &sub(&part(&q, 0), &part(&p, 0)))
+}
+
+fn rational() -> impl Strategy<Value = Rational> {
+    (-40..40_i64, 1..7_i64).prop_map(|(n, d)| ratio(n, d).unwrap())
+}
+
+fn vectors<const D: usize>(count: usize) -> impl Strategy<Value = Vec<[Rational; D]>> {
+    prop::collection::vec(
+        prop::collection::vec(rational(), D).prop_map(|v| v.try_into().unwrap()),
+        count,
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn enveloping_patches_are_developable_exactly(planes in vectors::<4>(4)) {
+        let Ok(family) = PlaneFamily::new(Bernstein, planes) else { return Ok(()) };
+        let x = ratio(2, 7).unwrap();
+        let bounds = Bounds::Range([integer(-1), integer(2)]);
+        let patch = EnvelopingPatch::new(family.clone(), bounds).unwrap();
+        if patch.ruling_ends(&x).is_ok() {
+            prop_assert_eq!(determinant(&patch, &x), integer(0));
+        }
+        let cut = Bounds::Planes([[1, 2, 3, 4].map(integer), [2, -1, 0, 5].map(integer)]);
+        let patch = EnvelopingPatch::new(family.clone(), cut).unwrap();
+        if patch.ruling_ends(&x).is_ok() {
+            prop_assert_eq!(determinant(&patch, &x), integer(0));
+            // Curvature zero, exactly, where the patch is regular.
+            if let Ok(k) = patch.gaussian_curvature(&x, &ratio(1, 3).unwrap()) {
+                prop_assert_eq!(k, integer(0));
+            }
+        }
+        let patch = TangentPatch::new(family, [integer(1), integer(2)]).unwrap();
+        if patch.ruling_ends(&x).is_ok() {
+            prop_assert_eq!(determinant(&patch, &x), integer(0));
+        }
+    }
+
+    #[test]
+    fn every_plane_touches_along_its_ruling(planes in vectors::<4>(4)) {
+        let Ok(family) = PlaneFamily::new(Bernstein, planes) else { return Ok(()) };
+        let x = ratio(3, 5).unwrap();
+        let Ok(ruling) = family.ruling(&x) else { return Ok(()) };
+        for plane in family.curve().derivatives(&x, 1).unwrap() {
+            let [p, q, r, s] = plane;
+            let normal = [p, q, r];
+            prop_assert_eq!(dot(&normal, &ruling.foot), s);
+            prop_assert_eq!(dot(&normal, &ruling.direction), integer(0));
+        }
+        // The foot is the nearest point, perpendicular to the ruling, and theta the moment of the line.
+        prop_assert_eq!(dot(&ruling.foot, &ruling.direction), integer(0));
+        prop_assert_eq!(torse_geometry::vector::cross(&ruling.foot, &ruling.direction), ruling.moment);
+        if let Ok(point) = family.characteristic_point(&x) {
+            for [p, q, r, s] in family.curve().derivatives(&x, 2).unwrap() {
+                prop_assert_eq!(dot(&[p, q, r], &point), s);
+            }
+        }
+    }
+
+    #[test]
+    fn the_spine_curve_is_tangent_to_its_rulings(planes in vectors::<4>(5)) {
+        let Ok(family) = PlaneFamily::new(Bernstein, planes) else { return Ok(()) };
+        let x = ratio(1, 4).unwrap();
+        let (Ok(ruling), Ok(spine)) = (family.ruling(&x), family.characteristic_jet(&x, 1)) else { return Ok(()) };
+        let tangent = spine.each_ref().map(|j| j.coefficients()[1].clone());
+        let cross = torse_geometry::vector::cross(&tangent, &ruling.direction);
+        prop_assert_eq!(cross, [integer(0), integer(0), integer(0)]);
+    }
+
+    #[test]
+    fn hermite_cones_are_dilations_about_their_summit(
+        data in vectors::<3>(6),
+        k in (1..40_i64, 1..7_i64).prop_map(|(n, d)| ratio(n, d).unwrap()),
+    ) {
+        prop_assume!(k != integer(1));
+        let [p_start, p_middle, q0, q1, q0u, q1u] = <[_; 6]>::try_from(data).unwrap();
+        let data = QuarticData { p_start, p_middle, q_ends: [q0, q1], q_tangents: [q0u, q1u] };
+        let cone = HermiteCone::quartic(k.clone(), data).unwrap();
+        let patch = cone.patch().unwrap();
+        for x in [ratio(1, 3).unwrap(), ratio(6, 7).unwrap()] {
+            let [p, q] = patch.ruling_ends(&x).unwrap();
+            for axis in 0..3 {
+                let (o, k) = (&cone.summit[axis], &k);
+                prop_assert_eq!(&q[axis] - o, k * (&p[axis] - o));
+            }
+            prop_assert_eq!(determinant(&patch, &x), integer(0));
+        }
+    }
+}
+
+fn quintic() -> HermiteCone<Rational> {
+    let v = |x, y, z| [x, y, z].map(integer);
+    let q = vec![
+        v(-20, 60, 45),
+        v(-20, 5, 35),
+        v(-20, -50, 45),
+        v(0, -60, 90),
+        v(0, -50, 70),
+        v(0, -50, -30),
+    ];
+    HermiteCone {
+        summit: v(100, 20, 45),
+        ratio: integer(2),
+        p: Vec::new(),
+        q,
+    }
+}
+
+#[test]
+fn the_exact_oblique_image_lies_in_its_plane_and_on_the_cone() {
+    let cone = quintic();
+    let plane = [20, -3, 0, -580].map(integer);
+    let image = oblique_image(&cone, &plane).unwrap();
+    let curve = hermite::curve(&cone.q).unwrap();
+    for n in 0..=12 {
+        let x = ratio(n, 12).unwrap();
+        let r = image.point(&x).unwrap();
+        assert_eq!(dot(&[20, -3, 0].map(integer), &r), integer(-580));
+        let reach = (
+            sub(&r, &cone.summit),
+            sub(&curve.point(&x).unwrap(), &cone.summit),
+        );
+        assert_eq!(
+            torse_geometry::vector::cross(&reach.0, &reach.1),
+            [integer(0), integer(0), integer(0)]
+        );
+    }
+    assert_eq!(
+        determinant(&RuledSurface::new(curve, image), &ratio(2, 5).unwrap()),
+        integer(0)
+    );
+}
+
+#[test]
+fn the_printed_oblique_construction_is_not_developable() {
+    let cone = quintic();
+    let plane = [20, -3, 0, -580].map(integer);
+    let data = torse_geometry::developable::oblique_image_as_printed(&cone, &plane).unwrap();
+    let patch = RuledSurface::new(
+        hermite::curve(&cone.q).unwrap(),
+        hermite::curve(&data).unwrap(),
+    );
+    assert_ne!(determinant(&patch, &ratio(1, 4).unwrap()), integer(0));
+}
+
+fn surface_of_example_4_2() -> EnvelopingPatch<Gbt<f64>, f64> {
+    let h = 5.0 * 2_f64.sqrt();
+    let planes = vec![
+        [h, -h, 5.0, 125.0],
+        [-h, -h, 5.0, 125.0],
+        [-h, h, 5.0, 125.0],
+        [h, h, 5.0, 125.0],
+    ];
+    let family = PlaneFamily::new(Gbt::new(0.5, 0.5).unwrap(), planes).unwrap();
+    EnvelopingPatch::new(
+        family,
+        Bounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 5.0]]),
+    )
+    .unwrap()
+}
+
+#[test]
+fn a_cone_unrolls_about_the_image_of_its_apex() {
+    // All planes pass through (0, 0, 25): the flat rails keep their distances from one point.
+    let patch = surface_of_example_4_2();
+    let certificate = certify(&patch, 64).unwrap();
+    assert!(certificate.twist.value < 1e-7 && certificate.is_regular());
+    let flat = unroll(&patch, 64, 1e-8).unwrap();
+    assert!(flat.strain < 1e-12);
+    let apex = [0.0, 0.0, 25.0];
+    let [p, q] = patch.ruling_ends(&0.0).unwrap();
+    // Along the first ruling, from p through q to the apex: its flat image.
+    let reach = norm(&sub(&apex, &p));
+    let toward = dot(&sub(&apex, &p), &sub(&q, &p)).signum();
+    for (x, point) in flat.x.iter().zip(&flat.rails[0]) {
+        let [p, _] = patch.ruling_ends(x).unwrap();
+        let distance = (point[0] - toward * reach).hypot(point[1]);
+        assert!((distance - norm(&sub(&apex, &p))).abs() < 1e-6, "x = {x}");
+    }
+}
+
+#[test]
+fn unrolling_a_tangent_surface_keeps_lengths_and_angles() {
+    let planes = vec![
+        [0., 0., 1., 0.],
+        [0., -1., 1., 0.],
+        [1., -2., 1., 0.],
+        [3., -3., 1., 1.],
+    ];
+    let family = PlaneFamily::new(Bernstein, planes).unwrap();
+    let patch = TangentPatch::new(family, [0.5, 1.0]).unwrap();
+    let flat = unroll(&patch, 32, 1e-9).unwrap();
+    assert!(flat.error <= 1e-9 && flat.strain < 1e-12);
+    // Straight-line distances within one narrow strip agree up to second order in its width.
+    let ends: Vec<_> = flat
+        .x
+        .iter()
+        .map(|x| patch.ruling_ends(x).unwrap())
+        .collect();
+    for i in (0..flat.x.len() - 1).step_by(7) {
+        for (a, b) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let space = norm(&sub(&ends[i][a], &ends[i + 1][b]));
+            let plane = norm(&sub(&flat.rails[a][i], &flat.rails[b][i + 1]));
+            assert!(
+                (space - plane).abs() < 1e-3 * space,
+                "{i} {a} {b}: {space} {plane}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_patch_across_its_edge_of_regression_is_reported_with_the_place() {
+    let planes = vec![
+        [0., 0., 1., 0.],
+        [0., -1., 1., 0.],
+        [1., -2., 1., 0.],
+        [3., -3., 1., 1.],
+    ];
+    let family = PlaneFamily::new(Bernstein, planes).unwrap();
+    let across = TangentPatch::new(family.clone(), [-1.0, 3.0]).unwrap();
+    let certificate = certify(&across, 16).unwrap();
+    assert!(!certificate.is_regular());
+    assert!(
+        (certificate.clearance.v - 0.25).abs() < 1e-9,
+        "{certificate:?}"
+    );
+    let beside = TangentPatch::new(family, [0.5, 1.0]).unwrap();
+    let certificate = certify(&beside, 16).unwrap();
+    // The edge is half a tangent away; |S'| is least at x = 0, where it is one.
+    assert!(
+        (certificate.clearance.value - 0.5).abs() < 1e-9,
+        "{certificate:?}"
+    );
+    assert!(certificate.clearance.x < 1e-9 && certificate.gaussian.value < 1e-12);
+}
+
+#[test]
+fn a_saddle_is_reported_as_not_developable() {
+    let rail = |points: [[f64; 3]; 2]| Curve::new(Bernstein, points.to_vec()).unwrap();
+    let saddle = RuledSurface::new(
+        rail([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]),
+        rail([[0.0, 1.0, 0.0], [1.0, 1.0, 1.0]]),
+    );
+    let certificate = certify(&saddle, 16).unwrap();
+    assert!(certificate.determinant.value > 0.5 && certificate.gaussian.value > 0.9);
+    assert!(unroll(&saddle, 16, 1e-6).unwrap().strain > 0.05);
+}

@@ -1,0 +1,100 @@
+//! Nothing that comes in makes the library panic or hang.
+
+use proptest::prelude::*;
+use torse_geometry::developable::{certify, unroll};
+use torse_geometry::{
+    Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, GeometryError, HermiteCone, Mesh,
+    PlaneFamily, RationalCurve, RotationSurface, TensorSurface, curve, join,
+};
+
+fn any() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        prop::num::f64::ANY,
+        -2.0..2.0_f64,
+        Just(0.0),
+        Just(f64::NAN),
+        Just(f64::INFINITY),
+        Just(f64::MAX),
+        Just(f64::MIN_POSITIVE),
+    ]
+}
+
+fn points<const D: usize>() -> impl Strategy<Value = Vec<[f64; D]>> {
+    prop::collection::vec(prop::array::uniform(any()), 0..6)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn curves_and_families_never_panic(
+        planes in points::<4>(), spots in points::<3>(), mu in any(), nu in any(), x in any(), y in any(),
+        weights in prop::collection::vec(any(), 0..6),
+    ) {
+        let Ok(basis) = Gbt::new(mu, nu) else { return Ok(()) };
+        let _ = RationalCurve::new(basis, &spots, weights).map(|c| c.derivatives(&x, 2));
+        if let Ok(curve) = Curve::new(basis, spots.clone()) {
+            let _ = (curve.point(&x), curve.derivatives(&x, 3), curve.shape_derivatives(&x));
+            let _ = (curve::curvature(&curve, x), curve::torsion(&curve, x));
+            let _ = TensorSurface::cylinder(&curve, &[x, y, 1.0], &y);
+            if let Ok(joint) = Continuity::beta(vec![x, y]) {
+                let _ = join::next_curve(&curve, Bernstein, &joint, &spots);
+            }
+        }
+        if let Ok(family) = PlaneFamily::new(basis, planes) {
+            let _ = (family.ruling(&x), family.characteristic_point(&x));
+            if let Ok(patch) = EnvelopingPatch::new(family, Bounds::Range([x, y])) {
+                let _ = certify(&patch, 0);
+                let _ = Mesh::of(&patch, 2, 2);
+            }
+        }
+    }
+
+    #[test]
+    fn cones_and_profiles_never_panic(
+        summit in prop::array::uniform3(any()), k in any(),
+        q in prop::array::uniform4(prop::array::uniform3(any())), angle in any(), profile in points::<2>(),
+    ) {
+        if let Ok(cone) = HermiteCone::cubic(summit, k, q) {
+            let _ = cone.patch().map(|patch| certify(&patch, 0));
+        }
+        if let Ok(profile) = Curve::new(Bernstein, profile) {
+            let _ = RotationSurface::turned(&profile, angle);
+        }
+    }
+}
+
+#[test]
+fn nan_and_infinite_accuracies_and_impossible_ones_end_with_an_error() {
+    let line = Curve::new(Bernstein, vec![[0.0], [1.0]]).unwrap();
+    for accuracy in [f64::NAN, 0.0, -1.0] {
+        assert!(curve::arc_length(&line, [0.0, 1.0], accuracy).is_err());
+    }
+    assert!(curve::arc_length(&line, [0.0, f64::INFINITY], 1e-3).is_err());
+    let rail = |z: f64| {
+        Curve::new(
+            Gbt::new(0.5, 0.5).unwrap(),
+            vec![[0.0, z, 0.0], [1.0, 1.0, z], [5.0, z, z]],
+        )
+    };
+    let patch = torse_geometry::RuledSurface::new(rail(1.0).unwrap(), rail(2.0).unwrap());
+    assert!(matches!(
+        unroll(&patch, 4, f64::NAN),
+        Err(GeometryError::NotFinite { .. })
+    ));
+    assert!(matches!(
+        unroll(&patch, 4, f64::MIN_POSITIVE),
+        Err(GeometryError::NotConverged { .. })
+    ));
+}
+
+#[test]
+fn meshes_too_large_to_index_are_refused_before_memory_is_asked_for() {
+    let flat = TensorSurface::new(Bernstein, Bernstein, vec![vec![[0.0; 3]; 2]; 2]).unwrap();
+    for (m, n) in [(0, 3), (usize::MAX, 1), (1 << 20, 1 << 20)] {
+        assert!(matches!(
+            Mesh::of(&flat, m, n),
+            Err(GeometryError::OutOfRange { .. })
+        ));
+    }
+}
