@@ -159,6 +159,23 @@ fn a_legend_leaves_the_frame_to_the_curves() {
 }
 
 #[test]
+fn larger_values_stand_further_right_and_higher() {
+    let colour = Colour::rgb(255, 0, 0);
+    let place = |x: f64, y: f64| {
+        let plot = Plot::new(Axis::fixed("", 0.0, 1.0), Axis::fixed("", 0.0, 1.0));
+        let plot = plot.points(vec![[x, y]], Marker::Square, colour, "");
+        let (w, _, samples) = decode(&plot.draw("", Size::PANEL).unwrap().png().unwrap());
+        let k = samples
+            .chunks_exact(3)
+            .position(|p| p == [255, 0, 0])
+            .unwrap();
+        [k % w as usize, k / w as usize]
+    };
+    let ([a, b], [c, d]) = (place(0.2, 0.3), place(0.7, 0.8));
+    assert!(a < c && b > d);
+}
+
+#[test]
 fn numbers_that_are_not_finite_are_refused_with_their_place() {
     let size = Size::PANEL;
     let refused = |result: Result<Picture, FigureError>| match result {

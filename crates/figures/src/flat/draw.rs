@@ -104,15 +104,20 @@ impl Plot {
     }
 
     fn axes(&self, window: [[f64; 2]; 2], inner: Rect) -> [AxisSpec<'_>; 2] {
+        // Equal units get equal steps.
+        let [per_x, per_y] = match self.aspect {
+            Aspect::Free => PER_TICK,
+            Aspect::Equal => [PER_TICK[0].min(1.4 * PER_TICK[1]); 2],
+        };
         let spec = |axis, [low, high]: [f64; 2], length: f64, per: f64| AxisSpec {
             low,
             high,
             label: axis,
-            ticks: Ticks::new(low, high, (length / per).round().max(2.0) as usize),
+            ticks: Ticks::new(low, high, length / per),
         };
         [
-            spec(self.x.label.as_str(), window[0], inner.w, PER_TICK[0]),
-            spec(self.y.label.as_str(), window[1], inner.h, PER_TICK[1]),
+            spec(self.x.label.as_str(), window[0], inner.w, per_x),
+            spec(self.y.label.as_str(), window[1], inner.h, per_y),
         ]
     }
 

@@ -107,9 +107,9 @@ pub enum Layer {
         /// Shaft.
         line: Line,
     },
-    /// A straight line across the whole plotting area, `across` being the axis it crosses.
+    /// A straight line across the whole plotting area.
     Guide {
-        /// The axis on which `at` is measured: 0 for a vertical line at x = `at`, 1 for a horizontal one.
+        /// The axis that it crosses, on which `at` is measured.
         across: GuideAxis,
         /// Where it crosses.
         at: f64,

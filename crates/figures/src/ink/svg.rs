@@ -265,6 +265,21 @@ mod tests {
     }
 
     #[test]
+    fn a_contour_after_a_closed_one_starts_from_where_that_began() {
+        let mut two = tiny_skia::PathBuilder::new();
+        for x in [1.0, 5.0] {
+            two.move_to(x, 1.0);
+            two.line_to(x + 2.0, 1.0);
+            two.line_to(x, 3.0);
+            two.close();
+        }
+        assert_eq!(
+            data(&two.finish().unwrap(), 1.0),
+            "m1 1l2 0 -2 2zm4 0l2 0 -2 2z"
+        );
+    }
+
+    #[test]
     fn a_repeated_letter_is_outlined_once() {
         let mut scene = Scene::new(100, 50);
         scene

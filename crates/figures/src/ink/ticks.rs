@@ -12,16 +12,17 @@ pub(crate) struct Ticks {
 }
 
 impl Ticks {
-    /// About `wanted` ticks (never more than twice as many) on `low..high`, which must be finite and not empty.
-    pub(crate) fn new(low: f64, high: f64, wanted: usize) -> Ticks {
-        let wanted = wanted.clamp(2, 20);
+    /// About `wanted` ticks (2 to 20) on `low..high`, which must be finite and not empty. Axes with equal
+    /// `(high - low) / wanted` get equal steps.
+    pub(crate) fn new(low: f64, high: f64, wanted: f64) -> Ticks {
+        let wanted = wanted.clamp(2.0, 20.0);
         let largest = low.abs().max(high.abs());
         let order = largest.log10().floor() as i32;
         let exponent = if (-2..=3).contains(&order) { 0 } else { order };
         // Work on numbers of moderate size: 10^-exponent itself may not be a finite f64.
         let unit = |x: f64| x / 10f64.powi(exponent / 2) / 10f64.powi(exponent - exponent / 2);
         let (a, b) = (unit(low), unit(high));
-        let raw = (b - a) / wanted as f64;
+        let raw = (b - a) / wanted;
         let decade = raw.log10().floor() as i32;
         let power = 10f64.powi(decade);
         // The roundest step near the raw one: at most a third more ticks than wanted, and one.
@@ -70,21 +71,21 @@ mod tests {
 
     #[test]
     fn the_unit_interval_is_cut_at_fifths() {
-        let ticks = Ticks::new(0.0, 1.0, 5);
+        let ticks = Ticks::new(0.0, 1.0, 5.0);
         assert_eq!(ticks.labels, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(ticks.title("$t$"), "$t$");
     }
 
     #[test]
     fn tiny_numbers_share_a_power_of_ten() {
-        let ticks = Ticks::new(0.0, 4e-17, 4);
+        let ticks = Ticks::new(0.0, 4e-17, 4.0);
         assert_eq!(ticks.labels, ["0", "1", "2", "3", "4"]);
         assert_eq!(ticks.title("defect"), "defect $/\\,10^{-17}$");
     }
 
     #[test]
     fn zero_has_no_sign_and_minus_is_the_mathematical_one() {
-        assert_eq!(Ticks::new(-1.0, 1.0, 2).labels, ["−1", "0", "1"]);
+        assert_eq!(Ticks::new(-1.0, 1.0, 2.0).labels, ["−1", "0", "1"]);
     }
 
     proptest! {
@@ -92,7 +93,7 @@ mod tests {
         fn ticks_are_few_ascending_and_inside(low in -1e3..1e3f64, span in 1e-3..1e3f64, scale in -300..300i32, n in 2..12usize) {
             let s = 10f64.powi(scale);
             let (low, high) = (low * s, (low + span) * s);
-            let ticks = Ticks::new(low, high, n);
+            let ticks = Ticks::new(low, high, n as f64);
             prop_assert!(!ticks.at.is_empty() && 3 * ticks.at.len() <= 4 * n + 4, "{:?}", ticks);
             prop_assert!(ticks.at.iter().all(|x| (low..=high).contains(x)));
             prop_assert!(ticks.at.windows(2).all(|w| w[0] < w[1]), "{:?}", ticks);

@@ -42,11 +42,7 @@ impl<'a> StageBox<'a> {
                 (ends[0][k], ends[1][k]) = (low, high);
                 let [a, b] = ends.map(|p| projection.apply(p));
                 let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-                Ticks::new(
-                    low,
-                    high,
-                    (length / PER_TICK).round().clamp(2.0, 8.0) as usize,
-                )
+                Ticks::new(low, high, (length / PER_TICK).min(8.0))
             }),
         }
     }

@@ -78,6 +78,12 @@ mod tests {
     }
 
     #[test]
+    fn a_face_turned_from_both_lamps_sees_the_sky_only() {
+        let [light, ..] = shade([-0.6, -0.8, 0.0], [1.0; 3], Finish::Glossy);
+        assert!((light - (GROUND + 0.1 * (SKY - GROUND))).abs() < 1e-3);
+    }
+
+    #[test]
     fn a_face_towards_the_key_light_is_brighter_than_one_turned_away() {
         let at = |n| shade(n, [0.5; 3], Finish::Glossy)[0];
         assert!(at(LAMPS[0].towards) > 2.0 * at([0.48, -0.6, 0.64]));

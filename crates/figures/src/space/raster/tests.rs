@@ -135,6 +135,43 @@ fn glass_tints_what_is_behind_it_and_not_what_is_before() {
 }
 
 #[test]
+fn of_two_panes_the_nearer_tints_more() {
+    let panes = [RED, BLUE]
+        .map(|c| Material {
+            opacity: 0.7,
+            ..paint([c; 2])
+        })
+        .to_vec();
+    let image = |red: f64, blue: f64| {
+        let [r, b] = [(red, 0), (blue, 1)].map(|(z, m)| square([z; 4], TOWARDS, m));
+        picture([r, b].concat(), panes.clone(), vec![])[0]
+    };
+    let ([r, _, b, _], [s, _, c, _]) = (image(1.0, 0.0), image(0.0, 1.0));
+    assert!(r > b && s < c);
+}
+
+#[test]
+fn panes_that_share_an_edge_through_sample_centres_do_not_overlap() {
+    let pane = Material {
+        opacity: 0.5,
+        ..paint([BLUE; 2])
+    };
+    // The upper pane ends and the lower one begins in the middle of a row of samples.
+    let cut = 10.5;
+    let part = |clamp: fn(f64, f64) -> f64| {
+        square([0.0; 4], TOWARDS, 0).map(|mut t| {
+            t.vertices
+                .iter_mut()
+                .for_each(|v| v.at[1] = clamp(v.at[1], cut));
+            t
+        })
+    };
+    let triangles = [part(f64::min), part(f64::max)].concat();
+    let image = picture(triangles, vec![pane], vec![]);
+    assert!(image.iter().all(|p| p[3] == 128), "{image:?}");
+}
+
+#[test]
 fn glass_alone_lets_the_paper_through() {
     let glass = Material {
         opacity: 0.5,
