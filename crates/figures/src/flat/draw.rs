@@ -10,7 +10,7 @@ use crate::ink::ticks::Ticks;
 use crate::legend::{Entries, Key, Legend, Marker, draw_marker};
 
 /// One tick per this many pixels.
-const PER_TICK: [f64; 2] = [62.0, 34.0];
+const PER_TICK: [f64; 2] = [62.0, 40.0];
 
 impl Plot {
     pub(crate) fn draw_in(&self, scene: &mut Scene, page: Rect) -> Result<(), FigureError> {
