@@ -1,4 +1,117 @@
-//! Bases, curves, surfaces, plane families, developables and joins, written once for every scalar.
+//! Curves, surfaces and developables with shape parameters, written once for every scalar.
+//!
+//! # Guide
+//!
+//! Everything is built from control data by named constructors that refuse bad input with a typed
+//! [`GeometryError`], and evaluates on `f64`, exact rationals, certified balls, jets and formal
+//! fractions, because it is written over one trait, [`Coordinate`].
+//!
+//! | you want | take |
+//! |---|---|
+//! | a basis with shape parameters | [`Gbt`], [`Bernstein`], or implement [`Basis`] by its three seeds |
+//! | a curve, its derivatives, length, curvature | [`Curve`], [`RationalCurve`], [`hermite`], [`curve`] |
+//! | a surface, its partials, normal, curvatures | [`TensorSurface`], [`RuledSurface`], [`RotationSurface`], [`Surface`], [`Forms`] |
+//! | a developable from planes | [`PlaneFamily`], then [`EnvelopingPatch`] or [`TangentPatch`] |
+//! | a developable between two planes | [`HermiteCone`], [`developable::oblique_image`] |
+//! | the next piece of a smooth chain | [`Continuity`], [`join::next_curve`], [`join::next_family`], [`join::chain`] |
+//! | to know how smooth a joint is | [`join::measure_curves`], [`join::measure_families`] |
+//! | to know whether a patch can be made | [`developable::certify`], [`developable::prove_developable`], [`developable::prove_regular`] |
+//! | the flat pattern | [`developable::unroll`], [`export::dxf`], [`export::svg`] |
+//! | a mesh or a CAD file | [`Mesh`], [`export::stl`], [`export::obj`], [`export::glb`], [`export::step`] |
+//! | a million points | [`batch`] |
+//! | the same object exactly or certified | [`Over`], [`exact`], [`exact_ball`] |
+//!
+//! From planes to a sheet-metal drawing:
+//!
+//! ```
+//! use torse_geometry::developable::{certify, unroll};
+//! use torse_geometry::{Bounds, Continuity, EnvelopingPatch, Gbt, PlaneFamily, export, join};
+//!
+//! // Four control planes p X + q Y + r Z = s and two shape parameters.
+//! let planes = vec![
+//!     [7.0, -7.0, 5.0, 125.0], [-7.0, -7.0, 5.0, 120.0], [-7.0, 7.0, 5.0, 130.0], [7.0, 7.0, 5.0, 125.0],
+//! ];
+//! let first = PlaneFamily::new(Gbt::new(0.5, 0.25)?, planes)?;
+//! // A second piece with the same planes, rulings and points of regression at the joint.
+//! let second = join::next_family(
+//!     &first, Gbt::new(0.0, 1.0)?, &Continuity::parametric(2, &0.0), &[[7.0, -7.0, 5.0, 125.0]],
+//! )?;
+//! assert_eq!(join::measure_families(&first, &second, 2)?.order_within(1e-12), Some(2));
+//!
+//! // The sheet between z = 0 and z = 3: is it developable, is it regular, what is its flat pattern?
+//! let sheet = EnvelopingPatch::new(first, Bounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]))?;
+//! let certificate = certify(&sheet, 64)?;
+//! assert!(certificate.is_regular() && certificate.twist.value < 1e-6);
+//! let flat = unroll(&sheet, 64, 1e-6)?;
+//! assert!(export::dxf(&flat, 8).ends_with("EOF\n"));
+//! # Ok::<(), torse_geometry::GeometryError>(())
+//! ```
+//!
+//! # Conformance
+//!
+//! What implements each numbered item of the three papers. Where the print is wrong, the item
+//! implements the corrected statement and its documentation says so.
+//!
+//! **gbt-developable** (developable GBT-Bezier surfaces)
+//!
+//! | item | implemented by |
+//! |---|---|
+//! | Definition 1, eq. (2.1) | [`Gbt`], [`Basis::row`] |
+//! | Theorem 1 (1 to 7) | [`Basis::row`], [`Basis::derivative_rows`], [`Basis::reversed`] |
+//! | Definition 2, eq. (2.2) | [`Curve`] |
+//! | eqs. (2.3), (2.4), corrected | [`Curve::shape_derivatives`] |
+//! | eqs. (3.1) to (3.4) | [`PlaneFamily`] |
+//! | eqs. (3.5), (3.6), direction, foot | [`PlaneFamily::ruling`], [`Ruling`] |
+//! | eq. (3.7) | [`EnvelopingPatch`], [`Ruling::point`] |
+//! | eqs. (3.8), (3.9) | [`PlaneFamily::characteristic_point`] |
+//! | eq. (3.10) | [`TangentPatch`] |
+//! | eqs. (3.11), (3.12) | [`Curve::start_jet`], [`Curve::end_jet`] |
+//! | eq. (3.13), matrices of Sect. 3.4, corrected | [`join::from_start_jet`], [`join::from_end_jet`] |
+//! | Examples 4.1, 4.2, Sect. 4.2 | [`PlaneFamily`], [`EnvelopingPatch`], [`TangentPatch`] |
+//! | eq. (5.1) | [`RationalCurve`] |
+//! | Theorem 2 (G1) | [`Continuity::beta`] with one value |
+//! | Theorem 3 (Farin-Boehm G2), corrected | [`Continuity::parametric`] of order two |
+//! | Theorem 4 (G2-beta), corrected | [`Continuity::beta`] with two values |
+//! | "necessary" in Theorems 2 to 4, corrected | [`Continuity::scaled`] |
+//! | Sect. 5.4, steps 1 to 5 | [`join::next_family`], [`join::chain`] |
+//! | Examples 5.1, 5.2 | [`join::next_family`] |
+//!
+//! **gbt-surfaces** (C1, C2 and C3 surfaces)
+//!
+//! | item | implemented by |
+//! |---|---|
+//! | Definition 1, eqs. (1), (2); Theorem 1 | [`Gbt`], [`Basis`] |
+//! | Definition 2, eq. (3) | [`Curve`] |
+//! | Theorem 2, eqs. (4) to (6), corrected | [`Continuity::parametric`], [`join::next_curve`] |
+//! | Definition 3, eq. (7) | [`TensorSurface`] |
+//! | eq. (10) | [`Basis::row`] of degree one |
+//! | eqs. (8) to (12), Theorem 3, Algorithm 1, Example 3.1 | [`TensorSurface::cylinder`] |
+//! | eqs. (14) to (16), Proposition 3.2, Algorithm 2, Example 3.2 | [`TensorSurface::bilinear`] |
+//! | eqs. (17) to (19), Propositions 3.3, 3.4, Algorithm 3, Example 3.3 | [`RuledSurface`], [`RuledSurface::tensor`] |
+//! | eqs. (20) to (25), Theorem 4, Algorithm 4, Example 3.4 | [`TensorSurface::swung`] |
+//! | eqs. (27) to (31), Theorem 5, Algorithm 5, Example 3.5 | [`TensorSurface::swept`] |
+//! | Theorem 6, eqs. (33), (34), Algorithm 6 | [`RotationSurface::half_turn`] |
+//! | Proposition 3.8, corrected; Example 3.6 | [`RotationSurface::turned`], [`surface::rotation_parameter`] |
+//!
+//! **hermite-developable** (developable Hermite surfaces)
+//!
+//! | item | implemented by |
+//! |---|---|
+//! | eqs. (2.1), (2.2) to (2.3), (2.4) | [`hermite::cubic`], [`hermite::quartic`], [`hermite::quintic`], [`hermite::functions`] |
+//! | Definitions 3.1, 3.2, eq. (3.1) | [`RuledSurface`], [`developable::certify`], [`developable::prove_developable`] |
+//! | eqs. (3.2) to (3.4) | [`HermiteCone`], [`HermiteCone::patch`] |
+//! | eq. (3.5), Sect. 3.1 | [`HermiteCone::cubic`] |
+//! | eq. (3.6), Sect. 3.2, corrected | [`HermiteCone::quartic`] |
+//! | eq. (3.7), Sect. 3.3, corrected | [`HermiteCone::quintic`] |
+//! | eqs. (4.1) to (4.4), Sect. 4 as printed | [`developable::oblique_image_as_printed`] |
+//! | Sect. 4, what it aims at | [`developable::oblique_image`] |
+//!
+//! # Limits
+//!
+//! * [`developable::certify`] samples; the proofs beside it cover polynomial rails over the rationals and
+//!   regularity on balls.
+//! * [`developable::unroll`] estimates its error, it does not enclose it.
+//! * A GBT patch is trigonometric and has no STEP form; only [`export::BezierPatch`] has.
 #![warn(missing_docs)]
 
 pub mod basis;

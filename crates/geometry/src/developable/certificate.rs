@@ -9,14 +9,14 @@
 //!   inside, at the edge of regression (of a cone: the apex), where neighbouring rulings cross. In
 //!   general the rulings come closest at `v* = (P' x R) . (R x R') / |R x R'|^2`.
 //!
-//! [`certify`] measures on f64 (samples, then a local search for each worst place). [`prove_regular`]
-//! decides on balls, over whole intervals: a proof, not a sample.
+//! [`certify`] measures on f64: samples, then a local search for each worst place. What it finds bad is
+//! bad; that nothing worse lies between the samples is proved by
+//! [`prove_regular`](super::prove_regular) and [`prove_developable`](super::prove_developable).
 
 use crate::error::{GeometryError, Result};
 use crate::surface::{Rails, Surface};
 use crate::vector::{cross, det, dot, norm, sub};
-use std::cmp::Ordering;
-use torse_algebra::{Ball, Rational};
+use torse_algebra::Jet;
 
 /// The worst value of a quantity and where it is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -190,7 +190,7 @@ struct Ruling {
 impl Ruling {
     fn at(patch: &impl Rails<f64>, x: f64) -> Result<Self> {
         let [p, q] = patch.rail_jets(&x, 1)?;
-        let coefficient = |jets: &[torse_algebra::Jet<f64>; 3], n: usize| -> [f64; 3] {
+        let coefficient = |jets: &[Jet<f64>; 3], n: usize| -> [f64; 3] {
             std::array::from_fn(|axis| jets[axis].coefficients().get(n).copied().unwrap_or(0.0))
         };
         Ok(Self {
@@ -234,84 +234,4 @@ impl Ruling {
             v,
         }
     }
-}
-
-/// The outcome of [`prove_regular`].
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Regularity {
-    /// Proved: on every ruling the end normals point to the same side.
-    Regular,
-    /// Refuted: at this parameter they point to opposite sides, so the edge of regression lies inside.
-    Singular {
-        /// The parameter of a witness ruling.
-        x: Rational,
-    },
-    /// Neither within the budget; the first interval left open.
-    Undecided {
-        /// Its lower end.
-        from: Rational,
-        /// Its upper end.
-        to: Rational,
-    },
-}
-
-/// Proves or refutes that a developable patch is regular, with interval arithmetic of `bits` bits and at
-/// most `budget` intervals.
-///
-/// # Errors
-/// None: where the patch cannot be evaluated on an interval, that interval is divided.
-///
-/// ```
-/// use torse_geometry::developable::{Regularity, prove_regular};
-/// use torse_geometry::{Bounds, EnvelopingPatch, Gbt, Over, PlaneFamily, exact_ball};
-/// let h = 5.0 * 2_f64.sqrt();
-/// let planes = vec![[h, -h, 5.0, 125.0], [-h, -h, 5.0, 125.0], [-h, h, 5.0, 125.0], [h, h, 5.0, 125.0]];
-/// let family = PlaneFamily::new(Gbt::new(0.5, 0.5)?, planes)?;
-/// let upto = |z: f64| {
-///     let patch = EnvelopingPatch::new(family.clone(), Bounds::Planes([[0., 0., 1., 0.], [0., 0., 1., z]]))?;
-///     patch.over(&|x| exact_ball(*x, 80)).map(|patch| prove_regular(&patch, 80, 4096))
-/// };
-/// assert_eq!(upto(5.0)?, Regularity::Regular);
-/// // The surface is a cone with its apex at z = 25: above, the patch is not regular.
-/// assert!(matches!(upto(30.0)?, Regularity::Singular { .. }));
-/// # Ok::<(), torse_geometry::GeometryError>(())
-/// ```
-#[must_use]
-pub fn prove_regular(patch: &impl Rails<Ball>, bits: usize, budget: usize) -> Regularity {
-    let number = |n: i64| torse_algebra::rational::integer(n);
-    let half = Rational::new(1.into(), 2.into());
-    let mut open = vec![(number(0), number(1))];
-    let mut visited = 0;
-    while let Some((from, to)) = open.pop() {
-        visited += 1;
-        match same_side(patch, &Ball::from_bounds(&from, &to, bits)) {
-            Some(Ordering::Greater) => continue,
-            Some(Ordering::Less) => return Regularity::Singular { x: from },
-            _ => {}
-        }
-        let middle = (from.clone() + to.clone()) * half.clone();
-        if same_side(patch, &Ball::from_rational(&middle, bits)) == Some(Ordering::Less) {
-            return Regularity::Singular { x: middle };
-        }
-        if visited >= budget {
-            return Regularity::Undecided { from, to };
-        }
-        open.push((middle.clone(), to));
-        open.push((from, middle));
-    }
-    Regularity::Regular
-}
-
-/// The sign of `N0 . N1` over an interval of parameters, where it is the same for all.
-fn same_side(patch: &impl Rails<Ball>, x: &Ball) -> Option<Ordering> {
-    let [p, q] = patch.rail_jets(x, 1).ok()?;
-    let coefficient = |jets: &[torse_algebra::Jet<Ball>; 3], n: usize| -> Option<[Ball; 3]> {
-        let [a, b, c] = jets
-            .each_ref()
-            .map(|jet| jet.coefficients().get(n).cloned());
-        Some([a?, b?, c?])
-    };
-    let r = sub(&coefficient(&q, 0)?, &coefficient(&p, 0)?);
-    let (dp, dq) = (coefficient(&p, 1)?, coefficient(&q, 1)?);
-    dot(&cross(&dp, &r), &cross(&dq, &r)).sign()
 }

@@ -6,11 +6,13 @@ mod hermite;
 mod linear;
 mod oblique;
 mod patch;
+mod proof;
 mod unroll;
 
-pub use certificate::{Certificate, Regularity, Worst, certify, prove_regular};
+pub use certificate::{Certificate, Worst, certify};
 pub use hermite::{HermiteCone, QuarticData, QuinticData};
 pub use linear::solve;
 pub use oblique::{oblique_image, oblique_image_as_printed};
 pub use patch::{Bounds, EnvelopingPatch, TangentPatch};
+pub use proof::{Developability, Regularity, prove_developable, prove_regular};
 pub use unroll::{FlatPattern, unroll};

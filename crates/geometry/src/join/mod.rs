@@ -99,6 +99,29 @@ pub fn next_curve<S: Coordinate, L: Basis<S>, R: Basis<S>, const D: usize>(
 /// assert!((q[2][1] - (30.0 + five_pi)).abs() < 1e-12 && (q[2][2] + 20.0 + five_pi).abs() < 1e-12);
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
+///
+/// Farin-Boehm G2, with the continuity measured back, also certified on balls:
+///
+/// ```
+/// use torse_geometry::{Continuity, Gbt, Over, PlaneFamily, exact_ball, join};
+/// // gbt-developable Example 5.1: the last plane is free, the first three follow.
+/// let planes = vec![
+///     [0.0, -20.0, 10.0, 400.0], [0.0, -10.0, 20.0, 400.0],
+///     [0.0, 10.0, 20.0, 400.0], [0.0, 20.0, 10.0, 400.0],
+/// ];
+/// let left = PlaneFamily::new(Gbt::new(0.5, 0.25)?, planes)?;
+/// let farin_boehm = Continuity::parametric(2, &0.0);
+/// let right = join::next_family(&left, Gbt::new(-0.5, 0.75)?, &farin_boehm, &[[0.0, 40.0, -40.0, 400.0]])?;
+/// assert_eq!(join::measure_families(&left, &right, 2)?.order_within(1e-13), Some(2));
+/// // The exact defect of these f64 planes, enclosed: not zero, but at most rounding.
+/// let ball = |x: &f64| exact_ball(*x, 200);
+/// let exact = join::measure_families(&left.over(&ball)?, &right.over(&ball)?, 2)?;
+/// for value in exact.residuals.iter().flatten() {
+///     let (low, high) = value.to_f64_bounds();
+///     assert!(low.abs().max(high.abs()) < 1e-9);
+/// }
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
 pub fn next_family<S: Coordinate, L: Basis<S>, R: Basis<S>>(
     left: &PlaneFamily<L, S>,
     basis: R,
