@@ -16,6 +16,7 @@ pub mod order;
 pub mod polynomial;
 pub mod rational;
 pub mod scalar;
+pub mod sturm;
 pub mod symbol;
 
 pub use affine::Affine;
@@ -26,4 +27,5 @@ pub use matrix::{Matrix, MatrixError};
 pub use polynomial::Polynomial;
 pub use rational::{Integer, Rational};
 pub use scalar::{ExactError, Scalar, ZeroTest};
+pub use sturm::SturmSequence;
 pub use symbol::{Angle, Symbol};

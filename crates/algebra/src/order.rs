@@ -3,8 +3,9 @@
 //! **Do not compare rationals with `<`, `max`, `sort` or `cmp`.** `Ratio` compares through
 //! `num_integer::Integer::div_mod_floor`, and `dashu_int` (0.4 to 0.6.2) answers 0 instead of -1 for the floor
 //! of a quotient between -1 and 0: its truncated quotient 0 carries no sign. So `-1/2 > 0` holds for
-//! `Ratio<IBig>`, and `floor`, `ceil` and `round` err in the same way. Equality, arithmetic and
-//! `is_negative` are right. What is right everywhere stands here.
+//! `Ratio<IBig>`, and `floor`, `ceil` and `round` err in the same way. Arithmetic and `is_negative` are right.
+//! So is `==`, but it goes through `cmp` too, which recurses once for each step of Euclid's algorithm: for
+//! two long numbers that nearly agree it is slow and deep. What is right and fast stands here.
 
 use crate::rational::{Integer, Rational};
 use dashu_int::ops::DivEuclid;
@@ -25,6 +26,12 @@ pub fn compare(a: &Rational, b: &Rational) -> Ordering {
         return a.numer().cmp(b.numer());
     }
     (a.numer() * b.denom()).cmp(&(b.numer() * a.denom()))
+}
+
+/// Whether the two numbers are the same: they are in lowest terms with positive denominators.
+#[must_use]
+pub fn equal(a: &Rational, b: &Rational) -> bool {
+    a.numer() == b.numer() && a.denom() == b.denom()
 }
 
 /// The smaller of two rationals.
@@ -82,9 +89,22 @@ mod tests {
                     Rational::new(c.into(), d.into()),
                 );
                 assert_eq!(compare(&x, &y), (a * d).cmp(&(c * b)));
+                assert_eq!(equal(&x, &y), a * d == c * b);
                 assert!(compare(least(&x, &y), greatest(&x, &y)).is_le());
             }
         }
+    }
+
+    #[test]
+    fn long_numbers_that_nearly_agree_are_compared_without_recursion() {
+        // Neighbouring quotients of Fibonacci numbers take the most steps of Euclid's algorithm.
+        let (mut a, mut b) = (Integer::ONE, Integer::ONE);
+        for _ in 0..200_000 {
+            (a, b) = (b.clone(), a + b);
+        }
+        let x = Rational::new_raw(b.clone(), a.clone());
+        let y = Rational::new_raw(&a + &b, b);
+        assert!(!equal(&x, &y) && compare(&x, &y).is_ne());
     }
 
     /// When this fails the dependency is mended and this module can go.

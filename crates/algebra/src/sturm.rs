@@ -1,0 +1,212 @@
+//! Real roots of polynomials in one variable, counted and isolated exactly.
+//!
+//! **Sturm (1829).** Let `p_0 = p`, `p_1 = p'` and `p_(i+1) = -(p_(i-1) mod p_i)`, up to positive factors, and let
+//! `V(x)` be the number of sign changes in `p_0(x), p_1(x), ...`, zeros left out. When all members are divided
+//! by the last one (the greatest common divisor of `p` and `p'`), `V(a) - V(b)` is the number of
+//! *distinct* real roots in `(a, b]`, for all `a < b`, roots among them or not. The division keeps
+//! `p_1/p_0 = sum m_i/(x - r_i)`, whose residues are positive, and that is all the proof uses.
+//!
+//! The members are kept as primitive integer polynomials, so nothing is ever rounded and coefficients
+//! stay small. Polynomials are plain slices of coefficients, ascending: `[c_0, c_1, ...]`.
+//!
+//! ```
+//! use torse_algebra::{SturmSequence, rational::{integer, ratio}};
+//! // (x - 1)^2 (x + 2) = x^3 - 3 x + 2.
+//! let roots = SturmSequence::new(&[integer(2), integer(-3), integer(0), integer(1)])?;
+//! assert_eq!(roots.count(..), 2);
+//! assert_eq!(roots.count(integer(-2)..integer(1)), 1); // from -2 on, 1 left out
+//! let root = &roots.isolate(integer(0)..=integer(5))?[0];
+//! assert!(roots.refine(root, &ratio(1, 1000).unwrap())?.contains(&integer(1)));
+//! # Ok::<(), torse_algebra::sturm::SturmError>(())
+//! ```
+
+mod integral;
+mod isolate;
+mod sign;
+
+use crate::order::compare;
+use crate::rational::{Integer, Rational};
+use dashu_int::ops::BitTest;
+use num_traits::Zero;
+use std::cmp::Ordering;
+use std::ops::{Bound, RangeBounds};
+
+pub use isolate::RootInterval;
+pub use sign::SignOn;
+
+/// Why roots could not be counted, isolated or refined.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SturmError {
+    /// All coefficients are zero: every number is a root.
+    #[error("the zero polynomial has every number as a root")]
+    ZeroPolynomial,
+    /// The degree is above [`SturmSequence::MAX_DEGREE`].
+    #[error("degree {degree} exceeds {limit}")]
+    DegreeTooLarge {
+        /// The degree.
+        degree: usize,
+        /// The largest degree.
+        limit: usize,
+    },
+    /// A coefficient, cleared of denominators, is above [`SturmSequence::MAX_BITS`].
+    #[error("a coefficient has {bits} bits, more than {limit}")]
+    CoefficientTooLarge {
+        /// The number of bits of the largest coefficient.
+        bits: usize,
+        /// The largest number of bits.
+        limit: usize,
+    },
+    /// The interval has no point.
+    #[error("the interval is empty")]
+    EmptyInterval,
+    /// The width to refine to is not positive.
+    #[error("a root cannot be refined to width {width}")]
+    WidthNotPositive {
+        /// The width asked for.
+        width: Rational,
+    },
+    /// Bisection stopped after [`SturmSequence::MAX_BISECTIONS`].
+    #[error("after {bisections} bisections {count} roots are left between {lower} and {upper}")]
+    BudgetSpent {
+        /// The number of bisections made.
+        bisections: usize,
+        /// Lower end of the interval at hand.
+        lower: Rational,
+        /// Upper end of the interval at hand.
+        upper: Rational,
+        /// How many roots the interval holds.
+        count: usize,
+    },
+}
+
+/// The Sturm sequence of a polynomial: what it takes to count its distinct real roots anywhere.
+#[derive(Debug, Clone)]
+pub struct SturmSequence {
+    /// The polynomial times a positive number.
+    polynomial: Vec<Integer>,
+    /// Its Sturm sequence divided by the last member; the first member is square-free.
+    members: Vec<Vec<Integer>>,
+}
+
+impl SturmSequence {
+    /// The largest degree accepted.
+    pub const MAX_DEGREE: usize = 128;
+    /// The largest number of bits of a coefficient, once denominators are cleared and common factors
+    /// are gone.
+    pub const MAX_BITS: usize = 1 << 14;
+    /// The most bisections one call makes.
+    pub const MAX_BISECTIONS: usize = 4096;
+
+    /// The sequence of the polynomial with these coefficients, ascending; zeros at the end are ignored.
+    ///
+    /// # Errors
+    /// [`SturmError::ZeroPolynomial`], [`SturmError::DegreeTooLarge`],
+    /// [`SturmError::CoefficientTooLarge`].
+    pub fn new(coefficients: &[Rational]) -> Result<Self, SturmError> {
+        let length = coefficients
+            .iter()
+            .rposition(|c| !c.is_zero())
+            .map_or(0, |last| last + 1);
+        let degree = length.checked_sub(1).ok_or(SturmError::ZeroPolynomial)?;
+        if degree > Self::MAX_DEGREE {
+            return Err(SturmError::DegreeTooLarge {
+                degree,
+                limit: Self::MAX_DEGREE,
+            });
+        }
+        let polynomial = integral::cleared(&coefficients[..length]);
+        let bits = polynomial.iter().map(BitTest::bit_len).max().unwrap_or(0);
+        if bits > Self::MAX_BITS {
+            return Err(SturmError::CoefficientTooLarge {
+                bits,
+                limit: Self::MAX_BITS,
+            });
+        }
+        let mut members = vec![polynomial.clone(), integral::derivative(&polynomial)];
+        while let [.., before, last] = members.as_slice() {
+            if last.is_empty() {
+                members.pop();
+                break;
+            }
+            members.push(integral::negated_remainder(before, last));
+        }
+        if let Some(common) = members.last().cloned() {
+            for member in &mut members {
+                *member = integral::exact_quotient(member, &common);
+            }
+        }
+        Ok(Self {
+            polynomial,
+            members,
+        })
+    }
+
+    /// The sign of the polynomial at a point.
+    #[must_use]
+    pub fn sign_at(&self, x: &Rational) -> Ordering {
+        integral::sign_at(&self.polynomial, x)
+    }
+
+    /// The number of distinct real roots in the interval, whose ends may be included, excluded or
+    /// absent: `a..=b`, `a..b`, `..=b`, `..`, or a pair of [`Bound`]s. An empty interval has none.
+    #[must_use]
+    pub fn count(&self, interval: impl RangeBounds<Rational>) -> usize {
+        let (lower, upper) = (interval.start_bound(), interval.end_bound());
+        if let (Some(a), Some(b)) = (finite(lower), finite(upper)) {
+            match compare(a, b) {
+                Ordering::Less => {}
+                Ordering::Equal if includes(lower) && includes(upper) => {
+                    return usize::from(self.is_root(a));
+                }
+                Ordering::Equal | Ordering::Greater => return 0,
+            }
+        }
+        // (a, b] plus a if it is a root and included, minus b if it is one and excluded.
+        let at_lower =
+            usize::from(includes(lower) && finite(lower).is_some_and(|a| self.is_root(a)));
+        let at_upper =
+            usize::from(!includes(upper) && finite(upper).is_some_and(|b| self.is_root(b)));
+        let beyond = |bound, infinity| match finite(bound) {
+            Some(x) => self.variations(|member| integral::sign_at(member, x)),
+            None => self.variations(|member| integral::sign_at_infinity(member, infinity)),
+        };
+        let changes = beyond(lower, Ordering::Less) - beyond(upper, Ordering::Greater);
+        changes + at_lower - at_upper
+    }
+
+    /// Whether the polynomial vanishes at the point.
+    fn is_root(&self, x: &Rational) -> bool {
+        self.sign_at(x).is_eq()
+    }
+
+    /// The sign of the square-free part, which changes at every root.
+    fn square_free_sign_at(&self, x: &Rational) -> Ordering {
+        self.members
+            .first()
+            .map_or(Ordering::Equal, |first| integral::sign_at(first, x))
+    }
+
+    /// The number of sign changes along the sequence, zeros left out.
+    fn variations(&self, sign: impl Fn(&[Integer]) -> Ordering) -> usize {
+        let signs: Vec<_> = self
+            .members
+            .iter()
+            .map(|m| sign(m))
+            .filter(|s| s.is_ne())
+            .collect();
+        signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+    }
+}
+
+/// The end of an interval, if it has one there.
+fn finite(bound: Bound<&Rational>) -> Option<&Rational> {
+    match bound {
+        Bound::Included(end) | Bound::Excluded(end) => Some(end),
+        Bound::Unbounded => None,
+    }
+}
+
+/// Whether an interval contains its end.
+fn includes(bound: Bound<&Rational>) -> bool {
+    matches!(bound, Bound::Included(_))
+}

@@ -1,0 +1,157 @@
+//! One interval for each root, and narrower ones on demand.
+
+use super::{SturmError, SturmSequence, finite, includes, integral};
+use crate::order::{compare, equal};
+use crate::rational::{Integer, Rational};
+use num_traits::Signed;
+use std::cmp::Ordering;
+use std::ops::{Bound, RangeBounds};
+
+/// Where one root of a polynomial lies: at a rational point, or strictly between two that are no roots.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RootInterval {
+    lower: Rational,
+    upper: Rational,
+}
+
+impl RootInterval {
+    /// The greatest number known not to exceed the root.
+    #[must_use]
+    pub fn lower(&self) -> &Rational {
+        &self.lower
+    }
+
+    /// The least number known not to lie below the root.
+    #[must_use]
+    pub fn upper(&self) -> &Rational {
+        &self.upper
+    }
+
+    /// The root itself when it is known to be rational.
+    #[must_use]
+    pub fn exact(&self) -> Option<&Rational> {
+        equal(&self.lower, &self.upper).then_some(&self.lower)
+    }
+
+    /// Whether the point lies between the ends, or is one.
+    #[must_use]
+    pub fn contains(&self, x: &Rational) -> bool {
+        compare(&self.lower, x).is_le() && compare(x, &self.upper).is_le()
+    }
+
+    fn point(x: Rational) -> Self {
+        Self {
+            lower: x.clone(),
+            upper: x,
+        }
+    }
+}
+
+/// The middle of two numbers.
+pub(super) fn middle(a: &Rational, b: &Rational) -> Rational {
+    (a + b) / Integer::from(2)
+}
+
+impl SturmSequence {
+    /// One interval for each distinct root in the given interval, in ascending order. They share at most
+    /// ends that are no roots.
+    ///
+    /// # Errors
+    /// [`SturmError::BudgetSpent`] when roots are too close to be told apart.
+    pub fn isolate(
+        &self,
+        interval: impl RangeBounds<Rational>,
+    ) -> Result<Vec<RootInterval>, SturmError> {
+        let (start, end) = (interval.start_bound(), interval.end_bound());
+        if self.count((start, end)) == 0 {
+            return Ok(Vec::new());
+        }
+        // There is a root inside, so the bounded interval is not empty; far ends are no roots.
+        let bound = integral::root_bound(&self.polynomial);
+        let lower = finite(start).cloned().unwrap_or_else(|| -bound.clone());
+        let upper = finite(end).cloned().unwrap_or(bound);
+        let mut found = Vec::new();
+        if includes(start) && self.is_root(&lower) {
+            found.push(RootInterval::point(lower.clone()));
+        }
+        if includes(end) && self.is_root(&upper) && !equal(&lower, &upper) {
+            found.push(RootInterval::point(upper.clone()));
+        }
+        let mut bisections = 0;
+        let mut open = vec![(lower, upper)];
+        while let Some((lower, upper)) = open.pop() {
+            let count = self.count((Bound::Excluded(&lower), Bound::Excluded(&upper)));
+            if count == 0 {
+                continue;
+            }
+            if count == 1 && !self.is_root(&lower) && !self.is_root(&upper) {
+                found.push(RootInterval { lower, upper });
+                continue;
+            }
+            if bisections == Self::MAX_BISECTIONS {
+                return Err(SturmError::BudgetSpent {
+                    bisections,
+                    lower,
+                    upper,
+                    count,
+                });
+            }
+            bisections += 1;
+            let half = middle(&lower, &upper);
+            if self.is_root(&half) {
+                found.push(RootInterval::point(half.clone()));
+            }
+            open.push((lower, half.clone()));
+            open.push((half, upper));
+        }
+        found.sort_by(|a, b| compare(&a.lower, &b.lower).then(compare(&a.upper, &b.upper)));
+        Ok(found)
+    }
+
+    /// The same root in an interval no wider than `width`.
+    ///
+    /// # Errors
+    /// [`SturmError::WidthNotPositive`]; [`SturmError::BudgetSpent`] when that takes too many bisections.
+    pub fn refine(
+        &self,
+        root: &RootInterval,
+        width: &Rational,
+    ) -> Result<RootInterval, SturmError> {
+        if !width.is_positive() {
+            return Err(SturmError::WidthNotPositive {
+                width: width.clone(),
+            });
+        }
+        self.bisected_until(root, |now| {
+            compare(&(&now.upper - &now.lower), width).is_le()
+        })
+    }
+
+    /// Bisects around a root until the interval is as wanted or the root is known exactly.
+    pub(super) fn bisected_until(
+        &self,
+        root: &RootInterval,
+        wanted: impl Fn(&RootInterval) -> bool,
+    ) -> Result<RootInterval, SturmError> {
+        let mut now = root.clone();
+        let above = self.square_free_sign_at(&now.upper);
+        for _ in 0..Self::MAX_BISECTIONS {
+            if now.exact().is_some() || wanted(&now) {
+                return Ok(now);
+            }
+            let half = middle(&now.lower, &now.upper);
+            match self.square_free_sign_at(&half) {
+                Ordering::Equal => now = RootInterval::point(half),
+                sign if sign == above => now.upper = half,
+                _ => now.lower = half,
+            }
+        }
+        let RootInterval { lower, upper } = now;
+        Err(SturmError::BudgetSpent {
+            bisections: Self::MAX_BISECTIONS,
+            lower,
+            upper,
+            count: 1,
+        })
+    }
+}
