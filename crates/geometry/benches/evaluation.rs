@@ -2,6 +2,9 @@
 //!
 //! `limit/stores` is the time that plain stores of 24 bytes a point take: the floor of every grid.
 
+#![allow(clippy::expect_used, reason = "a benchmark on known good data")]
+#![allow(missing_docs, reason = "criterion's macros define items without docs")]
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use torse_geometry::batch::{GridEvaluator, ruled_grid_into};

@@ -57,7 +57,7 @@ const QUINTIC: Conversion<6> = Conversion {
 /// The cubic with `data = [p(0), p(1), p'(0), p'(1)]` (hermite-developable eq. (2.1)).
 ///
 /// # Errors
-/// [`GeometryError::NotFinite`](crate::GeometryError::NotFinite).
+/// [`GeometryError::NotFinite`].
 ///
 /// ```
 /// use torse_geometry::hermite;
@@ -73,7 +73,7 @@ pub fn cubic<S: Coordinate, const D: usize>(data: &[[S; D]; 4]) -> Result<Curve<
 /// The quartic with `data = [p(0), p(1/2), p(1), p'(0), p'(1)]` (hermite-developable eq. (2.3)).
 ///
 /// # Errors
-/// [`GeometryError::NotFinite`](crate::GeometryError::NotFinite).
+/// [`GeometryError::NotFinite`].
 pub fn quartic<S: Coordinate, const D: usize>(
     data: &[[S; D]; 5],
 ) -> Result<Curve<Bernstein, S, D>> {
@@ -83,7 +83,7 @@ pub fn quartic<S: Coordinate, const D: usize>(
 /// The quintic with `data = [p(0), p(1/2), p(1), p'(0), p'(1/2), p'(1)]` (hermite-developable eq. (2.4)).
 ///
 /// # Errors
-/// [`GeometryError::NotFinite`](crate::GeometryError::NotFinite).
+/// [`GeometryError::NotFinite`].
 ///
 /// ```
 /// use torse_geometry::hermite;

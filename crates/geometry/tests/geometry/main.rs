@@ -1,5 +1,10 @@
 //! The laws of the library, each checked in two independent ways.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests fail like the tests themselves"
+)]
+
 mod agreement;
 mod developables;
 mod files;
