@@ -10,6 +10,7 @@ pub mod engine;
 pub mod evaluate;
 pub mod notation;
 pub mod outcome;
+pub mod repair;
 pub mod syntax;
 
 pub use outcome::{Correction, Evidence, Formula, Kind, Outcome, PaperOutcome, Verdict, Witness};

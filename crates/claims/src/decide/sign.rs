@@ -15,7 +15,7 @@ use crate::evaluate::value::Value;
 use crate::outcome::Evidence;
 use crate::syntax::Relation;
 use torse_algebra::rational::integer;
-use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
+use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
 
 /// The most Bernstein coefficients computed.
 const MAX_PIECES: usize = 20_000;
@@ -89,7 +89,11 @@ fn one_sided(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<bool> {
 }
 
 /// The sign on a box, by halving bounded symbols where the coefficients of the whole box do not tell.
-fn subdivided(polynomial: &Polynomial, boxes: &[(Symbol, Interval)], budget: &mut usize) -> Option<bool> {
+fn subdivided(
+    polynomial: &Polynomial,
+    boxes: &[(Symbol, Interval)],
+    budget: &mut usize,
+) -> Option<bool> {
     *budget = budget.checked_sub(1)?;
     let whole = on_box(polynomial, boxes);
     if whole == Some(true) {
@@ -100,24 +104,41 @@ fn subdivided(polynomial: &Polynomial, boxes: &[(Symbol, Interval)], budget: &mu
         .iter()
         .enumerate()
         .filter(|(_, (_, interval))| interval.lower.is_some() && interval.upper.is_some())
-        .max_by_key(|(position, (symbol, _))| (polynomial.degree_in(symbol), std::cmp::Reverse(*position)));
-    let halves = widest.filter(|(_, (symbol, _))| polynomial.degree_in(symbol) > 1).and_then(|(position, (symbol, interval))| {
-        let (lower, upper) = (interval.lower.clone()?, interval.upper.clone()?);
-        let middle = (lower.value.clone() + upper.value.clone()).scaled(&Rational::new(1.into(), 2.into()));
-        let middle = Bound { value: middle, closed: true };
-        let with = |lower, upper| {
-            let mut boxes = boxes.to_vec();
-            if let Some(slot) = boxes.get_mut(position) {
-                *slot = (symbol.clone(), Interval { lower: Some(lower), upper: Some(upper) });
-            }
-            boxes
-        };
-        Some([with(lower, middle.clone()), with(middle, upper)])
-    });
+        .max_by_key(|(position, (symbol, _))| {
+            (polynomial.degree_in(symbol), std::cmp::Reverse(*position))
+        });
+    let halves = widest
+        .filter(|(_, (symbol, _))| polynomial.degree_in(symbol) > 1)
+        .and_then(|(position, (symbol, interval))| {
+            let (lower, upper) = (interval.lower.clone()?, interval.upper.clone()?);
+            let middle = (lower.value.clone() + upper.value.clone())
+                .scaled(&Rational::new(1.into(), 2.into()));
+            let middle = Bound {
+                value: middle,
+                closed: true,
+            };
+            let with = |lower, upper| {
+                let mut boxes = boxes.to_vec();
+                if let Some(slot) = boxes.get_mut(position) {
+                    *slot = (
+                        symbol.clone(),
+                        Interval {
+                            lower: Some(lower),
+                            upper: Some(upper),
+                        },
+                    );
+                }
+                boxes
+            };
+            Some([with(lower, middle.clone()), with(middle, upper)])
+        });
     let Some([left, right]) = halves else {
         return whole;
     };
-    match (subdivided(polynomial, &left, budget), subdivided(polynomial, &right, budget)) {
+    match (
+        subdivided(polynomial, &left, budget),
+        subdivided(polynomial, &right, budget),
+    ) {
         (Some(a), Some(b)) => Some(a && b),
         _ => whole,
     }

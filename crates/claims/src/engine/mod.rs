@@ -7,10 +7,14 @@ use crate::derivation::{Claim, DerivationError, Paper, Written};
 use crate::evaluate::fault::Fault;
 use crate::notation;
 use crate::outcome::{Evidence, Formula, Kind, Outcome, PaperOutcome, Verdict};
+use crate::repair;
 use case::Case;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use torse_algebra::{Fraction, Polynomial};
+
+/// Formulas with more terms than this are not shown.
+const MAX_SHOWN_TERMS: usize = 120;
 
 /// Decides all claims of a paper, in parallel; the outcomes are in the order of the file. `done` is
 /// called once a claim, from any thread.
@@ -192,7 +196,11 @@ fn conclude(outcome: &mut Outcome, claim: &Claim, statement: &Written, decision:
     }
 }
 
-fn refute(outcome: &mut Outcome, _claim: &Claim, _statement: &Written, refutation: Refutation) {
+fn refute(outcome: &mut Outcome, claim: &Claim, statement: &Written, refutation: Refutation) {
+    outcome.correction = repair::search(claim, statement);
+    if outcome.correction.is_some() {
+        outcome.verdict = Verdict::Misprint;
+    }
     outcome.steps = refutation.steps;
     outcome.witness = Some(refutation.witness);
     if let Some((left, right)) = refutation.sides {
@@ -204,6 +212,12 @@ fn refute(outcome: &mut Outcome, _claim: &Claim, _statement: &Written, refutatio
             outcome.derived = Some(notation::formula(&notation::expression(x)));
         }
     }
+}
+
+/// The formula, unless it is too long for anyone to read.
+fn readable(value: &Fraction) -> Option<Formula> {
+    (value.numerator().len() <= MAX_SHOWN_TERMS)
+        .then(|| notation::formula(&notation::expression(value)))
 }
 
 /// `p != 0`, as a formula.

@@ -45,7 +45,7 @@ impl Evaluator<'_> {
         }
         let mut values = vec![];
         for argument in arguments {
-            match self.value(argument, bound)? {
+            match self.in_angle(|| self.value(argument, bound))? {
                 Value::Scalar(q) => match q.as_fraction() {
                     Some(f) => values.push(f.clone()),
                     None => return Err(super::symbolic_degree(argument.place)),
@@ -53,7 +53,7 @@ impl Evaluator<'_> {
                 other => return Err(wrong_type(argument.place, other.kind(), "a number")),
             }
         }
-        let (operator, seeds) = self.seeds(basis, &values, place)?;
+        let (operator, seeds) = self.in_angle(|| self.seeds(basis, &values, place))?;
         let power = degree.clone() - Affine::number(i64::from(basis.degree));
         if let Some(n) = power.as_number() {
             let (Ok(steps), Some(position)) = (usize::try_from(n), index.as_number()) else {
@@ -83,7 +83,7 @@ impl Evaluator<'_> {
             let entry = usize::try_from(position)
                 .ok()
                 .and_then(|i| row.get(i).cloned());
-            return Ok(entry.unwrap_or_else(Fraction::zero).into());
+            return Ok(self.at_sample(entry.unwrap_or_else(Fraction::zero)).into());
         }
         self.symbolic_degree.set(true);
         let series = Series {

@@ -115,11 +115,13 @@ impl Evaluator<'_> {
                 )
             }
             ("sin" | "cos", [argument]) => {
-                let value = self.number(argument, bound)?;
+                let value = self.in_angle(|| self.number(argument, bound))?;
                 let (sine, cosine) = value
                     .sine_cosine()
                     .map_err(|e| Fault::exact(argument.place, e))?;
-                Ok(if name == "sin" { sine } else { cosine }.into())
+                Ok(self
+                    .at_sample(if name == "sin" { sine } else { cosine })
+                    .into())
             }
             ("sqrt", [radicand]) => {
                 let value = self.number(radicand, bound)?;

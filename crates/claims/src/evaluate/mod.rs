@@ -42,6 +42,10 @@ pub struct Evaluator<'a> {
     pub fixed: BTreeMap<String, Fraction>,
     /// Unknowns that the given equations determine.
     pub solved: BTreeMap<Symbol, Fraction>,
+    /// Whether leaves are replaced by the numbers of the sample point.
+    sampled: bool,
+    /// Whether the argument of a sine or cosine is being evaluated: there symbols stay symbols.
+    in_angle: Cell<bool>,
     /// Whether a series of symbolic degree was met.
     symbolic_degree: Cell<bool>,
     depth: Cell<usize>,
@@ -59,6 +63,8 @@ impl<'a> Evaluator<'a> {
             declarations,
             fixed: BTreeMap::new(),
             solved: BTreeMap::new(),
+            sampled: false,
+            in_angle: Cell::new(false),
             symbolic_degree: Cell::new(false),
             depth: Cell::new(0),
             nodes: Cell::new(0),
@@ -77,6 +83,30 @@ impl<'a> Evaluator<'a> {
         Self {
             fixed,
             solved: self.solved.clone(),
+            ..Self::new(self.declarations)
+        }
+    }
+
+    /// The same at the sample point of the search for corrections: free symbols are numbers from the
+    /// start, except where sines and cosines need them.
+    #[must_use]
+    pub fn sampling(&self) -> Self {
+        let at_sample =
+            |f: &Fraction| crate::repair::sample::at_sample(f).unwrap_or_else(|| f.clone());
+        let fixed = self
+            .fixed
+            .iter()
+            .map(|(name, value)| (name.clone(), at_sample(value)))
+            .collect();
+        let solved = self
+            .solved
+            .iter()
+            .map(|(symbol, value)| (symbol.clone(), at_sample(value)))
+            .collect();
+        Self {
+            fixed,
+            solved,
+            sampled: true,
             ..Self::new(self.declarations)
         }
     }
@@ -272,7 +302,7 @@ impl<'a> Evaluator<'a> {
             None => {}
         }
         if name == "pi" {
-            return Ok(Fraction::symbol(Symbol::Pi).into());
+            return Ok(self.leaf(Symbol::Pi).into());
         }
         // F'' is the second derivative of F by its first parameter.
         let base = name.trim_end_matches('\'');
@@ -309,10 +339,32 @@ impl<'a> Evaluator<'a> {
 
     /// A symbol, or the value that the given equations determine for it.
     fn leaf(&self, symbol: Symbol) -> Fraction {
-        self.solved
-            .get(&symbol)
-            .cloned()
-            .unwrap_or_else(|| Fraction::symbol(symbol))
+        if let Some(value) = self.solved.get(&symbol) {
+            return value.clone();
+        }
+        let replaced = self.sampled && !self.in_angle.get();
+        let number = if replaced {
+            crate::repair::sample::value(&symbol)
+        } else {
+            None
+        };
+        number.unwrap_or_else(|| Fraction::symbol(symbol))
+    }
+
+    /// Evaluates an argument of a sine, cosine or basis function, in which symbols stay symbols.
+    fn in_angle<T>(&self, inner: impl FnOnce() -> T) -> T {
+        let before = self.in_angle.replace(true);
+        let result = inner();
+        self.in_angle.set(before);
+        result
+    }
+
+    /// The value at the sample point, when sampling.
+    fn at_sample(&self, value: Fraction) -> Fraction {
+        if self.sampled && !self.in_angle.get() {
+            return crate::repair::sample::at_sample(&value).unwrap_or(value);
+        }
+        value
     }
 
     fn deeper<T>(&self, place: Place, inner: impl FnOnce() -> Outcome<T>) -> Outcome<T> {

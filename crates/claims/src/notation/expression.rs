@@ -65,10 +65,11 @@ pub fn expression_of(p: &Polynomial) -> Expr {
 
 /// `above / below * tail`, the sign apart.
 pub(super) fn ratio(above: &Factored, below: &Factored, tail: Option<Expr>) -> Summand {
+    let (above, below) = above.cancelled(below);
     let content = &above.content / &below.content;
     let negative = content.is_negative();
     let content = content.abs();
-    let mut factors = written(above);
+    let mut factors = written(&above);
     if below.factors.is_empty() {
         // 1/4*x*y
         if factors.is_empty() && tail.is_none() {
@@ -81,7 +82,7 @@ pub(super) fn ratio(above: &Factored, below: &Factored, tail: Option<Expr>) -> S
         let number = |n: &torse_algebra::Integer| coefficient(&Rational::from_integer(n.clone()));
         factors.splice(0..0, number(content.numer()));
         let mut divisors = number(content.denom());
-        divisors.extend(written(below));
+        divisors.extend(written(&below));
         factors = vec![product(factors).with(Operator::Divide, product(divisors))];
     }
     factors.extend(tail);

@@ -66,6 +66,24 @@ impl Factored {
             })
     }
 
+    /// Both without the factors that they share.
+    pub fn cancelled(&self, other: &Self) -> (Self, Self) {
+        let without = |own: &Self, other: &Self| {
+            let left = own.factors.iter().map(|(factor, exponent)| {
+                let shared = other.factors.iter().find(|(known, _)| known == factor);
+                (
+                    factor.clone(),
+                    exponent.saturating_sub(shared.map_or(0, |(_, n)| *n)),
+                )
+            });
+            Self {
+                content: own.content.clone(),
+                factors: left.filter(|(_, exponent)| *exponent > 0).collect(),
+            }
+        };
+        (without(self, other), without(other, self))
+    }
+
     fn multiply(&mut self, factor: Polynomial, exponent: u32) {
         match self.factors.iter_mut().find(|(known, _)| *known == factor) {
             Some((_, n)) => *n += exponent,

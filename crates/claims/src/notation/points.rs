@@ -80,11 +80,17 @@ fn best(family: &[Weighted], below: &Factored) -> Vec<Summand> {
     if total.is_zero() {
         let vectors = vectors(family, below);
         return vectors.into_iter().fold(plain, |best, other| {
-            if size(&other) < size(&best) { other } else { best }
+            if size(&other) < size(&best) {
+                other
+            } else {
+                best
+            }
         });
     }
     // With positive coefficients it is a blend of points, else a point and a vector, from either end.
-    let blend = family.iter().all(|(_, c)| Factored::of(c).content.is_positive());
+    let blend = family
+        .iter()
+        .all(|(_, c)| Factored::of(c).content.is_positive());
     let share = total
         .exact_quotient(&below.expanded())
         .and_then(|q| q.as_constant());
@@ -95,7 +101,11 @@ fn best(family: &[Weighted], below: &Factored) -> Vec<Summand> {
         .into_iter()
         .flat_map(|end| anchored(family, end, &total, &share, below))
         .fold(plain, |best, other| {
-            if size(&other) <= size(&best) { other } else { best }
+            if size(&other) <= size(&best) {
+                other
+            } else {
+                best
+            }
         })
 }
 
@@ -108,7 +118,10 @@ fn vectors(family: &[Weighted], below: &Factored) -> Vec<Vec<Summand>> {
         let shared = shared_terms(first, last);
         let of = |p: &Symbol, q: &Symbol| Target::Difference(p.clone(), q.clone());
         let parts = vec![
-            (Target::Second([a.clone(), b.clone(), c.clone()]), shared.clone()),
+            (
+                Target::Second([a.clone(), b.clone(), c.clone()]),
+                shared.clone(),
+            ),
             (of(a, b), first - &shared),
             (of(c, b), last - &shared),
         ];
@@ -119,7 +132,10 @@ fn vectors(family: &[Weighted], below: &Factored) -> Vec<Vec<Summand>> {
 
 /// The terms that two polynomials have in common.
 fn shared_terms(a: &Polynomial, b: &Polynomial) -> Polynomial {
-    let b: BTreeMap<_, _> = b.terms().map(|term| (term.powers, term.coefficient)).collect();
+    let b: BTreeMap<_, _> = b
+        .terms()
+        .map(|term| (term.powers, term.coefficient))
+        .collect();
     a.terms()
         .filter(|term| b.get(&term.powers) == Some(&term.coefficient))
         .map(|term| {
@@ -150,7 +166,11 @@ fn anchored(
     let mut terms = vec![ratio(&whole, &one, Some(symbol(anchor)))];
     family.retain(|(_, coefficient)| !coefficient.is_zero());
     let vector = vectors(&family, below);
-    terms.extend(vector.into_iter().min_by_key(|terms| sum(terms.clone()).size())?);
+    terms.extend(
+        vector
+            .into_iter()
+            .min_by_key(|terms| sum(terms.clone()).size())?,
+    );
     Some(terms)
 }
 
@@ -213,7 +233,9 @@ fn weighted(mut parts: Vec<(Target, Polynomial)>, below: &Factored) -> Vec<Summa
 fn content(all: &[Polynomial]) -> Rational {
     // All coefficients in one polynomial, kept apart by powers of a symbol of no name.
     let mark = Polynomial::named("");
-    let joined = all.iter().fold(Polynomial::zero(), |sum, p| &(&sum * &mark) + p);
+    let joined = all
+        .iter()
+        .fold(Polynomial::zero(), |sum, p| &(&sum * &mark) + p);
     joined.primitive().0.abs()
 }
 

@@ -160,14 +160,16 @@ impl Notation for Doubles<'_> {
             )),
             ("sum", [variable, from, to, body]) => Piece::atom(format!(
                 "({}..={}).map(|{}| {}).sum::<f64>()",
-                Integers.operand(from, Level::Power),
-                Integers.operand(to, Level::Power),
+                Integers.operand(from, Level::Sum),
+                Integers.operand(to, Level::Sum),
                 Integers.write(variable).text,
                 self.write(body).text
             )),
             ("D", [function, variable, order @ ..]) => {
                 let (function, variable) = (self.write(function).text, self.write(variable).text);
-                let order = order.first().map_or("1".to_owned(), |n| Integers.write(n).text);
+                let order = order
+                    .first()
+                    .map_or("1".to_owned(), |n| Integers.write(n).text);
                 Piece::atom(format!("derivative({function}, {variable}, {order})"))
             }
             _ => {
@@ -203,7 +205,7 @@ impl Notation for Doubles<'_> {
         };
         let right = match connective {
             Connective::And => Level::Not,
-            Connective::Or | Connective::Implies => Level::And,
+            Connective::Or | Connective::Implies => Level::Or,
         };
         let b = self.operand(b, right);
         Piece::new(level, format!("{a} {} {b}", self.connective(connective)))

@@ -47,10 +47,16 @@ fn a_number_is_pulled_out_only_where_that_is_shorter() {
 #[test]
 fn polynomials_are_factored_lightly() {
     // hermite-developable eq. (3.6): the determinant, printed in both forms.
-    assert_eq!(shown("-2176*k^5 + 4336*k^4 - 2160*k^3"), "-16*k^3*(136*k - 135)*(k - 1)");
+    assert_eq!(
+        shown("-2176*k^5 + 4336*k^4 - 2160*k^3"),
+        "-16*k^3*(136*k - 135)*(k - 1)"
+    );
     assert_eq!(shown("x*y + x + y + 1"), "(1 + x)*(1 + y)");
     assert_eq!(shown("x^2 + 2*x*y + y^2"), "(x + y)^2");
-    assert_eq!(shown("k^2 - 5*k + 6 + pi*k*mu - 2*pi*mu"), "(k - 2)*(k - 3 + pi*mu)");
+    assert_eq!(
+        shown("k^2 - 5*k + 6 + pi*k*mu - 2*pi*mu"),
+        "(k - 2)*(k - 3 + pi*mu)"
+    );
     assert_eq!(shown("2*x/(4*y*(1 - z)^2)"), "x/(2*y*(1 - z)^2)");
 }
 
@@ -85,6 +91,14 @@ fn families_stay_apart_and_what_has_no_point_stays_behind() {
         shown("(k - 2)*(P[0] - P[1]) + Q[1]*x - 7"),
         "(k - 2)*(P[0] - P[1]) + x*Q[1] - 7"
     );
+    assert_eq!(
+        shown("(nu*P[1] - mu*P[0])/(nu - 1)"),
+        "1/(1 - nu)*(mu*P[0] - nu*P[1])"
+    );
+    assert_eq!(
+        shown("k*(R[i]/(k - 2) - 2*Q[0])"),
+        "k/(k - 2)*R[i] - 2*k*Q[0]"
+    );
     assert_eq!(shown("a*P[0]*P[1] - b*P[0]"), "P[0]*(a*P[1] - b)");
     assert_eq!(
         shown("(1 + mu)*(P[0]*mu + P[1]*nu)/2/(1 - nu)"),
@@ -96,13 +110,28 @@ fn families_stay_apart_and_what_has_no_point_stays_behind() {
 fn any_value() -> impl Strategy<Value = Expr> {
     use Operator::{Add, Divide, Multiply, Subtract};
     let atoms = [
-        "k", "mu", "nu", "x", "pi", "sqrt(2)", "sin(pi/2*x)", "cos(pi/2*x)", "sin(y)", "Q[0]",
-        "Q[1]", "Q[k-1]", "R[i,1]", "R[2*i+1,1]", "1", "2", "6", "1/3",
+        "k",
+        "mu",
+        "nu",
+        "x",
+        "pi",
+        "sqrt(2)",
+        "sin(pi/2*x)",
+        "cos(pi/2*x)",
+        "sin(y)",
+        "Q[0]",
+        "Q[1]",
+        "Q[k-1]",
+        "R[i,1]",
+        "R[2*i+1,1]",
+        "1",
+        "2",
+        "6",
+        "1/3",
     ];
     let divisors = ["mu", "1 - mu", "k - 2", "3", "(1 + nu)*pi"];
-    let parsed = |texts: &[&str]| -> Vec<Expr> {
-        texts.iter().map(|text| parse(text).unwrap()).collect()
-    };
+    let parsed =
+        |texts: &[&str]| -> Vec<Expr> { texts.iter().map(|text| parse(text).unwrap()).collect() };
     let divisor = prop::sample::select(parsed(&divisors));
     prop::sample::select(parsed(&atoms)).prop_recursive(4, 20, 2, move |inner| {
         let operator = prop::sample::select(vec![Add, Subtract, Multiply, Multiply]);
@@ -113,7 +142,47 @@ fn any_value() -> impl Strategy<Value = Expr> {
     })
 }
 
+/// Vectors and affine combinations of control points over a common divisor.
+fn any_combination() -> impl Strategy<Value = Expr> {
+    use Operator::{Add, Divide, Multiply};
+    let parsed = |text: &str| parse(text).unwrap();
+    let differences = [
+        "Q[0] - Q[1]",
+        "Q[1] - Q[2]",
+        "Q[2] - Q[0]",
+        "R[k] - R[k-1]",
+        "Q[3] - Q[1]",
+    ];
+    let coefficients = [
+        "mu",
+        "1 - nu",
+        "k - 2",
+        "pi*(1 + mu)",
+        "-1/2",
+        "3",
+        "pi^2*nu/4",
+    ];
+    let difference = prop::sample::select(differences.map(parsed).to_vec());
+    let coefficient = prop::sample::select(coefficients.map(parsed).to_vec());
+    let term = (coefficient.clone(), coefficient.clone(), difference)
+        .prop_map(|(a, b, d)| a.with(Add, b).with(Multiply, d));
+    let divisor = prop::sample::select(["1", "mu - 1", "4*c", "k + pi"].map(parsed).to_vec());
+    let origin = prop::sample::select(["0", "Q[1]", "2*Q[0]", "mu*Q[2]"].map(parsed).to_vec());
+    (prop::collection::vec(term, 1..4), divisor, origin).prop_map(|(terms, divisor, origin)| {
+        let vector = terms.into_iter().reduce(|a, b| a.with(Add, b)).unwrap();
+        vector.with(Divide, divisor).with(Add, origin)
+    })
+}
+
 proptest! {
+    #[test]
+    fn the_formula_of_a_combination_of_points_has_its_value(formula in any_combination()) {
+        let exact = value(&formula);
+        let made = expression(&exact);
+        prop_assert_eq!(value(&made), exact, "{}", text(&made));
+        prop_assert_eq!(parse(&text(&made)).map(placeless), Ok(placeless(made)));
+    }
+
     #[test]
     fn the_formula_of_a_fraction_has_its_value(formula in any_value()) {
         let exact = value(&formula);
@@ -132,32 +201,5 @@ proptest! {
         let made = expression(&value(&formula));
         let read = parse(&text(&made)).map(placeless);
         prop_assert_eq!(read, Ok(placeless(made)));
-    }
-}
-
-#[test]
-fn slow() {
-    use proptest::strategy::ValueTree;
-    use proptest::test_runner::*;
-    let mut worst = 0;
-    for seed in 0..40u8 {
-        let mut runner = TestRunner::new_with_rng(Default::default(), TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]));
-        for _ in 0..100 {
-            let e = any_value().new_tree(&mut runner).unwrap().current();
-            std::fs::write("/tmp/not-ws/now.txt", format!("value {}", text(&e))).unwrap();
-            let t = std::time::Instant::now();
-            let v = value(&e);
-            let t1 = t.elapsed().as_millis();
-            std::fs::write("/tmp/not-ws/now.txt", format!("expr {}", text(&e))).unwrap();
-            let made = expression(&v);
-            let t2 = t.elapsed().as_millis() - t1;
-            std::fs::write("/tmp/not-ws/now.txt", format!("back {}\n {}", text(&e), text(&made))).unwrap();
-            let b = value(&made);
-            let t3 = t.elapsed().as_millis() - t1 - t2;
-            std::fs::write("/tmp/not-ws/now.txt", format!("eq {}\n {}", text(&e), text(&made))).unwrap();
-            assert_eq!(b, v);
-            let t4 = t.elapsed().as_millis() - t1 - t2 - t3;
-            if t.elapsed().as_millis() > worst { worst = t.elapsed().as_millis(); println!("{t1} {t2} {t3} {t4}: {}\n    {}", text(&e), text(&made)); }
-        }
     }
 }

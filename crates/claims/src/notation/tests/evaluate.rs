@@ -10,13 +10,15 @@ pub(super) fn value(expr: &Expr) -> Fraction {
         Node::Name(name) if name == "pi" => Fraction::symbol(Symbol::Pi),
         Node::Name(name) => Fraction::named(name),
         Node::Index(head, indices) => {
-            let [name] = head.names()[..] else { panic!("{head:?}") };
+            let [name] = head.names()[..] else {
+                panic!("{head:?}")
+            };
             Fraction::symbol(Symbol::indexed(name, indices.iter().map(index).collect()))
         }
         Node::Call(head, arguments) => match (head.names()[0], &arguments[..]) {
-            ("sqrt", [x]) => {
-                Polynomial::square_root(&value(x).as_rational().unwrap()).unwrap().into()
-            }
+            ("sqrt", [x]) => Polynomial::square_root(&value(x).as_rational().unwrap())
+                .unwrap()
+                .into(),
             ("sin", [x]) => value(x).sine_cosine().unwrap().0,
             ("cos", [x]) => value(x).sine_cosine().unwrap().1,
             other => panic!("{other:?}"),
@@ -51,9 +53,7 @@ fn index(expr: &Expr) -> Affine {
         Node::Negative(inner) => index(inner) * -1,
         Node::Binary(Operator::Add, a, b) => index(a) + index(b),
         Node::Binary(Operator::Subtract, a, b) => index(a) - index(b),
-        Node::Binary(Operator::Multiply, a, b) => {
-            index(b) * index(a).as_number().unwrap()
-        }
+        Node::Binary(Operator::Multiply, a, b) => index(b) * index(a).as_number().unwrap(),
         other => panic!("{other:?}"),
     }
 }

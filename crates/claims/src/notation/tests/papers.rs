@@ -108,7 +108,7 @@ fn names_are_set_as_letters_subscripts_and_words() {
     sets(
         "norm(p0_u - length*q)^2 == sqrt(2)/2*binom(k, i)*2^k*x_start*lambda''^2",
         "norm(p_(0, u) - \"length\" q)^2 = frac(sqrt(2), 2) binom(k, i) dot.op 2^k x_(\"start\") (lambda'')^2",
-        r"\lVert p_{0, u} - \mathrm{length} \, q \rVert^2 = \frac{\sqrt{2}}{2} \binom{k}{i} \cdot 2^k \, x_{\mathrm{start}} (\lambda'')^2",
+        r"\lVert p_{0, u} - \mathrm{length} \, q \rVert^2 = \frac{\sqrt{2}}{2} \binom{k}{i} \cdot 2^k \, x_{\mathrm{start}} \, (\lambda'')^2",
     );
     sets(
         "error(x) == 45.708*x - a/b - (-(c/d))",

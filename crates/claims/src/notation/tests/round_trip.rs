@@ -20,7 +20,10 @@ fn atom() -> impl Strategy<Value = Node> {
     ]);
     prop_oneof![
         names.prop_map(|name| Node::Name(name.to_owned())),
-        (0..100i64).prop_map(|n| Node::Number { value: integer(n), decimals: None }),
+        (0..100i64).prop_map(|n| Node::Number {
+            value: integer(n),
+            decimals: None
+        }),
         (0..10_000i64, 1..4u32).prop_map(|(n, places)| Node::Number {
             value: ratio(n, 10i64.pow(places)).unwrap(),
             decimals: Some(places),
@@ -35,24 +38,26 @@ fn any_expr() -> impl Strategy<Value = Expr> {
     let operator = prop::sample::select(vec![Add, Subtract, Multiply, Divide, Power]);
     let relation = prop::sample::select(vec![Equal, Different, Less, AtMost, Greater, AtLeast]);
     let connective = prop::sample::select(vec![And, Or, Implies]);
-    atom().prop_map(Expr::made).prop_recursive(5, 40, 4, move |inner| {
-        let some = prop::collection::vec(inner.clone(), 1..4);
-        let boxed = inner.clone().prop_map(Box::new);
-        prop_oneof![
-            2 => (boxed.clone(), some.clone()).prop_map(|(f, x)| Node::Call(f, x)),
-            1 => (boxed.clone(), some.clone()).prop_map(|(f, i)| Node::Index(f, i)),
-            2 => boxed.clone().prop_map(Node::Negative),
-            8 => (operator.clone(), boxed.clone(), boxed.clone())
-                .prop_map(|(o, a, b)| Node::Binary(o, a, b)),
-            1 => some.prop_map(Node::List),
-            1 => (boxed.clone(), prop::collection::vec((relation.clone(), inner), 1..3))
-                .prop_map(|(a, rest)| Node::Compare(a, rest)),
-            1 => (connective.clone(), boxed.clone(), boxed.clone())
-                .prop_map(|(c, a, b)| Node::Join(c, a, b)),
-            1 => boxed.prop_map(Node::Not),
-        ]
+    atom()
         .prop_map(Expr::made)
-    })
+        .prop_recursive(5, 40, 4, move |inner| {
+            let some = prop::collection::vec(inner.clone(), 1..4);
+            let boxed = inner.clone().prop_map(Box::new);
+            prop_oneof![
+                2 => (boxed.clone(), some.clone()).prop_map(|(f, x)| Node::Call(f, x)),
+                1 => (boxed.clone(), some.clone()).prop_map(|(f, i)| Node::Index(f, i)),
+                2 => boxed.clone().prop_map(Node::Negative),
+                8 => (operator.clone(), boxed.clone(), boxed.clone())
+                    .prop_map(|(o, a, b)| Node::Binary(o, a, b)),
+                1 => some.prop_map(Node::List),
+                1 => (boxed.clone(), prop::collection::vec((relation.clone(), inner), 1..3))
+                    .prop_map(|(a, rest)| Node::Compare(a, rest)),
+                1 => (connective.clone(), boxed.clone(), boxed.clone())
+                    .prop_map(|(c, a, b)| Node::Join(c, a, b)),
+                1 => boxed.prop_map(Node::Not),
+            ]
+            .prop_map(Expr::made)
+        })
 }
 
 /// Whether every bracket that opens is closed by its kind.
@@ -117,7 +122,10 @@ fn a_made_number_that_is_no_decimal_is_written_as_a_quotient() {
 
 #[test]
 fn a_sum_of_many_thousand_terms_is_written() {
-    let long = (0..20_000).map(|i| format!("x{i}")).collect::<Vec<_>>().join(" + ");
+    let long = (0..20_000)
+        .map(|i| format!("x{i}"))
+        .collect::<Vec<_>>()
+        .join(" + ");
     let mut sum = Expr::name("x0");
     for i in 1..20_000 {
         sum = sum.with(Operator::Add, Expr::name(&format!("x{i}")));

@@ -1,0 +1,43 @@
+//! Fast refutation of candidate corrections at a pseudo-random point.
+//!
+//! Every symbol is replaced by an integer that depends on its name alone, sine and cosine by a rational
+//! point of the unit circle, pi by a number like any other (it is transcendental, so an identity in it
+//! is an identity in a variable). A candidate that differs there is no correction; one that agrees is
+//! only a candidate and still has to be proved.
+
+use torse_algebra::rational::integer;
+use torse_algebra::{Fraction, Rational, Symbol};
+
+/// The number that stands for a symbol (Fowler-Noll-Vo hash of its text).
+fn number(symbol: &Symbol) -> Rational {
+    let hash = symbol
+        .to_string()
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        });
+    integer(i64::try_from(hash % 9_973).unwrap_or(0) + 11)
+}
+
+/// The value of a symbol at the sample point.
+#[must_use]
+pub fn value(symbol: &Symbol) -> Option<Fraction> {
+    // ((1 - t^2)/(1 + t^2), 2t/(1 + t^2)) is on the unit circle.
+    let circle = |name: &std::sync::Arc<str>, angle| {
+        let t = number(&Symbol::Cos(name.clone(), angle));
+        let below = integer(1) + &t * &t;
+        ((integer(1) - &t * &t) / &below, integer(2) * t / below)
+    };
+    Some(match symbol {
+        Symbol::Root(_) => return None,
+        Symbol::Sin(name, angle) => circle(name, *angle).1.into(),
+        Symbol::Cos(name, angle) => circle(name, *angle).0.into(),
+        other => number(other).into(),
+    })
+}
+
+/// The fraction at the sample point; none where a divisor vanishes there.
+#[must_use]
+pub fn at_sample(fraction: &Fraction) -> Option<Fraction> {
+    fraction.substituted(value).ok()
+}
