@@ -1,6 +1,6 @@
 //! Formulas written out: the derivation language, Typst, LaTeX, Rust and SymPy.
 //!
-//! One walk ([`walk`](self)) decides brackets by precedence, a notation only says how each construct
+//! One walk over the tree decides brackets by precedence, a notation only says how each construct
 //! looks. What is written in the derivation language is read back as the same tree, so that every
 //! formula the engine shows can be put into a file.
 //!

@@ -1,10 +1,6 @@
 //! Rust code in doubles.
 //!
-//! Names that occur in an index, in the range of a sum or in a binomial are `i32` variables, every
-//! other name is an `f64` (or a point with the same operators). Members of a family of functions are
-//! called with the index, `g(i, k, x)`. Functions of vectors (`dot`, `det`, ...), `binom` and
-//! derivatives (`H''` and `D(H, x, 2)` at a point are `H_d2`, others `derivative(f, x, n)`) are left to
-//! whoever uses the code.
+//! The convention is stated at [`rust()`].
 
 use super::names::identifier;
 use super::walk::{Level, Notation, Piece, member, named_call, plain_integer, plain_name};
@@ -238,7 +234,13 @@ fn integers(expr: &Expr) -> BTreeSet<&str> {
     found
 }
 
-/// The formula as Rust code in doubles; see the source for what is left to supply.
+/// The formula as Rust code in doubles.
+///
+/// Names that occur in an index, in the range of a sum or in a binomial are `i32` variables, every
+/// other name is an `f64` (or a point with the same operators). Members of a family of functions are
+/// called with the index, `g(i, k, x)`. Functions of vectors (`dot`, `det`, ...), `binom` and
+/// derivatives (`H''` and `D(H, x, 2)` at a point are `H_d2`, others `derivative(f, x, n)`) are left to
+/// whoever uses the code.
 ///
 /// ```
 /// use torse_claims::{notation, syntax::parse};

@@ -1,7 +1,4 @@
 //! SymPy code, exact: quotients and decimals become rationals, never floats.
-//!
-//! Points of a family are indexed (`R[k - 2]`, an `IndexedBase`), members of a family of functions are
-//! called with the index (`g(i, k, x)`), lists are matrices, `H''` is `H_d2`.
 
 use super::names::identifier;
 use super::walk::{Level, Notation, Piece, member, named_call, plain_integer, plain_name};
@@ -166,7 +163,10 @@ impl Notation for Sympy {
     }
 }
 
-/// The formula as SymPy code.
+/// The formula as SymPy code, exact: no number becomes a float.
+///
+/// Points of a family are indexed (`R[k - 2]`, an `IndexedBase`), members of a family of functions are
+/// called with the index (`g(i, k, x)`), lists are matrices, `H''` is `H_d2`.
 ///
 /// ```
 /// use torse_claims::{notation, syntax::parse};
