@@ -1,0 +1,77 @@
+//! Deciding claims, with progress on the terminal.
+
+use crate::exit::Failure;
+use crate::terminal::Progress;
+use rayon::prelude::*;
+use std::time::{Duration, Instant};
+use torse_claims::derivation::Paper;
+use torse_claims::engine::decide_claim;
+use torse_claims::{Outcome, PaperOutcome};
+
+/// The outcomes of a run, and how long each claim took.
+pub struct Run {
+    /// The papers with their decided claims, in file order.
+    pub papers: Vec<PaperOutcome>,
+    /// Ids and times, in file order.
+    pub timings: Vec<(String, Duration)>,
+}
+
+impl Run {
+    /// Decides all claims of `papers`, of all papers at once.
+    pub fn of(papers: &[Paper]) -> Result<Self, Failure> {
+        let claims: Vec<_> = papers
+            .iter()
+            .flat_map(|paper| paper.claims.iter().map(|claim| (&paper.head.id, claim)))
+            .collect();
+        let progress = Progress::new("deciding", claims.len());
+        let decided: Vec<_> = claims
+            .par_iter()
+            .map(|(slug, claim)| {
+                let start = Instant::now();
+                let outcome = decide_claim(slug, claim);
+                progress.step();
+                outcome.map(|outcome| (outcome, start.elapsed()))
+            })
+            .collect();
+        progress.finish();
+        // Collected first and looked at in file order, so that the first mistake told is always the same.
+        let mut decided = decided.into_iter();
+        let mut run = Run {
+            papers: Vec::with_capacity(papers.len()),
+            timings: Vec::with_capacity(claims.len()),
+        };
+        for paper in papers {
+            let mut outcomes = Vec::with_capacity(paper.claims.len());
+            for decision in decided.by_ref().take(paper.claims.len()) {
+                let (outcome, time) = decision?;
+                run.timings.push((outcome.id.clone(), time));
+                outcomes.push(outcome);
+            }
+            run.papers.push(PaperOutcome {
+                slug: paper.head.id.clone(),
+                title: paper.head.title.clone(),
+                authors: paper.head.authors.clone(),
+                venue: paper.head.venue.clone(),
+                claims: outcomes,
+            });
+        }
+        Ok(run)
+    }
+
+    /// All outcomes, in file order.
+    pub fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
+        self.papers.iter().flat_map(|paper| &paper.claims)
+    }
+
+    /// The slowest claims, slowest first.
+    pub fn slowest(&self, count: usize) -> Vec<(&str, Duration)> {
+        let mut slowest: Vec<_> = self
+            .timings
+            .iter()
+            .map(|(id, time)| (id.as_str(), *time))
+            .collect();
+        slowest.sort_by_key(|(_, time)| std::cmp::Reverse(*time));
+        slowest.truncate(count);
+        slowest
+    }
+}

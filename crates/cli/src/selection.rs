@@ -1,0 +1,153 @@
+//! The claims that the user names.
+//!
+//! A name is a paper (`gbt-developable`), a claim (`gbt-developable/thm-4.c`), or what the ids of several
+//! claims begin with, up to the end of a word: `gbt-developable/thm-4` means `thm-4.a`, `thm-4.b` and
+//! `thm-4.c`, and not `thm-40`.
+
+use crate::exit::Failure;
+use torse_claims::derivation::{Claim, Paper};
+
+/// The claims of `papers` that one of `names` means, or all if there is none, in file order.
+pub fn select(papers: Vec<Paper>, names: &[String]) -> Result<Vec<Paper>, Failure> {
+    for name in names {
+        if !ids(&papers).any(|id| means(name, id)) {
+            return Err(unknown(&papers, name));
+        }
+    }
+    if names.is_empty() {
+        return Ok(papers);
+    }
+    let kept = papers.into_iter().map(|paper| {
+        let wanted = |claim: &Claim| {
+            names
+                .iter()
+                .any(|name| means(name, claim.entry.id.get_ref()))
+        };
+        Paper {
+            claims: paper.claims.into_iter().filter(wanted).collect(),
+            ..paper
+        }
+    });
+    Ok(kept.filter(|paper| !paper.claims.is_empty()).collect())
+}
+
+/// The one claim that `name` means, with its paper's other claims left out.
+pub fn select_one(papers: Vec<Paper>, name: &str) -> Result<Paper, Failure> {
+    let exact = ids(&papers).any(|id| id == name);
+    let mut selected = select(papers, &[name.to_owned()])?;
+    for paper in &mut selected {
+        let own = |claim: &Claim| !exact || claim.entry.id.get_ref() == name;
+        paper.claims.retain(own);
+    }
+    let found: Vec<String> = ids(&selected).map(str::to_owned).collect();
+    match (selected.pop(), found.as_slice()) {
+        (Some(paper), [_]) => Ok(paper),
+        _ => Err(Failure::Ambiguous {
+            name: name.to_owned(),
+            ids: found,
+        }),
+    }
+}
+
+/// Fails unless every name is the slug of a paper.
+pub fn check_papers(papers: &[Paper], names: &[String]) -> Result<(), Failure> {
+    let is_paper = |name: &String| papers.iter().any(|paper| paper.head.id == *name);
+    match names.iter().find(|name| !is_paper(name)) {
+        Some(name) => Err(Failure::UnknownName {
+            name: name.clone(),
+            help: format!("the papers are {}", slugs(papers)),
+        }),
+        None => Ok(()),
+    }
+}
+
+fn ids(papers: &[Paper]) -> impl Iterator<Item = &str> {
+    papers
+        .iter()
+        .flat_map(|paper| &paper.claims)
+        .map(|claim| claim.entry.id.get_ref().as_str())
+}
+
+fn means(name: &str, id: &str) -> bool {
+    let name = name.strip_suffix('/').unwrap_or(name);
+    match id.strip_prefix(name) {
+        Some(rest) => !name.is_empty() && !rest.starts_with(char::is_alphanumeric),
+        None => false,
+    }
+}
+
+fn slugs(papers: &[Paper]) -> String {
+    let slugs: Vec<&str> = papers.iter().map(|paper| paper.head.id.as_str()).collect();
+    slugs.join(", ")
+}
+
+fn unknown(papers: &[Paper], name: &str) -> Failure {
+    let names = ids(papers).chain(papers.iter().map(|paper| paper.head.id.as_str()));
+    let nearest = names.min_by_key(|known| distance(known, name));
+    // Half of the letters wrong is no slip of the pen.
+    let meant = nearest.filter(|known| 2 * distance(known, name) <= known.chars().count());
+    let help = match meant {
+        Some(known) => format!("did you mean `{known}`?"),
+        None => format!(
+            "`torse verify` lists all claims; the papers are {}",
+            slugs(papers)
+        ),
+    };
+    Failure::UnknownName {
+        name: name.to_owned(),
+        help,
+    }
+}
+
+/// How many letters to insert, delete or replace to make one word of the other (Levenshtein).
+fn distance(a: &str, b: &str) -> usize {
+    // Longer names are nobody's ids, and the work is the product of the lengths.
+    let b: Vec<char> = b.chars().take(200).collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut corner = i;
+        let mut left = i + 1;
+        for (cell, y) in row.iter_mut().skip(1).zip(&b) {
+            let replaced = corner + usize::from(x != *y);
+            corner = *cell;
+            left = replaced.min(left + 1).min(*cell + 1);
+            *cell = left;
+        }
+        if let Some(first) = row.first_mut() {
+            *first = i + 1;
+        }
+    }
+    row.last().copied().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_count_the_edits() {
+        for (a, b, edits) in [
+            ("", "", 0),
+            ("", "abc", 3),
+            ("abc", "", 3),
+            ("kitten", "sitting", 3),
+            ("thm-4.c", "thm-4c", 1),
+            ("flaw", "lawn", 2),
+        ] {
+            assert_eq!(distance(a, b), edits, "{a} {b}");
+            assert_eq!(distance(b, a), edits, "{b} {a}");
+        }
+    }
+
+    #[test]
+    fn a_name_means_the_ids_that_continue_it_at_the_end_of_a_word() {
+        assert!(means("p/thm-4", "p/thm-4"));
+        assert!(means("p/thm-4", "p/thm-4.c"));
+        assert!(means("p", "p/thm-4.c"));
+        assert!(means("p/", "p/thm-4.c"));
+        assert!(!means("p/thm-4", "p/thm-40"));
+        assert!(!means("thm-4", "p/thm-4"));
+        assert!(!means("", "p/thm-4"));
+        assert!(!means("/", "p/thm-4"));
+    }
+}

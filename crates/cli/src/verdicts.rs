@@ -1,0 +1,142 @@
+//! The verdicts as text: a table a paper, counts, and the findings in full.
+
+use crate::terminal;
+use comfy_table::{CellAlignment, ColumnConstraint, Row};
+use std::collections::BTreeMap;
+use torse_claims::{Outcome, PaperOutcome};
+use torse_report::{Tally, model::Report, words};
+
+/// The verdicts of `papers`.
+pub fn text(papers: &[PaperOutcome]) -> String {
+    let findings: BTreeMap<String, String> = papers
+        .iter()
+        .flat_map(|paper| Report::new(paper, &[]).findings)
+        .map(|finding| (finding.id, finding.text))
+        .collect();
+    let mut text = String::new();
+    for paper in papers {
+        text.push_str(&verdicts(paper, &findings));
+        text.push('\n');
+    }
+    text.push_str(&counts(papers));
+    let outcomes = || papers.iter().flat_map(|paper| &paper.claims);
+    text.push_str(&in_full(outcomes(), &findings));
+    text.push_str(&unexpected(outcomes()));
+    text
+}
+
+fn verdicts(paper: &PaperOutcome, findings: &BTreeMap<String, String>) -> String {
+    let mut table = terminal::table();
+    table.set_header([
+        "claim",
+        "verdict",
+        "evidence",
+        "finding, or where it stands",
+    ]);
+    for outcome in &paper.claims {
+        let name = outcome.id.split_once('/').map_or("", |(_, name)| name);
+        let told = findings.get(&outcome.id).unwrap_or(&outcome.at);
+        let mut row = Row::from([
+            name,
+            &terminal::verdict(outcome.verdict),
+            evidence(outcome),
+            told,
+        ]);
+        row.max_height(1);
+        table.add_row(row);
+    }
+    for column in table.column_iter_mut().take(3) {
+        column.set_constraint(ColumnConstraint::ContentWidth);
+    }
+    let slug = terminal::heading(&format!("{}/", paper.slug));
+    format!("{slug}  {}\n{}", paper.title, terminal::lines(&table))
+}
+
+fn evidence(outcome: &Outcome) -> &'static str {
+    outcome.evidence.map_or("", |of| words::evidence(of).label)
+}
+
+fn counts(papers: &[PaperOutcome]) -> String {
+    let all: Vec<Outcome> = papers.iter().flat_map(|p| p.claims.clone()).collect();
+    let tally = Tally::new(&all);
+    let mut table = terminal::table();
+    let mut header = vec!["verdict".to_owned(), "claims".to_owned()];
+    header.extend(tally.evidence.iter().map(|of| of.label.to_owned()));
+    header.push("no evidence needed".to_owned());
+    table.set_header(header);
+    let number = |count: usize| match count {
+        0 => String::new(),
+        _ => count.to_string(),
+    };
+    for row in &tally.rows {
+        let mut cells = vec![row.verdict.label.to_owned(), number(row.count)];
+        cells.extend(row.by_evidence.iter().copied().map(number));
+        cells.push(number(row.without));
+        table.add_row(cells);
+    }
+    for column in table.column_iter_mut().skip(1) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    let title = terminal::heading(&counted(tally.total, "claim"));
+    format!("{title}\n{}", terminal::lines(&table))
+}
+
+fn in_full<'a>(
+    outcomes: impl Iterator<Item = &'a Outcome>,
+    findings: &BTreeMap<String, String>,
+) -> String {
+    let mut text = String::new();
+    let told = outcomes.filter_map(|outcome| Some((outcome, findings.get(&outcome.id)?)));
+    for (outcome, finding) in told {
+        let mut table = terminal::table();
+        table.add_row([finding]);
+        if let Some(column) = table.column_mut(0) {
+            column.set_padding((4, 0));
+        }
+        text.push_str(&format!(
+            "{}  {}\n{}",
+            terminal::heading(&outcome.id),
+            outcome.at,
+            terminal::lines(&table)
+        ));
+    }
+    match text.is_empty() {
+        true => text,
+        false => format!(
+            "\n{} (`torse explain ID` says more)\n{text}",
+            terminal::heading("Findings")
+        ),
+    }
+}
+
+fn unexpected<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
+    let differing: Vec<String> = outcomes
+        .filter(|outcome| !outcome.as_expected())
+        .filter_map(|outcome| {
+            let expected = words::verdict(outcome.expect?).label;
+            let verdict = terminal::verdict(outcome.verdict);
+            Some(format!(
+                "  {}: {verdict}, expected {expected}\n",
+                outcome.id
+            ))
+        })
+        .collect();
+    match differing.len() {
+        0 => String::new(),
+        1 => format!(
+            "\n1 verdict is not the expected one\n{}",
+            differing.concat()
+        ),
+        many => format!(
+            "\n{many} verdicts are not the expected ones\n{}",
+            differing.concat()
+        ),
+    }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        _ => format!("{count} {what}s"),
+    }
+}

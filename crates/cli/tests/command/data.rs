@@ -1,0 +1,142 @@
+//! Wrong and hostile derivation files: each ends soon, with a message that shows the place.
+
+use crate::support::{Ran, claim, mini, on};
+
+/// Asserts that a file of claims is refused with a message, a place in the file, and a caret there.
+fn refused(claims: &str, message: &str, line: usize) -> Ran {
+    let folder = mini(claims);
+    let ran = on(folder.path(), &["verify"]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(4), ""), "{}", ran.err);
+    assert!(ran.err.contains(message), "{}", ran.err);
+    assert!(
+        ran.err.contains(&format!("mini/claims.toml:{line}:")),
+        "{}",
+        ran.err
+    );
+    assert!(ran.err.contains('^'), "{}", ran.err);
+    ran
+}
+
+/// The column at which the caret of a message begins, counted from 0 within the line of the file.
+fn caret(ran: &Ran) -> usize {
+    let lines: Vec<&str> = ran.err.lines().collect();
+    let position = lines.iter().position(|line| line.contains('^')).unwrap();
+    let column = |line: &str, of: char| line.chars().position(|c| c == of).unwrap();
+    column(lines[position], '^') - column(lines[position - 1], '│') - 2
+}
+
+#[test]
+fn an_unknown_name_is_shown_at_its_place() {
+    let ran = refused(&claim("a", "x + why == 0", ""), "why", 6);
+    assert_eq!(caret(&ran), "states = 'x + ".len());
+}
+
+#[test]
+fn an_unbalanced_bracket_is_shown_at_its_place() {
+    refused(&claim("a", "(x + 1 == 2", ""), "", 6);
+    let ran = refused(&claim("a", "x + 1) == 2", ""), "", 6);
+    assert_eq!(caret(&ran), "states = 'x + 1".len());
+}
+
+#[test]
+fn an_index_outside_its_family_is_shown_at_its_place() {
+    let ran = refused(&claim("a", "P[0] == P[4]", ""), "4", 6);
+    assert!(caret(&ran) >= "states = 'P[0] == ".len(), "{}", ran.err);
+}
+
+#[test]
+fn a_missing_field_is_named() {
+    refused(
+        "[[claim]]\nid = \"mini/a\"\nat = \"Sect. 1\"\nkind = \"identity\"\nstates = 'x == x'\n",
+        "printed",
+        1,
+    );
+}
+
+#[test]
+fn a_claim_that_states_nothing_is_shown_with_what_would_help() {
+    let silent =
+        "[[claim]]\nid = \"mini/a\"\nat = \"Sect. 1\"\nkind = \"identity\"\nprinted = \"x\"\n";
+    let ran = refused(silent, "states nothing", 2);
+    assert!(ran.err.contains("add `states"), "{}", ran.err);
+}
+
+#[test]
+fn an_unknown_field_a_repeated_id_and_broken_toml_are_refused() {
+    refused(&claim("a", "x == x", "asume = [\"x > 0\"]"), "asume", 7);
+    let twice = [claim("a", "x == x", ""), claim("a", "x == 1", "")].concat();
+    refused(&twice, "used twice", 9);
+    refused(&claim("a", "x == x", "note = \"open"), "", 7);
+}
+
+#[test]
+fn a_huge_exponent_ends_in_a_verdict_with_a_reason() {
+    let powers = [
+        "x^999999999 == x",
+        "x^99999999999999999999999999 == x",
+        "(x + 1)^5000 == 0",
+    ];
+    for (number, power) in powers.into_iter().enumerate() {
+        let folder = mini(&claim("a", power, ""));
+        let ran = on(folder.path(), &["verify", "mini/a"]);
+        assert!(
+            matches!(ran.code, Some(0 | 3 | 4)),
+            "{number}: {:?} {}",
+            ran.code,
+            ran.err
+        );
+        assert!(!(ran.out.clone() + &ran.err).is_empty());
+    }
+}
+
+#[test]
+fn deep_brackets_are_refused_at_their_place() {
+    let depth = 100_000;
+    let deep = format!("{}x{} == x", "(".repeat(depth), ")".repeat(depth));
+    refused(&claim("a", &deep, ""), "deep", 6);
+    refused(
+        &claim("a", &format!("{}x == x", "-".repeat(depth)), ""),
+        "deep",
+        6,
+    );
+}
+
+#[test]
+fn definitions_in_a_circle_are_refused() {
+    let circle = format!(
+        "[define]\na = 'b + 1'\nb = 'a + 1'\n\n{}",
+        claim("a", "a == x", "")
+    );
+    let folder = mini(&circle);
+    let ran = on(folder.path(), &["verify"]);
+    assert_eq!(ran.code, Some(4), "{}", ran.err);
+    assert!(
+        ran.err.contains("mini/claims.toml:") && ran.err.contains('^'),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn endless_sums_and_towers_of_definitions_end() {
+    let tower = (1..40).map(|n| format!("a{n} = 'a{}*a{}'\n", n - 1, n - 1));
+    let tower = format!("[define]\na0 = 'x + 1'\n{}\n", tower.collect::<String>());
+    for claims in [
+        claim("a", "sum(i, 0, 10^12, i) == 0", ""),
+        claim(
+            "a",
+            "sum(i, 0, 300, sum(j, 0, 300, sum(n, 0, 300, x^i*j*n))) == 0",
+            "",
+        ),
+        tower + &claim("a", "a39 == 0", ""),
+    ] {
+        let folder = mini(&claims);
+        let ran = on(folder.path(), &["verify", "mini/a"]);
+        assert!(
+            matches!(ran.code, Some(0 | 3 | 4)),
+            "{:?} {}",
+            ran.code,
+            ran.err
+        );
+    }
+}

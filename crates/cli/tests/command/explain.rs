@@ -1,0 +1,81 @@
+//! `torse explain`.
+
+use crate::support::{claim, mini, on};
+
+#[test]
+fn a_refuted_claim_is_explained_with_both_sides_at_a_point() {
+    let wrong = claim(
+        "wrong",
+        "(x + 1)^2 == x^2 + 3*x + 1",
+        "uses = [\"mini/right\"]",
+    );
+    let folder = mini(&[claim("right", "x == x", ""), wrong].concat());
+    let ran = on(folder.path(), &["explain", "mini/wrong"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    for label in [
+        "printed",
+        "understood",
+        "verdict",
+        "evidence",
+        "fails at",
+        "left there",
+        "right there",
+        "left - right",
+        "uses",
+    ] {
+        assert!(
+            ran.out
+                .lines()
+                .any(|line| line.trim_start().starts_with(label)),
+            "{label}: {}",
+            ran.out
+        );
+    }
+    let used = on(folder.path(), &["explain", "mini/right"]);
+    assert!(
+        used.out.contains("used by") && used.out.contains("mini/wrong"),
+        "{}",
+        used.out
+    );
+}
+
+#[test]
+fn a_name_of_several_claims_is_refused_with_the_list() {
+    let folder = mini(
+        &["eq-1.a", "eq-1.b"]
+            .map(|name| claim(name, "x == x", ""))
+            .concat(),
+    );
+    let ran = on(folder.path(), &["explain", "mini/eq-1"]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
+    assert!(
+        ran.err.contains("mini/eq-1.a") && ran.err.contains("mini/eq-1.b"),
+        "{}",
+        ran.err
+    );
+    assert_eq!(on(folder.path(), &["explain", "mini/eq-1.a"]).code, Some(0));
+}
+
+#[test]
+fn an_id_that_others_continue_means_itself() {
+    let folder = mini(
+        &["eq-1", "eq-1.b"]
+            .map(|name| claim(name, "x == x", ""))
+            .concat(),
+    );
+    let ran = on(folder.path(), &["explain", "mini/eq-1"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    assert!(ran.out.starts_with("mini/eq-1\n"), "{}", ran.out);
+}
+
+#[test]
+fn a_long_formula_is_cut_where_asked() {
+    let folder = mini(&claim("long", "sum(i, 0, 9, (x + i)^2) == 0", ""));
+    let short = on(folder.path(), &["explain", "mini/long", "--longest", "20"]);
+    assert!(short.out.contains("characters: --longest"), "{}", short.out);
+    let whole = on(
+        folder.path(),
+        &["explain", "mini/long", "--longest", "100000"],
+    );
+    assert!(!whole.out.contains("--longest"), "{}", whole.out);
+}

@@ -1,0 +1,95 @@
+//! Running the binary, and folders of derivations to run it on.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
+use tempfile::TempDir;
+
+/// No run of these tests may take longer, whatever it is fed with.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// How a run ended.
+pub struct Ran {
+    pub code: Option<i32>,
+    pub out: String,
+    pub err: String,
+}
+
+/// Runs `torse` with these arguments, in a folder that has no derivations above it.
+pub fn torse<S: AsRef<OsStr>>(arguments: &[S]) -> Ran {
+    let nowhere = TempDir::new().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_torse"));
+    command.args(arguments).current_dir(nowhere.path());
+    let (sender, receiver) = mpsc::channel();
+    thread::spawn(move || sender.send(command.output()));
+    let output = receiver
+        .recv_timeout(PATIENCE)
+        .expect("it did not end")
+        .unwrap();
+    Ran {
+        code: output.status.code(),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// The derivations of the repository.
+pub fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../derivations")
+}
+
+/// A copy of the repository's derivations to change.
+pub fn copy_of_repository() -> TempDir {
+    let copy = TempDir::new().unwrap();
+    for paper in fs::read_dir(repository()).unwrap().flatten() {
+        if paper.path().is_dir() {
+            let folder = copy.path().join(paper.file_name());
+            fs::create_dir(&folder).unwrap();
+            for file in fs::read_dir(paper.path()).unwrap().flatten() {
+                fs::copy(file.path(), folder.join(file.file_name())).unwrap();
+            }
+        }
+    }
+    copy
+}
+
+/// A folder of derivations with one paper `mini` and this file of claims, over a symbol `x` in [0, 1].
+pub fn mini(claims: &str) -> TempDir {
+    let folder = TempDir::new().unwrap();
+    let paper = folder.path().join("mini");
+    fs::create_dir(&paper).unwrap();
+    let head = r#"
+[paper]
+id = "mini"
+title = "A small paper"
+authors = "N. N."
+venue = "Nowhere 1"
+claims = ["claims.toml"]
+
+[symbols]
+x = { in = "[0, 1]" }
+P = { family = 3, indices = ["0..3"] }
+"#;
+    fs::write(paper.join("paper.toml"), head).unwrap();
+    fs::write(paper.join("claims.toml"), claims).unwrap();
+    folder
+}
+
+/// A claim `mini/NAME` that states a formula, with further fields.
+pub fn claim(name: &str, states: &str, fields: &str) -> String {
+    format!(
+        "[[claim]]\nid = \"mini/{name}\"\nat = \"Sect. 1, eq. ({name})\"\nkind = \"identity\"\nprinted = \"as printed\"\n\
+         states = '{states}'\n{fields}\n"
+    )
+}
+
+/// Runs `torse COMMAND.. --derivations FOLDER`.
+pub fn on(folder: &Path, command: &[&str]) -> Ran {
+    let mut arguments: Vec<&OsStr> = command.iter().map(OsStr::new).collect();
+    arguments.extend([OsStr::new("--derivations"), folder.as_os_str()]);
+    torse(&arguments)
+}

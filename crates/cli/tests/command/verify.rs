@@ -1,0 +1,193 @@
+//! `torse verify`: names, exit codes, texts and JSON.
+
+use crate::support::{Ran, claim, copy_of_repository, mini, on, repository, torse};
+use serde_json::Value;
+use std::fs;
+
+const TRUE: &str = "(x + 1)^2 == x^2 + 2*x + 1";
+const WRONG: &str = "(x + 1)^2 == x^2 + 3*x + 1";
+/// More than the engine undertakes: the same on both sides, and still not decided.
+const TOO_MUCH: &str = "(x + 1)^1000 == (x + 1)^1000";
+
+fn verdict(ran: &Ran, id: &str) -> String {
+    let all: Value = serde_json::from_str(&ran.out).unwrap();
+    let claims = all["claims"].as_array().unwrap();
+    let claim = claims.iter().find(|claim| claim["id"] == id).unwrap();
+    claim["verdict"].as_str().unwrap().to_owned()
+}
+
+#[test]
+fn a_refuted_claim_is_no_failure_unless_another_verdict_is_expected() {
+    let folder = mini(&[claim("right", TRUE, ""), claim("wrong", WRONG, "")].concat());
+    let ran = on(folder.path(), &["verify"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let folder = mini(&claim("wrong", WRONG, "expect = \"holds\""));
+    let ran = on(folder.path(), &["verify"]);
+    assert_eq!(ran.code, Some(1));
+    assert!(
+        ran.out.contains("1 verdict is not the expected one"),
+        "{}",
+        ran.out
+    );
+    assert!(ran.out.contains("expected holds"), "{}", ran.out);
+}
+
+#[test]
+fn an_undecided_claim_is_a_failure_only_when_named_by_its_id() {
+    let folder = mini(&[claim("open", TOO_MUCH, ""), claim("right", TRUE, "")].concat());
+    let verdicts = on(folder.path(), &["verify", "--format", "json"]);
+    assert_eq!(verdict(&verdicts, "mini/open"), "undecided");
+    assert_eq!(verdicts.code, Some(0));
+    assert_eq!(on(folder.path(), &["verify", "mini"]).code, Some(0));
+    assert_eq!(on(folder.path(), &["verify", "mini/right"]).code, Some(0));
+    assert_eq!(
+        on(folder.path(), &["verify", "mini/right", "mini/open"]).code,
+        Some(3)
+    );
+}
+
+#[test]
+fn a_verdict_other_than_expected_weighs_more_than_an_undecided_one() {
+    let expecting = claim("wrong", WRONG, "expect = \"holds\"");
+    let folder = mini(&[claim("open", TOO_MUCH, ""), expecting].concat());
+    assert_eq!(
+        on(folder.path(), &["verify", "mini/open", "mini/wrong"]).code,
+        Some(1)
+    );
+}
+
+#[test]
+fn an_unknown_name_is_a_usage_error_with_the_nearest_known_one() {
+    let folder = mini(&claim("eq-2.1", TRUE, ""));
+    let ran = on(folder.path(), &["verify", "mini/eq-21"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(
+        ran.err.contains("did you mean `mini/eq-2.1`?"),
+        "{}",
+        ran.err
+    );
+    let ran = on(folder.path(), &["verify", "quite-another-thing"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.err.contains("the papers are mini"), "{}", ran.err);
+    assert_eq!(ran.out, "");
+}
+
+#[test]
+fn a_command_line_that_cannot_be_followed_is_a_usage_error() {
+    for wrong in [
+        &["verify", "--format", "xml"][..],
+        &["prove"],
+        &["verify"],
+        &[],
+    ] {
+        let ran = torse(wrong);
+        assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{wrong:?}");
+        assert!(!ran.err.is_empty());
+    }
+    assert_eq!(
+        torse(&["verify", "--derivations", "no-such-folder"]).code,
+        Some(2)
+    );
+}
+
+#[test]
+fn the_beginning_of_an_id_means_all_ids_that_continue_it_after_a_word() {
+    let names = ["eq-1", "eq-1.a", "eq-1.b", "eq-10"];
+    let folder = mini(&names.map(|name| claim(name, TRUE, "")).concat());
+    let ran = on(folder.path(), &["verify", "mini/eq-1", "--format", "json"]);
+    let all: Value = serde_json::from_str(&ran.out).unwrap();
+    let ids: Vec<&str> = all["claims"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|c| c["id"].as_str().unwrap())
+        .collect();
+    assert_eq!(ids, ["mini/eq-1", "mini/eq-1.a", "mini/eq-1.b"]);
+}
+
+#[test]
+fn the_text_is_plain_where_no_terminal_is_and_no_wider_than_100_columns() {
+    let wide = claim(
+        "wide",
+        "sum(i, 0, 3, (i + x)^9) == 0",
+        "note = \"a remark\"",
+    );
+    let folder = mini(&[wide, claim("right", TRUE, "")].concat());
+    let ran = on(folder.path(), &["verify"]);
+    assert!(!ran.out.contains('\u{1b}'));
+    for line in ran.out.lines() {
+        assert!(line.chars().count() <= 100, "{line}");
+        assert_eq!(line.trim_end(), line);
+    }
+    assert!(ran.out.contains("2 claims"), "{}", ran.out);
+    assert!(ran.out.contains("False: at x = "), "{}", ran.out);
+}
+
+#[test]
+fn timings_go_to_standard_error_and_leave_the_output_as_it_is() {
+    let folder = mini(&claim("right", TRUE, ""));
+    let plain = on(folder.path(), &["verify"]);
+    let timed = on(folder.path(), &["verify", "--timings"]);
+    assert_eq!((plain.out, plain.err.as_str()), (timed.out, ""));
+    assert!(timed.err.contains("mini/right"));
+}
+
+#[test]
+fn the_json_of_all_papers_has_the_fields_of_the_interface_and_the_same_bytes_twice() {
+    let run = || on(&repository(), &["verify", "--format", "json"]);
+    let (first, second) = (run(), run());
+    assert_eq!(first.out, second.out);
+    assert_eq!(first.code, Some(0), "{}", first.err);
+    let all: Value = serde_json::from_str(&first.out).unwrap();
+    let claims = all["claims"].as_array().unwrap();
+    let papers = ["gbt-developable/", "gbt-surfaces/", "hermite-developable/"];
+    for paper in papers {
+        let own = claims
+            .iter()
+            .filter(|c| c["id"].as_str().unwrap().starts_with(paper));
+        assert!(own.count() >= 8, "{paper}");
+    }
+    for claim in claims {
+        let claim = claim.as_object().unwrap();
+        assert_eq!(claim.len(), 10);
+        assert!(claim["verdict"].is_string() && claim["printed"].is_string());
+        assert!(
+            claim["witness"].is_object() == (claim["evidence"] == "witness"),
+            "{claim:?}"
+        );
+    }
+}
+
+#[test]
+fn flipping_one_coefficient_of_a_true_claim_flips_its_verdict() {
+    for (id, file, from, to) in [
+        (
+            "hermite-developable/eq-2.1b.H2",
+            "hermite-developable/curves.toml",
+            "3*u^2",
+            "4*u^2",
+        ),
+        (
+            "gbt-developable/eq-3.11.b",
+            "gbt-developable/end-points.toml",
+            "1/2*",
+            "1/3*",
+        ),
+    ] {
+        let copy = copy_of_repository();
+        let verify = || on(copy.path(), &["verify", id, "--format", "json"]);
+        assert_eq!(verdict(&verify(), id), "holds");
+        let path = copy.path().join(file);
+        let text = fs::read_to_string(&path).unwrap();
+        let claim = text.find(&format!("id = \"{id}\"")).unwrap();
+        let states = claim + text[claim..].find("states =").unwrap();
+        let printed = states + text[states..].find(from).unwrap();
+        let line_ends = states + text[states..].find('\n').unwrap();
+        assert!(printed < line_ends, "{id} has no `{from}`");
+        let flipped = [&text[..printed], to, &text[printed + from.len()..]].concat();
+        // What the file expects is still what was true before.
+        fs::write(&path, flipped).unwrap();
+        let after = verdict(&verify(), id);
+        assert!(after == "false" || after == "misprint", "{id}: {after}");
+    }
+}
