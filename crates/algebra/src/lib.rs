@@ -9,11 +9,14 @@
 
 pub mod affine;
 pub mod ball;
+pub mod bernstein;
+pub mod branch;
 pub mod fraction;
 pub mod jet;
 pub mod matrix;
 pub mod order;
 pub mod polynomial;
+pub mod positivity;
 pub mod rational;
 pub mod scalar;
 pub mod sturm;
