@@ -6,7 +6,7 @@
 //! points. Functions named `par_` share the rows of large grids among threads; results do not depend
 //! on the number of threads, for every point is computed by the same operations.
 
-use crate::basis::Basis;
+use crate::basis::{Basis, Bernstein};
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
 use crate::planes::{PlaneFamily, Ruling, ruling_of};
@@ -119,8 +119,69 @@ fn check_length(what: &'static str, expected: usize, given: usize) -> Result<()>
     })
 }
 
-/// Parameters whose basis rows are held at a time when a curve is evaluated: 8 kB at degree three.
-const BLOCK: usize = 256;
+/// Parameters evaluated at a time on a curve: one column of values is half a kilobyte.
+const BLOCK: usize = 64;
+
+/// The basis functions at a block of parameters, one column for each function: the degree-raising
+/// recursion then runs along the columns, over all parameters at once.
+struct Columns {
+    columns: Vec<[f64; BLOCK]>,
+}
+
+impl Columns {
+    fn fill<B: Basis<f64>>(&mut self, basis: &B, xs: &[f64; BLOCK]) -> Result<()> {
+        let [first, second, rest @ ..] = self.columns.as_mut_slice() else {
+            return Ok(());
+        };
+        let Some((third, _)) = rest.split_first_mut() else {
+            for (p, x) in xs.iter().enumerate() {
+                (first[p], second[p]) = (1.0 - x, *x);
+            }
+            return Ok(());
+        };
+        for (p, x) in xs.iter().enumerate() {
+            [first[p], second[p], third[p]] = basis.seeds(x)?;
+        }
+        for degree in 3..self.columns.len() {
+            let Some(active) = self.columns.get_mut(..=degree) else {
+                break;
+            };
+            if let [.., below, last] = active {
+                for p in 0..BLOCK {
+                    last[p] = xs[p] * below[p];
+                }
+            }
+            for i in (1..degree).rev() {
+                let Some([lower, entry]) = active.get_mut(i - 1..=i) else {
+                    break;
+                };
+                for p in 0..BLOCK {
+                    entry[p] = (1.0 - xs[p]) * entry[p] + xs[p] * lower[p];
+                }
+            }
+            if let Some(entry) = active.first_mut() {
+                for p in 0..BLOCK {
+                    entry[p] *= 1.0 - xs[p];
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn combine_into<const D: usize>(&self, points: &[[f64; D]], out: &mut [[f64; D]]) {
+        let mut sums = [[0.0; BLOCK]; D];
+        for (column, point) in self.columns.iter().zip(points) {
+            for (sum, coordinate) in sums.iter_mut().zip(point) {
+                for (s, weight) in sum.iter_mut().zip(column) {
+                    *s += weight * coordinate;
+                }
+            }
+        }
+        for (p, slot) in out.iter_mut().enumerate().take(BLOCK) {
+            *slot = std::array::from_fn(|axis| sums[axis][p]);
+        }
+    }
+}
 
 impl<B: Basis<f64>, const D: usize> Curve<B, f64, D> {
     /// The points at all parameters `xs`, into `out` of the same length.
@@ -139,16 +200,16 @@ impl<B: Basis<f64>, const D: usize> Curve<B, f64, D> {
     /// ```
     pub fn points_into(&self, xs: &[f64], out: &mut [[f64; D]]) -> Result<()> {
         check_length("output buffer", xs.len(), out.len())?;
-        let width = self.degree() + 1;
-        let mut table = BasisTable {
-            width,
-            values: vec![0.0; width * BLOCK.min(xs.len())],
+        let mut basis = Columns {
+            columns: vec![[0.0; BLOCK]; self.degree() + 1],
         };
         for (xs, out) in xs.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-            for (x, row) in xs.iter().zip(table.values.chunks_exact_mut(width)) {
-                self.basis().row_into(x, row)?;
+            let mut block = [0.0; BLOCK];
+            for (slot, x) in block.iter_mut().zip(xs) {
+                *slot = *x;
             }
-            table.combine_into(self.points(), out);
+            basis.fill(self.basis(), &block)?;
+            basis.combine_into(self.points(), out);
         }
         Ok(())
     }
@@ -341,16 +402,9 @@ pub fn ruled_grid_into(
     out: &mut [[f64; 3]],
 ) -> Result<()> {
     check_length("output buffer", us.len() * vs.len(), out.len())?;
+    let across = BasisTable::new(&Bernstein, 1, vs)?;
     for (u, row) in us.iter().zip(out.chunks_mut(vs.len().max(1))) {
-        let [p, q] = patch.ruling_ends(u)?;
-        for (v, point) in vs.iter().zip(row) {
-            let w = 1.0 - v;
-            *point = [
-                w * p[0] + v * q[0],
-                w * p[1] + v * q[1],
-                w * p[2] + v * q[2],
-            ];
-        }
+        across.combine_into(&patch.ruling_ends(u)?, row);
     }
     Ok(())
 }

@@ -141,21 +141,27 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
             *slot = g;
         }
         raise(slope, x);
+        for (slot, g) in row.iter_mut().zip(self.seeds(x)?) {
+            *slot = g;
+        }
         if degree > 2 {
             if let Some(lower) = row.get_mut(..degree) {
-                self.row_into(x, lower)?;
+                raise(lower, x);
             }
             let factor = x.natural(degree - 2);
-            for i in 0..=degree {
-                let entry = |i: usize| row.get(i).filter(|_| i < degree).cloned();
-                let below = i.checked_sub(1).and_then(entry).unwrap_or_else(|| x.zero());
-                let step = below - entry(i).unwrap_or_else(|| x.zero());
-                if let Some(slot) = slope.get_mut(i) {
-                    *slot = slot.clone() + factor.clone() * step;
-                }
+            let mut below = x.zero();
+            for (i, slot) in slope.iter_mut().enumerate() {
+                let entry = row
+                    .get(i)
+                    .filter(|_| i < degree)
+                    .cloned()
+                    .unwrap_or_else(|| x.zero());
+                *slot = slot.clone() + factor.clone() * (below - entry.clone());
+                below = entry;
             }
+            raise_once(row, x);
         }
-        self.row_into(x, row)
+        Ok(())
     }
 
     /// The derivative rows at `x`: entry `[n][i]` is the n-th derivative of basis function `i`.
@@ -245,19 +251,26 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
 
 /// From the three seeds in front to the basis of the whole row, degree by degree in place.
 fn raise<S: Coordinate>(row: &mut [S], x: &S) {
-    let one_minus_x = x.one() - x.clone();
-    for degree in 3..row.len() {
-        let Some((last, rest)) = row.get_mut(..=degree).and_then(<[S]>::split_last_mut) else {
-            return;
-        };
-        let mut lower = x.zero();
-        for entry in rest {
-            let old = entry.clone();
-            *entry = one_minus_x.clone() * old.clone() + x.clone() * lower;
-            lower = old;
+    for width in 4..=row.len() {
+        if let Some(active) = row.get_mut(..width) {
+            raise_once(active, x);
         }
-        *last = x.clone() * lower;
     }
+}
+
+/// From the basis of one degree less, in all but the last place, to the basis of the row.
+fn raise_once<S: Coordinate>(row: &mut [S], x: &S) {
+    let Some((last, rest)) = row.split_last_mut() else {
+        return;
+    };
+    let one_minus_x = x.one() - x.clone();
+    let mut lower = x.zero();
+    for entry in rest {
+        let old = entry.clone();
+        *entry = one_minus_x.clone() * old.clone() + x.clone() * lower;
+        lower = old;
+    }
+    *last = x.clone() * lower;
 }
 
 fn degree_zero() -> GeometryError {
