@@ -9,13 +9,14 @@
 pub mod agreement;
 pub mod domain;
 pub mod equality;
+pub mod family;
 pub mod instances;
 pub mod sign;
 pub mod witness;
 
 use crate::evaluate::Evaluator;
 use crate::evaluate::fault::Fault;
-use crate::evaluate::value::Statement;
+use crate::evaluate::value::{FamilyProperty, Statement};
 use crate::outcome::{Evidence, Witness};
 use crate::syntax::{Connective, Relation};
 use domain::Domain;
@@ -101,6 +102,11 @@ pub fn decide(
             ..
         } => sign::compare(*relation, left, right, domain),
         Statement::Agrees { values, printed } => Ok(agreement::decide(values, printed)),
+        Statement::Family { property, basis } => match property {
+            FamilyProperty::Nonnegative => family::nonnegative(basis, domain, evaluator),
+            FamilyProperty::Independent => family::independent(basis, domain, evaluator),
+            FamilyProperty::VariationDiminishing => family::variation_diminishing(basis, domain, evaluator),
+        },
         Statement::Join(Connective::And, a, b) => {
             let first = decide(a, domain, evaluator)?;
             if first.is_refuted() {

@@ -4,8 +4,8 @@
 //! t; a symbol with one bound is written v = a + t with t >= 0; pi stays and is enclosed. **Theorem.**
 //! Bernstein polynomials and powers of t are nonnegative and the Bernstein polynomials sum to one, so if
 //! all coefficients are nonnegative the polynomial is, and if moreover every Bernstein coefficient has a
-//! positive constant term it is positive. Sine and cosine of a quarter turn are taken as independent
-//! numbers of [0,1], which only enlarges the domain.
+//! positive constant term it is positive. Sine and cosine of a quarter turn become rational functions of
+//! the tangent of the half angle.
 
 use super::domain::{Domain, truth};
 use super::{Decision, Refutation, witness};
@@ -78,14 +78,52 @@ fn one_sided(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<bool> {
             rest = quotient;
         }
     }
-    let boxes: Vec<(Symbol, Interval)> = rest
-        .symbols()
-        .iter()
-        .filter(|s| !matches!(s, Symbol::Pi | Symbol::Root(_)))
-        .map(|s| (s.clone(), domain.interval(s)))
-        .collect();
+    let (rest, mut boxes) = half_angles(&rest, domain)?;
+    let known: Vec<Symbol> = boxes.iter().map(|(s, _)| s.clone()).collect();
+    boxes.extend(
+        rest.symbols()
+            .iter()
+            .filter(|s| !matches!(s, Symbol::Pi | Symbol::Root(_)) && !known.contains(s))
+            .map(|s| (s.clone(), domain.interval(s))),
+    );
     let mut budget = MAX_BOXES;
     subdivided(&rest, &boxes, &mut budget).map(|positive| strict && positive)
+}
+
+/// Writes sine and cosine of a quarter turn as rational functions of the tangent t of half the angle,
+/// s = 2t/(1 + t^2), c = (1 - t^2)/(1 + t^2), and multiplies by the positive denominator: the same sign,
+/// with t in [0,1] for a variable of [0,1]. A variable that also stands outside keeps its own range.
+fn half_angles(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Polynomial, Vec<(Symbol, Interval)>)> {
+    let mut value = Fraction::from(polynomial.clone());
+    let mut boxes = vec![];
+    for symbol in polynomial.symbols() {
+        let (Symbol::Cos(name, angle) | Symbol::Sin(name, angle)) = symbol else {
+            continue;
+        };
+        let half = Symbol::named(&format!("{name}\u{bd}"));
+        if boxes.iter().any(|(known, _): &(Symbol, Interval)| *known == half) {
+            continue;
+        }
+        let unit = domain.interval(&Symbol::Cos(name.clone(), *angle));
+        let quarter = unit.lower.as_ref().is_some_and(|b| b.value.is_zero());
+        if !quarter {
+            continue;
+        }
+        let t = Fraction::symbol(half.clone());
+        let one = Fraction::integer(1);
+        let below = one.clone() + t.clone() * t.clone();
+        let sine = t.scaled(&integer(2)).over(&below).ok()?;
+        let cosine = (one - t.clone() * t).over(&below).ok()?;
+        value = value
+            .substituted(|s| match s {
+                Symbol::Sin(n, a) if n == name && a == angle => Some(sine.clone()),
+                Symbol::Cos(n, a) if n == name && a == angle => Some(cosine.clone()),
+                _ => None,
+            })
+            .ok()?;
+        boxes.push((half, unit));
+    }
+    Some((value.numerator().clone(), boxes))
 }
 
 /// The sign on a box, by halving bounded symbols where the coefficients of the whole box do not tell.

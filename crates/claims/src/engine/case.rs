@@ -204,6 +204,6 @@ pub fn first_comparison(statement: &Statement) -> Option<(&Value, &Value)> {
     match statement {
         Statement::Compare { left, right, .. } => Some((left, right)),
         Statement::Join(_, a, b) => first_comparison(a).or_else(|| first_comparison(b)),
-        Statement::Agrees { .. } | Statement::Not(_) => None,
+        Statement::Agrees { .. } | Statement::Family { .. } | Statement::Not(_) => None,
     }
 }

@@ -97,6 +97,18 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(self.settled(Quantity::from(series), place)?))
     }
 
+    /// Step factors and seeds of a family at values of its variable and shape parameters.
+    ///
+    /// # Errors
+    /// [`Fault`] when a seed is no plain formula.
+    pub fn family(
+        &self,
+        basis: &Basis,
+        values: &[Fraction],
+    ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
+        self.seeds(basis, values, super::value::NOWHERE)
+    }
+
     /// Step factors and seeds at the arguments (variable first, then shape parameters).
     pub(super) fn seeds(
         &self,

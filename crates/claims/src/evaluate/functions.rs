@@ -2,14 +2,15 @@
 
 use super::fault::{Fault, Problem};
 use super::quantity::Quantity;
-use super::value::{Function, Statement, Value};
+use super::value::{FamilyProperty, Function, Statement, Value};
 use super::{Bindings, Evaluator, linear, symbolic_degree, wrong_type};
 use crate::syntax::{Expr, Node, Place};
+use std::sync::Arc;
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Polynomial, Rational};
 
 /// The names of the built-in functions.
-pub(super) const NAMES: [&str; 18] = [
+pub(super) const NAMES: [&str; 21] = [
     "sum",
     "D",
     "at",
@@ -28,6 +29,9 @@ pub(super) const NAMES: [&str; 18] = [
     "agrees",
     "coefficients",
     "identity",
+    "nonnegative",
+    "independent",
+    "variation_diminishing",
 ];
 
 impl Evaluator<'_> {
@@ -179,6 +183,9 @@ impl Evaluator<'_> {
                 ))
             }
             ("agrees", [value, printed]) => self.agreement(value, printed, bound),
+            ("nonnegative" | "independent" | "variation_diminishing", [family]) => {
+                self.family_property(name, family)
+            }
             ("coefficients", [forms, unknowns]) => {
                 let (forms, unknowns) = (self.value(forms, bound)?, self.value(unknowns, bound)?);
                 linear::coefficients(&forms, &unknowns, place)
@@ -188,6 +195,21 @@ impl Evaluator<'_> {
                 _ => "one argument",
             })),
         }
+    }
+
+    /// A statement about a whole basis family.
+    fn family_property(&self, name: &str, family: &Expr) -> Result<Value, Fault> {
+        let basis = match &family.node {
+            Node::Name(name) => self.declarations.basis(name),
+            _ => None,
+        };
+        let basis = basis.ok_or_else(|| wrong_type(family.place, "a formula", "the name of a basis"))?;
+        let property = match name {
+            "nonnegative" => FamilyProperty::Nonnegative,
+            "independent" => FamilyProperty::Independent,
+            _ => FamilyProperty::VariationDiminishing,
+        };
+        Ok(Value::Truth(Box::new(Statement::Family { property, basis: Arc::clone(basis) })))
     }
 
     /// A plain scalar.

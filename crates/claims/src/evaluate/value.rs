@@ -1,8 +1,10 @@
 //! What formulas evaluate to.
 
 use super::quantity::Quantity;
+use super::scope::Basis;
 use crate::derivation::Origin;
 use crate::syntax::{Connective, Expr, Place, Relation};
+use std::sync::Arc;
 use torse_algebra::{Fraction, Rational};
 
 /// A vector: its coordinates, or one generic coordinate that stands for all.
@@ -29,6 +31,17 @@ pub struct Function {
     pub derivatives: Vec<(String, u32)>,
 }
 
+/// A property that a basis family may have at every degree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FamilyProperty {
+    /// All functions are nonnegative.
+    Nonnegative,
+    /// The functions are linearly independent.
+    Independent,
+    /// Coefficients change sign at least as often as the function.
+    VariationDiminishing,
+}
+
 /// A statement with its formulas evaluated.
 #[derive(Debug, Clone)]
 pub enum Statement {
@@ -51,6 +64,13 @@ pub enum Statement {
         values: Vec<Fraction>,
         /// The printed numbers with their digits after the point.
         printed: Vec<(Rational, u32)>,
+    },
+    /// A property of a basis family at every degree.
+    Family {
+        /// The property.
+        property: FamilyProperty,
+        /// The family.
+        basis: Arc<Basis>,
     },
     /// Several statements joined.
     Join(Connective, Box<Statement>, Box<Statement>),

@@ -26,9 +26,74 @@ pub struct Alphabet {
 /// All formulas one edit away.
 #[must_use]
 pub fn single(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
-    let mut result = local(expr, alphabet);
+    let mut result = renamed(expr);
+    result.extend(local(expr, alphabet));
     result.extend(scaled(expr, alphabet));
     inside(expr, alphabet, &mut result);
+    result
+}
+
+/// One name taken for another throughout a bracket, primes kept: the slip of copying a bracket.
+fn renamed(expr: &Expr) -> Vec<Edit> {
+    let mut result = vec![];
+    let bases = |expr: &Expr| {
+        let names: Vec<String> = expr.names().into_iter().map(|n| n.trim_end_matches('\'').to_owned()).collect();
+        names
+    };
+    let mut all = bases(expr);
+    all.sort();
+    all.dedup();
+    let mut pending: Vec<(Vec<usize>, &Expr)> = vec![(vec![], expr)];
+    while let Some((path, part)) = pending.pop() {
+        let own = bases(part);
+        let sum = matches!(&part.node, Node::Binary(Operator::Add | Operator::Subtract, ..));
+        if sum && part.size() <= MAX_RENAMED {
+            let mut repeated: Vec<&String> = own.iter().filter(|n| own.iter().filter(|o| o == n).count() > 1).collect();
+            repeated.sort();
+            repeated.dedup();
+            for old in repeated {
+                for new in all.iter().filter(|n| *n != old) {
+                    let changed = with_name(part, old, new);
+                    let change = format!("`{old}` replaced by `{new}` in `{}`", text(part));
+                    result.push(Edit { expr: placed(expr, &path, changed), change });
+                }
+            }
+        }
+        for (position, inner) in part.parts().into_iter().enumerate() {
+            let mut deeper = path.clone();
+            deeper.push(position);
+            pending.push((deeper, inner));
+        }
+    }
+    result
+}
+
+/// The largest bracket in which names are replaced throughout.
+const MAX_RENAMED: usize = 15;
+
+fn with_name(expr: &Expr, old: &str, new: &str) -> Expr {
+    let mut result = expr.clone();
+    if let Node::Name(name) = &mut result.node {
+        let base = name.trim_end_matches('\'');
+        if base == old {
+            *name = format!("{new}{}", name.get(base.len()..).unwrap_or(""));
+        }
+    }
+    for part in result.parts_mut() {
+        *part = with_name(part, old, new);
+    }
+    result
+}
+
+/// The formula with the part at `path` replaced.
+pub(super) fn placed(expr: &Expr, path: &[usize], by: Expr) -> Expr {
+    let Some((first, rest)) = path.split_first() else {
+        return by;
+    };
+    let mut result = expr.clone();
+    if let Some(part) = result.parts_mut().into_iter().nth(*first) {
+        *part = placed(part, rest, by);
+    }
     result
 }
 

@@ -82,10 +82,11 @@ fn proved(
         if seen.len() >= MAX_PROOFS {
             break;
         }
-        if !seen.insert(canonical::canonical(&edit.expr)) {
+        let key = canonical::canonical(&edit.expr);
+        if !seen.insert(key) {
             continue;
         }
-        let expr = replaced(&statement.expr, path, &edit.expr);
+        let expr = edits::placed(&statement.expr, path, edit.expr);
         let trial = Written {
             expr: expr.clone(),
             origin: statement.origin.clone(),
@@ -108,18 +109,6 @@ fn proved(
         }
     }
     found
-}
-
-/// The statement with the part at `path` replaced.
-fn replaced(expr: &Expr, path: &[usize], by: &Expr) -> Expr {
-    let Some((first, rest)) = path.split_first() else {
-        return by.clone();
-    };
-    let mut result = expr.clone();
-    if let Some(part) = result.parts_mut().into_iter().nth(*first) {
-        *part = replaced(part, rest, by);
-    }
-    result
 }
 
 /// The right side of the first equality of the statement that does not hold, and the way to it.
