@@ -13,8 +13,8 @@
 //! | a surface, its partials, normal, curvatures | [`TensorSurface`], [`RuledSurface`], [`RotationSurface`], [`Surface`], [`Forms`] |
 //! | a developable from planes | [`PlaneFamily`], then [`EnvelopingPatch`] or [`TangentPatch`] |
 //! | a developable between two planes | [`HermiteCone`], [`developable::oblique_image`] |
-//! | the next piece of a smooth chain | [`Continuity`], [`join::next_curve`], [`join::next_family`], [`join::chain`] |
-//! | to know how smooth a joint is | [`join::measure_curves`], [`join::measure_families`] |
+//! | the next piece of a smooth chain | [`Continuity`], [`join::next_curve`], [`join::next_family`], [`join::next_surface`], [`join::chain`] |
+//! | to know how smooth a joint is | [`join::measure_curves`], [`join::measure_families`], [`join::measure_surfaces`] |
 //! | to know whether a patch can be made | [`developable::certify`], [`developable::prove_developable`], [`developable::prove_regular`] |
 //! | the flat pattern | [`developable::unroll`], [`export::dxf`], [`export::svg`] |
 //! | a mesh or a CAD file | [`Mesh`], [`export::stl`], [`export::obj`], [`export::glb`], [`export::step`] |
@@ -84,6 +84,7 @@
 //! | Definition 2, eq. (3) | [`Curve`] |
 //! | Theorem 2, eqs. (4) to (6), corrected | [`Continuity::parametric`], [`join::next_curve`] |
 //! | Definition 3, eq. (7) | [`TensorSurface`] |
+//! | joined surfaces: Table 1, Propositions 3.4, 3.7, last steps of Algorithms 1, 3, 4, 5 | [`join::next_surface`], [`join::measure_surfaces`] |
 //! | eq. (10) | [`Basis::row`] of degree one |
 //! | eqs. (8) to (12), Theorem 3, Algorithm 1, Example 3.1 | [`TensorSurface::cylinder`] |
 //! | eqs. (14) to (16), Proposition 3.2, Algorithm 2, Example 3.2 | [`TensorSurface::bilinear`] |

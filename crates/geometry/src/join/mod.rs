@@ -24,10 +24,12 @@
 mod continuity;
 mod measure;
 mod recover;
+mod surface;
 
 pub use continuity::Continuity;
 pub use measure::{JointMeasure, measure_curves, measure_families};
 pub use recover::{from_end_jet, from_start_jet};
+pub use surface::{measure_surfaces, next_surface};
 
 use crate::basis::Basis;
 use crate::coordinate::Coordinate;
