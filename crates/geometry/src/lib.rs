@@ -70,7 +70,7 @@
 //! | Examples 4.1, 4.2, Sect. 4.2 | [`PlaneFamily`], [`EnvelopingPatch`], [`TangentPatch`] |
 //! | eq. (5.1) | [`RationalCurve`] |
 //! | Theorem 2 (G1) | [`Continuity::beta`] with one value |
-//! | Theorem 3 (Farin-Boehm G2), corrected | [`Continuity::parametric`] of order two |
+//! | Theorem 3 (Farin-Boehm G2) | [`Continuity::parametric`] of order two |
 //! | Theorem 4 (G2-beta), corrected | [`Continuity::beta`] with two values |
 //! | "necessary" in Theorems 2 to 4, corrected | [`Continuity::scaled`] |
 //! | Sect. 5.4, steps 1 to 5 | [`join::next_family`], [`join::chain`] |

@@ -64,8 +64,10 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     /// The `degree + 1` basis functions at `x`.
     ///
     /// # Errors
-    /// [`GeometryError::OutOfRange`] for degree zero, [`GeometryError::Exact`] from the seeds.
+    /// [`GeometryError::OutOfRange`] for degree zero and beyond [`MAX_DEGREE`],
+    /// [`GeometryError::Exact`] from the seeds.
     fn row(&self, degree: usize, x: &S) -> Result<Vec<S>> {
+        check_degree(degree)?;
         let mut row = vec![x.zero(); degree + 1];
         self.row_into(x, &mut row)?;
         Ok(row)
@@ -77,7 +79,7 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     /// As [`Basis::row`].
     fn row_into(&self, x: &S, row: &mut [S]) -> Result<()> {
         match row {
-            [] | [_] => return Err(degree_zero()),
+            [] | [_] => return check_degree(0),
             [first, second] => {
                 *first = x.one() - x.clone();
                 *second = x.clone();
@@ -194,9 +196,10 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     /// # Errors
     /// As [`Basis::row`].
     fn series_rows(&self, degree: usize, x: &S, order: usize) -> Result<Vec<Vec<S>>> {
+        check_degree(degree)?;
+        check_order(order)?;
         let one_minus_x = x.one() - x.clone();
         let seeds: Vec<Vec<S>> = match degree {
-            0 => return Err(degree_zero()),
             1 => {
                 let linear = |value: S, slope: S| {
                     let mut series = vec![value, slope];
@@ -273,12 +276,26 @@ fn raise_once<S: Coordinate>(row: &mut [S], x: &S) {
     *last = x.clone() * lower;
 }
 
-fn degree_zero() -> GeometryError {
-    GeometryError::OutOfRange {
-        name: "degree",
-        value: "0".to_owned(),
-        range: "{1, 2, 3, ...}",
+/// The largest degree of a curve: the cost of a row grows with the square of the degree.
+pub const MAX_DEGREE: usize = 4096;
+
+/// The highest order of derivatives.
+pub const MAX_ORDER: usize = 4096;
+
+pub(crate) fn check_degree(degree: usize) -> Result<()> {
+    if (1..=MAX_DEGREE).contains(&degree) {
+        return Ok(());
     }
+    let (name, value, range) = ("degree", degree.to_string(), "{1, 2, .., 4096}");
+    Err(GeometryError::OutOfRange { name, value, range })
+}
+
+fn check_order(order: usize) -> Result<()> {
+    if order <= MAX_ORDER {
+        return Ok(());
+    }
+    let (name, value, range) = ("derivative order", order.to_string(), "{0, 1, .., 4096}");
+    Err(GeometryError::OutOfRange { name, value, range })
 }
 
 /// The Bernstein polynomials of any degree, zero included, at `x`.

@@ -63,8 +63,8 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
     /// The curve with these control points.
     ///
     /// # Errors
-    /// [`GeometryError::TooFew`] for fewer than two points, [`GeometryError::NotFinite`] for NaN and
-    /// infinite coordinates.
+    /// [`GeometryError::TooFew`] for fewer than two points, [`GeometryError::OutOfRange`] beyond
+    /// [`MAX_DEGREE`](crate::basis::MAX_DEGREE), [`GeometryError::NotFinite`] for NaN and infinite coordinates.
     ///
     /// ```
     /// use torse_geometry::{Bernstein, Curve};
@@ -81,6 +81,7 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
                 given: points.len(),
             });
         }
+        crate::basis::check_degree(points.len() - 1)?;
         check_finite("control point", points.iter().flatten())?;
         Ok(Self { basis, points })
     }

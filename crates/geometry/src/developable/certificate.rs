@@ -55,11 +55,13 @@ impl Certificate {
 
 /// Rulings sampled by [`certify`] at least, and positions along each for the curvature.
 const LEAST_RULINGS: usize = 8;
+/// Rulings sampled at most.
+const MOST_RULINGS: usize = 1 << 16;
 const POSITIONS: usize = 5;
 /// Golden-section steps in the local search: the bracket shrinks by `0.618^40 < 1e-8`.
 const SEARCH_STEPS: usize = 40;
 
-/// Measures a ruled patch on at least `rulings` rulings and refines every worst place locally.
+/// Measures a ruled patch on `rulings` rulings (8 at least, 65536 at most) and refines every worst place locally.
 ///
 /// # Errors
 /// [`GeometryError`] when a ruling of the patch does not exist.
@@ -83,7 +85,7 @@ const SEARCH_STEPS: usize = 40;
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 pub fn certify(patch: &(impl Rails<f64> + Surface<f64>), rulings: usize) -> Result<Certificate> {
-    let xs = samples(rulings.max(LEAST_RULINGS));
+    let xs = samples(rulings.clamp(LEAST_RULINGS, MOST_RULINGS));
     Ok(Certificate {
         determinant: search(&xs, |x| {
             Ok(Place::whole(Ruling::at(patch, x)?.determinant()))

@@ -200,7 +200,7 @@ impl<S: Coordinate, B: Basis<S>> TangentPatch<B, S> {
 impl<S: Coordinate, B: Basis<S>> Rails<S> for TangentPatch<B, S> {
     fn rail_jets(&self, x: &S, order: usize) -> Result<[[Jet<S>; 3]; 2]> {
         let no_point = || GeometryError::NoCharacteristicPoint { parameter: text(x) };
-        let spine = self.family.characteristic_jet(x, order + 1)?;
+        let spine = self.family.characteristic_jet(x, order.saturating_add(1))?;
         let [a, b, c] = spine.each_ref().map(Jet::differentiated);
         let (Some(a), Some(b), Some(c)) = (a, b, c) else {
             return Err(no_point());

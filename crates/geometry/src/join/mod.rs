@@ -18,8 +18,9 @@
 //! are the denominators of the papers' conditions (`a1` of gbt-surfaces Theorem 2, `c_l + pi^2 (1 - nu)`
 //! of gbt-developable Theorems 3 and 4), and where one vanishes the join is singular. A
 //! [`Continuity`] says what the start jet is, given the end jet of the piece before. Nothing is
-//! transcribed from print, so the slips there (the `pi^2 (1 - mu)` terms of both papers have the shape
-//! parameter of the wrong end, gbt-surfaces eq. (6) has wrong coefficients) do not enter.
+//! transcribed from print, so its slips do not enter: gbt-developable Theorem 3 holds as printed, but in
+//! Theorem 4 the lambda term lacks a factor four, and in gbt-surfaces eq. (5) the factor `a` is missing
+//! in `a3` and a sign is wrong.
 
 mod continuity;
 mod measure;
@@ -56,7 +57,7 @@ use crate::planes::{Plane, PlaneFamily};
 /// let ratio = (2.0 + std::f64::consts::PI * 0.5) / (4.0 + std::f64::consts::PI * 1.25);
 /// assert!((right.points()[1][0] - (3.0 + ratio)).abs() < 1e-14);
 ///
-/// // With mu = -1, nu = 1 a cubic starts with H'' = 2 pi mu' .. independent of Q[2]: C2 is singular.
+/// // With mu = -1, nu = 1 the second derivative of a cubic at its start does not depend on Q[2].
 /// let error = join::next_curve(
 ///     &left, Gbt::new(-1.0, 1.0)?, &Continuity::parametric(2, &0.0), &[[5.0, 0.0]],
 /// ).unwrap_err();

@@ -206,7 +206,7 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     /// # Errors
     /// As [`PlaneFamily::ruling`].
     pub fn ruling_jet(&self, x: &S, order: usize) -> Result<Ruling<Jet<S>>> {
-        let plane = self.planes.jet(x, order + 1)?;
+        let plane = self.planes.jet(x, order.saturating_add(1))?;
         let slope = slope_of(&plane).ok_or_else(|| no_ruling(x))?;
         ruling_of(&plane, &slope).map_err(|_| no_ruling(x))
     }
@@ -216,7 +216,7 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     /// # Errors
     /// As [`PlaneFamily::characteristic_point`].
     pub fn characteristic_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
-        let h0 = self.planes.jet(x, order + 2)?;
+        let h0 = self.planes.jet(x, order.saturating_add(2))?;
         let h1 = slope_of(&h0).ok_or_else(|| no_point(x))?;
         let h2 = slope_of(&h1).ok_or_else(|| no_point(x))?;
         characteristic_point_of([&h0, &h1, &h2]).map_err(|_| no_point(x))

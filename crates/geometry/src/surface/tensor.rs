@@ -58,6 +58,8 @@ impl<S: Coordinate, U: Basis<S>, V: Basis<S>> TensorSurface<U, V, S> {
                 given: row.len(),
             });
         }
+        crate::basis::check_degree(net.len() - 1)?;
+        crate::basis::check_degree(columns - 1)?;
         let net: Vec<[S; 3]> = net.into_iter().flatten().collect();
         check_finite("control point", net.iter().flatten())?;
         Ok(Self { u, v, net, columns })
@@ -143,13 +145,8 @@ impl<S: Coordinate, U: Basis<S>, V: Basis<S>> TensorSurface<U, V, S> {
         corners: &[[[S; 3]; 2]; 2],
         interior: &[[S; 3]],
     ) -> Result<Self> {
-        if m == 0 || n == 0 {
-            return Err(GeometryError::OutOfRange {
-                name: "degree",
-                value: "0".to_owned(),
-                range: "{1, 2, 3, ...}",
-            });
-        }
+        crate::basis::check_degree(m)?;
+        crate::basis::check_degree(n)?;
         let expected = (m - 1) * (n - 1);
         if interior.len() != expected {
             let (what, given) = ("interior control points", interior.len());
@@ -170,10 +167,10 @@ impl<S: Coordinate, U: Basis<S>, V: Basis<S>> TensorSurface<U, V, S> {
             let (left, right) = (lerp(q00, qm0, &t), lerp(q0n, qmn, &t));
             let mut row = Vec::with_capacity(n + 1);
             for l in 0..=n {
-                let outer = k == 0 || k == m || l == 0 || l == n;
-                match (outer, outer.then(|| part(l, n))) {
-                    (true, Some(s)) => row.push(lerp(&left, &right, &s?)),
-                    _ => row.extend(free.next()),
+                if k == 0 || k == m || l == 0 || l == n {
+                    row.push(lerp(&left, &right, &part(l, n)?));
+                } else {
+                    row.extend(free.next());
                 }
             }
             net.push(row);

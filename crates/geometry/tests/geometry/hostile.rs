@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use torse_geometry::developable::{certify, unroll};
 use torse_geometry::{
-    Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, GeometryError, HermiteCone, Mesh,
-    PlaneFamily, RationalCurve, RotationSurface, TensorSurface, curve, join,
+    Basis, Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, GeometryError, HermiteCone,
+    Mesh, PlaneFamily, RationalCurve, RotationSurface, Surface, TensorSurface, curve, join,
 };
 
 fn any() -> impl Strategy<Value = f64> {
@@ -97,4 +97,23 @@ fn meshes_too_large_to_index_are_refused_before_memory_is_asked_for() {
             Err(GeometryError::OutOfRange { .. })
         ));
     }
+}
+
+#[test]
+fn impossible_degrees_and_orders_are_refused_before_memory_is_asked_for() {
+    let refused =
+        |result: Result<_, GeometryError>| matches!(result, Err(GeometryError::OutOfRange { .. }));
+    let line = Curve::new(Bernstein, vec![[0.0], [1.0]]).unwrap();
+    for huge in [4097, usize::MAX] {
+        assert!(refused(Bernstein.row(huge, &0.5).map(drop)));
+        assert!(refused(line.derivatives(&0.5, huge).map(drop)));
+    }
+    assert!(refused(Bernstein.row(0, &0.5).map(drop)));
+    let planes = vec![[1., 0., 0.2, 3.], [0.5, 1., 0.1, 2.], [0., 1., 0.5, 4.]];
+    let family = PlaneFamily::new(Bernstein, planes).unwrap();
+    assert!(refused(
+        family.characteristic_jet(&0.5, usize::MAX).map(drop)
+    ));
+    let patch = EnvelopingPatch::new(family, Bounds::Range([0.0, 1.0])).unwrap();
+    assert!(refused(patch.partials(&0.5, &0.5, usize::MAX).map(drop)));
 }

@@ -62,6 +62,83 @@ fn the_beta_condition_holds_as_an_identity_in_all_parameters() {
     assert_eq!(start[2][0].clone() - bend, zero);
 }
 
+/// The right side of gbt-developable Theorem 4, third line, with `weight` times the lambda term; with
+/// gamma = 1, lambda = 0 that of Theorem 3. Q names the left planes of degree k, l is the right degree.
+fn theorem_4(k: i64, l: i64, gamma: &Fraction, lambda: &Fraction, weight: i64) -> Fraction {
+    let number = |n: i64| gamma.constant(&integer(n));
+    let pi = Fraction::symbol(Symbol::Pi);
+    let pp = pi.clone() * pi.clone();
+    let one = number(1);
+    let [mu1, nu1, mu2, nu2] = ["mu1", "nu1", "mu2", "nu2"].map(named);
+    let q = |back: i64| named(&format!("Q{}", k - back));
+    let slope =
+        |n: i64, shape: &Fraction| number(2 * (n - 2)) + pi.clone() * (one.clone() + shape.clone());
+    let c = slope(k, &nu1).over(&slope(l, &mu2)).unwrap();
+    let bend = |n: i64, shape: &Fraction| {
+        number(4 * (n - 2)) * (number(n - 3) + pi.clone() * (one.clone() + shape.clone()))
+    };
+    let (ck, cl) = (bend(k, &nu1), bend(l, &mu2));
+    let delta = q(0) - q(1);
+    let square = gamma.clone() * gamma.clone();
+    let half_slope = slope(k, &nu1).scaled(&ratio(1, 2).unwrap());
+    let last = gamma.clone()
+        * (number(2) * pp.clone() * nu1 * gamma.clone()
+            + c.clone() * cl.clone()
+            + number(2) * c.clone() * pp.clone() * mu2)
+        + number(weight) * lambda.clone() * half_slope;
+    let bracket = ck * square.clone() * (q(0) - number(2) * q(1) + q(2))
+        - pp.clone() * square * (one.clone() - mu1) * (q(1) - q(2))
+        + last * delta.clone();
+    let divisor = cl + pp * (one - nu2);
+    q(0) + c * gamma.clone() * delta + bracket.over(&divisor).unwrap()
+}
+
+#[test]
+fn theorem_3_holds_as_printed_and_theorem_4_lacks_a_factor_four_at_lambda() {
+    let (gamma, lambda) = (named("gamma"), named("lambda"));
+    let (zero, one) = (gamma.zero_like(), gamma.one_like());
+    for (k, l) in [(3, 3), (2, 4), (4, 3), (5, 4)] {
+        let basis = Gbt::new(named("mu2"), named("nu2")).unwrap();
+        let (m, free) = (
+            usize::try_from(k).unwrap(),
+            vec![[zero.clone()]; usize::try_from(l - 2).unwrap()],
+        );
+        let third = |joint: Continuity<Fraction>| {
+            let right = join::next_curve(&left(m), basis.clone(), &joint, &free).unwrap();
+            right.points()[2][0].clone()
+        };
+        let farin_boehm = third(Continuity::parametric(2, &one));
+        assert_eq!(
+            farin_boehm - theorem_4(k, l, &one, &zero, 1),
+            zero,
+            "Theorem 3, degrees {k}, {l}"
+        );
+        let beta = third(Continuity::beta(vec![gamma.clone(), lambda.clone()]).unwrap());
+        assert_eq!(
+            beta.clone() - theorem_4(k, l, &gamma, &lambda, 4),
+            zero,
+            "degrees {k}, {l}"
+        );
+        assert_ne!(
+            beta - theorem_4(k, l, &gamma, &lambda, 1),
+            zero,
+            "as printed, degrees {k}, {l}"
+        );
+    }
+}
+
+#[test]
+fn third_order_contact_holds_as_an_identity_in_all_parameters() {
+    let basis = Gbt::new(named("mu2"), named("nu2")).unwrap();
+    let left = left(3);
+    let c3 = Continuity::parametric(3, &named("x"));
+    let right = join::next_curve(&left, basis, &c3, &[[named("R4")]]).unwrap();
+    let (end, start) = (left.end_jet(3).unwrap(), right.start_jet(3).unwrap());
+    for (a, b) in end.iter().zip(&start) {
+        assert_eq!(a[0].clone() - b[0].clone(), named("x").zero_like());
+    }
+}
+
 #[test]
 fn the_singular_coefficient_of_second_order_is_the_derived_one() {
     // (l-2)(l-3) + pi (l-2)(1 + mu) + pi^2/4 (1 - nu), which vanishes for l = 2, nu = 1 and for l = 3,
