@@ -11,7 +11,7 @@
 //! | a basis with shape parameters | [`Gbt`], [`Bernstein`], or implement [`Basis`] by its three seeds |
 //! | a curve, its derivatives, length, curvature | [`Curve`], [`RationalCurve`], [`hermite`], [`curve`] |
 //! | a surface, its partials, normal, curvatures | [`TensorSurface`], [`RuledSurface`], [`RotationSurface`], [`Surface`], [`Forms`] |
-//! | a developable from planes | [`PlaneFamily`], then [`EnvelopingPatch`] or [`TangentPatch`] |
+//! | a developable from planes | [`PlaneFamily`], then [`EnvelopingPatch`] or [`TangentPatch`]; [`PlaneFamily::edge_parameter`] says where not to cut |
 //! | a developable between two planes | [`HermiteCone`], [`developable::oblique_image`] |
 //! | the next piece of a smooth chain | [`Continuity`], [`join::next_curve`], [`join::next_family`], [`join::next_surface`], [`join::chain`] |
 //! | to know how smooth a joint is | [`join::measure_curves`], [`join::measure_families`], [`join::measure_surfaces`] |

@@ -23,7 +23,7 @@ impl BasisTable {
     /// The table of `basis` of this degree at the parameters `xs`.
     ///
     /// # Errors
-    /// [`GeometryError::OutOfRange`] for degree zero; the errors of the basis.
+    /// [`GeometryError::OutOfRange`](crate::GeometryError::OutOfRange) for degree zero; the errors of the basis.
     pub fn new<B: Basis<f64>>(basis: &B, degree: usize, xs: &[f64]) -> Result<Self> {
         let width = degree + 1;
         let mut values = vec![0.0; width * xs.len()];

@@ -201,6 +201,30 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
         characteristic_point_of([h0, h1, h2]).map_err(|_| no_point(x))
     }
 
+    /// The ruling parameter `x1` at which the ruling of `x` meets the edge of regression,
+    /// `S(x) = x1 phi(x) + psi(x)`: a patch is regular where its bounds leave this value out.
+    ///
+    /// # Errors
+    /// As [`PlaneFamily::ruling`] and [`PlaneFamily::characteristic_point`].
+    ///
+    /// ```
+    /// use torse_geometry::{Gbt, PlaneFamily};
+    /// let planes = vec![[1., 0., 0.2, 3.], [0.5, 1., 0.1, 2.], [0., 1., 0.5, 4.], [-1., 0.3, 0.1, 5.]];
+    /// let family = PlaneFamily::new(Gbt::new(0.5, 0.5)?, planes)?;
+    /// let edge = family.ruling(&0.4)?.point(&family.edge_parameter(&0.4)?);
+    /// let spine = family.characteristic_point(&0.4)?;
+    /// assert!((0..3).all(|k| (edge[k] - spine[k]).abs() < 1e-12 * spine[k].abs()));
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn edge_parameter(&self, x: &S) -> Result<S> {
+        let (ruling, spine) = (self.ruling(x)?, self.characteristic_point(x)?);
+        let phi = &ruling.direction;
+        // The foot is perpendicular to phi, so it drops out.
+        dot(&spine, phi)
+            .divided_by(&dot(phi, phi))
+            .map_err(|_| no_ruling(x))
+    }
+
     /// The ruling at `x` as Taylor series: foot, direction and moment to this order.
     ///
     /// # Errors
