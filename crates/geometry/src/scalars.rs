@@ -4,7 +4,7 @@
 use crate::basis::{Bernstein, Gbt};
 use crate::coordinate::Coordinate;
 use crate::curve::{Curve, RationalCurve};
-use crate::developable::{Bounds, EnvelopingPatch, TangentPatch};
+use crate::developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
 use crate::error::Result;
 use crate::planes::PlaneFamily;
 use crate::surface::{RuledSurface, TensorSurface};
@@ -199,5 +199,19 @@ where
 
     fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
         TangentPatch::new(self.family().over(convert)?, point(self.range(), convert))
+    }
+}
+
+impl<S, T: Coordinate> Over<S, T> for HermiteCone<S> {
+    type Object = HermiteCone<T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
+        let data = |list: &[[S; 3]]| list.iter().map(|p| point(p, convert)).collect();
+        Ok(HermiteCone {
+            summit: point(&self.summit, convert),
+            ratio: convert(&self.ratio),
+            p: data(&self.p),
+            q: data(&self.q),
+        })
     }
 }

@@ -16,30 +16,6 @@ use crate::error::{GeometryError, Result};
 use crate::vector::{combine, scale, sub};
 use torse_algebra::Jet;
 
-/// Derivatives `[f, f', .., f^(order)]` of a vector from the Taylor series of its coordinates.
-pub(crate) fn derivatives_of<S: Coordinate, const D: usize>(
-    jets: &[Jet<S>; D],
-    order: usize,
-) -> Vec<[S; D]> {
-    let mut factorial: Option<S> = None;
-    (0..=order)
-        .map(|n| {
-            let scale = jets.first().map(|j| match &factorial {
-                Some(f) => f.clone() * j.value().natural(n.max(1)),
-                None => j.value().one(),
-            });
-            factorial.clone_from(&scale);
-            std::array::from_fn(|axis| {
-                let jet = &jets[axis];
-                match (jet.coefficients().get(n), &scale) {
-                    (Some(c), Some(f)) => c.clone() * f.clone(),
-                    _ => jet.value().zero(),
-                }
-            })
-        })
-        .collect()
-}
-
 /// A curve `G(x) = sum_i g[i,k](x) R[i]`, `x` in [0, 1] (gbt-developable eq. (2.2), gbt-surfaces eq. (3)).
 ///
 /// The degree is the number of control points minus one, and at least one. The curve starts in its
@@ -235,4 +211,15 @@ impl<S: Coordinate, const D: usize> Curve<Gbt<S>, S, D> {
             scale(&-by_nu, &sum(&later)),
         ])
     }
+}
+
+/// Derivatives `[f, f', .., f^(order)]` of a vector from the Taylor series of its coordinates.
+pub(crate) fn derivatives_of<S: Coordinate, const D: usize>(
+    jets: &[Jet<S>; D],
+    order: usize,
+) -> Vec<[S; D]> {
+    let derivative = |jet: &Jet<S>, n| jet.derivative(n).unwrap_or_else(|| jet.value().zero());
+    (0..=order)
+        .map(|n| jets.each_ref().map(|jet| derivative(jet, n)))
+        .collect()
 }

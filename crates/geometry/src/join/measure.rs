@@ -26,16 +26,25 @@ pub struct JointMeasure<S, const D: usize> {
 }
 
 impl<S: Coordinate, const D: usize> JointMeasure<S, D> {
-    /// The highest order up to which all residuals are known to be zero; `None` when even the ends differ
-    /// (or, for enclosures, when nothing is known).
+    /// The highest order up to which all residuals are known to be zero, and zero when the pieces turn back
+    /// in a cusp (`b1 <= 0`); `None` when even the ends differ (or, for enclosures, when nothing is known).
     #[must_use]
     pub fn geometric_order(&self) -> Option<usize> {
-        let zero = self
+        let agree = self
             .residuals
             .iter()
             .take_while(|r| r.iter().all(is_zero))
             .count();
-        zero.checked_sub(1)
+        self.without_cusp(agree.checked_sub(1))
+    }
+
+    /// Pieces that turn back at the joint (`b1 <= 0`) meet there and no more.
+    fn without_cusp(&self, order: Option<usize>) -> Option<usize> {
+        let back = self.betas.first().and_then(Coordinate::sign);
+        match back {
+            Some(Ordering::Less | Ordering::Equal) => order.map(|_| 0),
+            _ => order,
+        }
     }
 
     /// The highest order up to which the derivatives themselves are known to agree: C^order.
@@ -69,7 +78,7 @@ impl<const D: usize> JointMeasure<f64, D> {
                 _ => break,
             }
         }
-        reached
+        self.without_cusp(reached)
     }
 }
 

@@ -3,7 +3,9 @@
 use proptest::prelude::*;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Fraction, Rational, Scalar, Symbol};
-use torse_geometry::{Basis, Bernstein, Continuity, Curve, Gbt, GeometryError, PlaneFamily, join};
+use torse_geometry::{
+    Basis, Bernstein, Continuity, Curve, Gbt, GeometryError, Over, PlaneFamily, join,
+};
 
 fn named(name: &str) -> Fraction {
     Fraction::named(name)
@@ -293,4 +295,28 @@ fn a_moved_point_breaks_the_joint_at_its_own_order() {
             "point {moved}"
         );
     }
+}
+
+#[test]
+fn a_piece_that_turns_back_has_contact_of_order_zero_only() {
+    let q = |x: i64, y: i64| [integer(x), integer(y)];
+    let left = Curve::new(Bernstein, vec![q(0, 0), q(1, 2), q(3, 3)]).unwrap();
+    let back = measured(&left, &left.reversed());
+    assert_eq!(
+        (back.geometric_order(), back.betas[0].clone()),
+        (Some(0), integer(-1))
+    );
+    let float = |x: &Rational| torse_algebra::rational::to_f64(x);
+    let left = left.over(&float).unwrap();
+    assert_eq!(
+        measured(&left, &left.reversed()).order_within(1e-12),
+        Some(0)
+    );
+}
+
+fn measured<S: torse_geometry::Coordinate>(
+    left: &Curve<Bernstein, S, 2>,
+    right: &Curve<Bernstein, S, 2>,
+) -> join::JointMeasure<S, 2> {
+    join::measure_curves(left, right, 2).unwrap()
 }
