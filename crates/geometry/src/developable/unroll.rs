@@ -56,7 +56,8 @@ impl FlatPattern {
 const MOST_STEPS: usize = 1 << 16;
 
 /// Unrolls a patch with an estimated error of at most `accuracy` (in units of length) on at least
-/// `rulings` rulings. The first rail starts at the origin and the first ruling points along x.
+/// `rulings` rulings. The first rail starts at the origin and the first ruling points along x. A patch
+/// that crosses its edge of regression ([`certify`](super::certify) tells) unrolls to overlapping sheets.
 ///
 /// # Errors
 /// [`GeometryError::OutOfRange`] unless `accuracy > 0` ([`GeometryError::NotFinite`] for NaN),

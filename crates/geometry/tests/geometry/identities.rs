@@ -1,8 +1,9 @@
 //! The code equals the papers' definitions, as identities in formal x, mu, nu for degrees 2 to 12.
 
 use torse_algebra::rational::{integer, ratio};
-use torse_algebra::{Fraction, Scalar, Symbol};
-use torse_geometry::{Basis, Bernstein, Coordinate, Curve, Gbt};
+use torse_algebra::{Fraction, Jet, Scalar, Symbol};
+use torse_geometry::curve::ellipse_arc;
+use torse_geometry::{Basis, Bernstein, Coordinate, Curve, Gbt, Over};
 
 fn symbol(name: &str) -> Fraction {
     Fraction::named(name)
@@ -216,5 +217,39 @@ fn rows_with_slopes_agree_with_the_derivative_rows_exactly() {
     gbt.row_and_slope_into(&x, &mut row, &mut slope).unwrap();
     for (a, b) in slope.iter().zip(&rows[1]) {
         assert_eq!(a.clone() - b.clone(), x.zero());
+    }
+}
+
+#[test]
+fn the_quarter_ellipse_is_an_ellipse_as_an_identity() {
+    let x = symbol("x");
+    let point = |a: i64, b: i64| [x.constant(&integer(a)), x.constant(&integer(b))];
+    let arc = ellipse_arc(&point(0, 0), &point(1, 0), &point(0, 1)).unwrap();
+    let [cosine, sine] = arc.point(&x).unwrap();
+    let (s, c) = x.quarter_turn().unwrap();
+    assert_eq!(
+        [cosine.clone() - c, sine.clone() - s],
+        [x.zero_like(), x.zero_like()]
+    );
+    assert_eq!(cosine.clone() * cosine + sine.clone() * sine, x.one_like());
+}
+
+#[test]
+fn a_curve_evaluated_on_a_jet_gives_its_own_derivatives() {
+    let points = vec![[0.5, 1.0], [2.0, -1.0], [3.0, 4.0], [1.0, 0.0], [2.0, 2.0]];
+    let curve = Curve::new(Gbt::new(0.4, -0.9).unwrap(), points).unwrap();
+    let order = 4;
+    let on_jets = curve.over(&|v| Jet::of_constant(*v, order)).unwrap();
+    for x in [0.1, 0.5, 0.85] {
+        let jet = on_jets.point(&Jet::variable(x, order)).unwrap();
+        for (n, derivative) in curve.derivatives(&x, order).unwrap().iter().enumerate() {
+            for (value, series) in derivative.iter().zip(&jet) {
+                let other = series.derivative(n).unwrap();
+                assert!(
+                    (value - other).abs() < 1e-11 * (1.0 + value.abs()),
+                    "order {n}: {value} {other}"
+                );
+            }
+        }
     }
 }
