@@ -6,6 +6,7 @@
 
 pub mod decide;
 pub mod derivation;
+pub mod derive;
 pub mod engine;
 pub mod evaluate;
 pub mod notation;

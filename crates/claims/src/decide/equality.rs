@@ -122,3 +122,24 @@ fn complete(
     }
     witness::described(&point, left, right)
 }
+
+/// Some point of the domain with both sides there.
+#[must_use]
+pub fn sample(left: &Value, right: &Value, domain: &Domain<'_>) -> Option<crate::outcome::Witness> {
+    let plain = |value: &Value| {
+        value
+            .entries()
+            .into_iter()
+            .map(|q| q.as_fraction().cloned())
+            .collect::<Option<Vec<Fraction>>>()
+    };
+    let (left, right) = (plain(left)?, plain(right)?);
+    let all = left
+        .iter()
+        .chain(&right)
+        .cloned()
+        .fold(Fraction::zero(), |sum, f| sum + f.clone() * f);
+    let point = witness::find(&all, domain, Relation::AtLeast)
+        .or_else(|| witness::find(&all, domain, Relation::Different));
+    complete(point.unwrap_or_default(), &left, &right, domain)
+}

@@ -23,9 +23,14 @@ use torse_algebra::{Fraction, Matrix, Polynomial, Symbol};
 const DEGREES: u8 = 4;
 
 /// The seeds and step of a family as formulas of its own symbols.
-fn family(basis: &Basis, evaluator: &Evaluator<'_>) -> Result<([Fraction; 2], Vec<Fraction>), Fault> {
-    let own: Vec<Fraction> =
-        std::iter::once(&basis.variable).chain(&basis.parameters).map(|name| Fraction::named(name)).collect();
+fn family(
+    basis: &Basis,
+    evaluator: &Evaluator<'_>,
+) -> Result<([Fraction; 2], Vec<Fraction>), Fault> {
+    let own: Vec<Fraction> = std::iter::once(&basis.variable)
+        .chain(&basis.parameters)
+        .map(|name| Fraction::named(name))
+        .collect();
     let ((a, b), seeds) = evaluator.family(basis, &own)?;
     Ok(([a, b], seeds))
 }
@@ -34,30 +39,54 @@ fn family(basis: &Basis, evaluator: &Evaluator<'_>) -> Result<([Fraction; 2], Ve
 ///
 /// # Errors
 /// [`Fault`] when the seeds cannot be evaluated.
-pub fn nonnegative(basis: &Basis, domain: &Domain<'_>, evaluator: &Evaluator<'_>) -> Result<Decision, Fault> {
+pub fn nonnegative(
+    basis: &Basis,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Result<Decision, Fault> {
     let (step, seeds) = family(basis, evaluator)?;
     let mut steps = vec![];
-    for (what, part) in step.iter().map(|p| ("step factor", p)).chain(seeds.iter().map(|p| ("seed", p))) {
+    for (what, part) in step
+        .iter()
+        .map(|p| ("step factor", p))
+        .chain(seeds.iter().map(|p| ("seed", p)))
+    {
         let text = crate::notation::text(&crate::notation::expression(part));
         let proved = part.as_polynomial().and_then(|p| sign::of(p, domain));
         if part.is_zero() || matches!(proved, Some(Sign::Positive | Sign::Nonnegative)) {
-            steps.push(format!("{what} {text} >= 0 by Bernstein coefficients in the tangent of the half angle"));
+            steps.push(format!(
+                "{what} {text} >= 0 by Bernstein coefficients in the tangent of the half angle"
+            ));
             continue;
         }
         if let Some(point) = witness::find(part, domain, Relation::Less)
             && what == "seed"
-            && let Some(witness) = witness::described(&point, std::slice::from_ref(part), &[Fraction::zero()])
+            && let Some(witness) =
+                witness::described(&point, std::slice::from_ref(part), &[Fraction::zero()])
         {
             let steps = vec![format!("the seed {text} is negative somewhere")];
-            return Ok(Decision::Refuted(Box::new(Refutation { witness, sides: None, steps })));
+            return Ok(Decision::Refuted(Box::new(Refutation {
+                witness,
+                sides: None,
+                steps,
+            })));
         }
         return Ok(Decision::Open {
             reason: format!("the sign of the {what} {text} is not settled"),
-            tried: vec!["Bernstein coefficients".to_owned(), "simple points".to_owned()],
+            tried: vec![
+                "Bernstein coefficients".to_owned(),
+                "simple points".to_owned(),
+            ],
         });
     }
-    steps.push("the step keeps nonnegative functions nonnegative: induction over the degree".to_owned());
-    Ok(Decision::Proven { evidence: Evidence::Induction, conditions: vec![], steps })
+    steps.push(
+        "the step keeps nonnegative functions nonnegative: induction over the degree".to_owned(),
+    );
+    Ok(Decision::Proven {
+        evidence: Evidence::Induction,
+        conditions: vec![],
+        steps,
+    })
 }
 
 /// All functions of one degree.
@@ -84,20 +113,34 @@ fn coefficient_rows(functions: &[Fraction], variable: &str) -> Option<Vec<Vec<Fr
     let mut columns: BTreeMap<Polynomial, Vec<Polynomial>> = BTreeMap::new();
     for (row, function) in functions.iter().enumerate() {
         for term in function.as_polynomial()?.terms() {
-            let (mut monomial, mut rest) = (Polynomial::integer(1), Polynomial::constant(&term.coefficient));
+            let (mut monomial, mut rest) = (
+                Polynomial::integer(1),
+                Polynomial::constant(&term.coefficient),
+            );
             for (symbol, exponent) in term.powers {
                 let power = Polynomial::symbol(symbol.clone()).power(u32::from(exponent));
-                let target = if symbol.depends_on(variable) { &mut monomial } else { &mut rest };
+                let target = if symbol.depends_on(variable) {
+                    &mut monomial
+                } else {
+                    &mut rest
+                };
                 *target = &*target * &power;
             }
-            let column = columns.entry(monomial).or_insert_with(|| vec![Polynomial::zero(); functions.len()]);
+            let column = columns
+                .entry(monomial)
+                .or_insert_with(|| vec![Polynomial::zero(); functions.len()]);
             if let Some(slot) = column.get_mut(row) {
                 *slot = &*slot + &rest;
             }
         }
     }
     let rows = (0..functions.len())
-        .map(|row| columns.values().map(|c| c.get(row).cloned().unwrap_or_else(Polynomial::zero).into()).collect())
+        .map(|row| {
+            columns
+                .values()
+                .map(|c| c.get(row).cloned().unwrap_or_else(Polynomial::zero).into())
+                .collect()
+        })
         .collect();
     Some(rows)
 }
@@ -109,12 +152,23 @@ fn dependency(rows: &[Vec<Fraction>]) -> Option<Vec<Fraction>> {
     let mut work: Vec<(Vec<Fraction>, Vec<Fraction>)> = rows
         .iter()
         .enumerate()
-        .map(|(i, row)| (row.clone(), (0..count).map(|j| Fraction::integer(i64::from(i == j))).collect()))
+        .map(|(i, row)| {
+            (
+                row.clone(),
+                (0..count)
+                    .map(|j| Fraction::integer(i64::from(i == j)))
+                    .collect(),
+            )
+        })
         .collect();
     let width = rows.first().map_or(0, Vec::len);
     let mut done = 0;
     for column in 0..width {
-        let pivot = (done..count).find(|r| work.get(*r).and_then(|(a, _)| a.get(column)).is_some_and(|f| !f.is_zero()));
+        let pivot = (done..count).find(|r| {
+            work.get(*r)
+                .and_then(|(a, _)| a.get(column))
+                .is_some_and(|f| !f.is_zero())
+        });
         let Some(pivot) = pivot else { continue };
         work.swap(done, pivot);
         let (lead_row, lead_mark) = work.get(done)?.clone();
@@ -124,13 +178,19 @@ fn dependency(rows: &[Vec<Fraction>]) -> Option<Vec<Fraction>> {
             if factor.is_zero() {
                 continue;
             }
-            for (slot, f) in row.iter_mut().zip(&lead_row).chain(mark.iter_mut().zip(&lead_mark)) {
+            for (slot, f) in row
+                .iter_mut()
+                .zip(&lead_row)
+                .chain(mark.iter_mut().zip(&lead_mark))
+            {
                 *slot = slot.clone() - factor.clone() * f.clone();
             }
         }
         done += 1;
     }
-    work.into_iter().find(|(row, _)| row.iter().all(Fraction::is_zero)).map(|(_, mark)| mark)
+    work.into_iter()
+        .find(|(row, _)| row.iter().all(Fraction::is_zero))
+        .map(|(_, mark)| mark)
 }
 
 /// Decides whether the functions of every degree are linearly independent for all shape parameters of
@@ -138,7 +198,11 @@ fn dependency(rows: &[Vec<Fraction>]) -> Option<Vec<Fraction>> {
 ///
 /// # Errors
 /// [`Fault`] when the seeds cannot be evaluated.
-pub fn independent(basis: &Basis, domain: &Domain<'_>, evaluator: &Evaluator<'_>) -> Result<Decision, Fault> {
+pub fn independent(
+    basis: &Basis,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Result<Decision, Fault> {
     let (step, seeds) = family(basis, evaluator)?;
     let not_polynomial = || Fault::limit(NOWHERE, "the functions of the family are no polynomials");
     let mut tried = vec![];
@@ -147,8 +211,10 @@ pub fn independent(basis: &Basis, domain: &Domain<'_>, evaluator: &Evaluator<'_>
         let row = functions(&step, &seeds, raise);
         let rows = coefficient_rows(&row, &basis.variable).ok_or_else(not_polynomial)?;
         for point in parameter_points(basis, domain) {
-            let at: Option<Vec<Vec<Fraction>>> =
-                rows.iter().map(|r| r.iter().map(|f| witness::at_point(f, &point)).collect()).collect();
+            let at: Option<Vec<Vec<Fraction>>> = rows
+                .iter()
+                .map(|r| r.iter().map(|f| witness::at_point(f, &point)).collect())
+                .collect();
             let Some(combination) = at.as_deref().and_then(dependency) else {
                 continue;
             };
@@ -171,14 +237,25 @@ pub fn independent(basis: &Basis, domain: &Domain<'_>, evaluator: &Evaluator<'_>
                 "the coefficients of the functions in normal form are a matrix in the shape parameters".to_owned(),
                 format!("at these shape parameters its rows are dependent for degree {degree}"),
             ];
-            return Ok(Decision::Refuted(Box::new(Refutation { witness, sides: None, steps })));
+            return Ok(Decision::Refuted(Box::new(Refutation {
+                witness,
+                sides: None,
+                steps,
+            })));
         }
         match full_rank(&rows, domain) {
-            true => tried.push(format!("degree {degree}: a minor of the coefficient matrix never vanishes on the domain")),
-            false => tried.push(format!("degree {degree}: no dependency at simple shape parameters")),
+            true => tried.push(format!(
+                "degree {degree}: a minor of the coefficient matrix never vanishes on the domain"
+            )),
+            false => tried.push(format!(
+                "degree {degree}: no dependency at simple shape parameters"
+            )),
         }
     }
-    Ok(Decision::Open { reason: "independence is not proved for every degree".to_owned(), tried })
+    Ok(Decision::Open {
+        reason: "independence is not proved for every degree".to_owned(),
+        tried,
+    })
 }
 
 /// Simple shape parameters, corners first.
@@ -187,17 +264,29 @@ fn parameter_points(basis: &Basis, domain: &Domain<'_>) -> Vec<Point> {
     for name in &basis.parameters {
         let symbol = Symbol::named(name);
         let interval = domain.interval(&symbol);
-        let mut values: Vec<Fraction> = [interval.lower, interval.upper].into_iter().flatten().map(|b| b.value).collect();
-        values.extend(domain.candidates(&symbol, witness::turns(&[], &symbol)).into_iter().take(4));
+        let mut values: Vec<Fraction> = [interval.lower, interval.upper]
+            .into_iter()
+            .flatten()
+            .map(|b| b.value)
+            .collect();
+        values.extend(
+            domain
+                .candidates(&symbol, witness::turns(&[], &symbol))
+                .into_iter()
+                .take(4),
+        );
         points = points
             .into_iter()
             .flat_map(|point| {
                 let symbol = symbol.clone();
-                values.iter().map(move |value| {
-                    let mut more = point.clone();
-                    more.insert(symbol.clone(), value.clone());
-                    more
-                }).collect::<Vec<_>>()
+                values
+                    .iter()
+                    .map(move |value| {
+                        let mut more = point.clone();
+                        more.insert(symbol.clone(), value.clone());
+                        more
+                    })
+                    .collect::<Vec<_>>()
             })
             .collect();
     }
@@ -209,11 +298,16 @@ fn full_rank(rows: &[Vec<Fraction>], domain: &Domain<'_>) -> bool {
     let (count, width) = (rows.len(), rows.first().map_or(0, Vec::len));
     // Windows of neighbouring columns are enough to find one in practice.
     (0..=width.saturating_sub(count)).any(|start| {
-        let square: Vec<Vec<Fraction>> =
-            rows.iter().map(|r| r.iter().skip(start).take(count).cloned().collect()).collect();
+        let square: Vec<Vec<Fraction>> = rows
+            .iter()
+            .map(|r| r.iter().skip(start).take(count).cloned().collect())
+            .collect();
         Matrix::from_rows(square)
             .and_then(|m| m.determinant())
-            .is_ok_and(|d| d.as_polynomial().is_some_and(|p| sign::never_zero(p, domain)))
+            .is_ok_and(|d| {
+                d.as_polynomial()
+                    .is_some_and(|p| sign::never_zero(p, domain))
+            })
     })
 }
 
@@ -222,7 +316,11 @@ fn full_rank(rows: &[Vec<Fraction>], domain: &Domain<'_>) -> bool {
 ///
 /// # Errors
 /// [`Fault`] when the seeds cannot be evaluated.
-pub fn variation_diminishing(basis: &Basis, domain: &Domain<'_>, evaluator: &Evaluator<'_>) -> Result<Decision, Fault> {
+pub fn variation_diminishing(
+    basis: &Basis,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Result<Decision, Fault> {
     let (step, seeds) = family(basis, evaluator)?;
     let variable = Symbol::named(&basis.variable);
     let places: Vec<Fraction> = domain.candidates(&variable, super::domain::Turns::Quarter);
@@ -231,7 +329,8 @@ pub fn variation_diminishing(basis: &Basis, domain: &Domain<'_>, evaluator: &Eva
         let degree = basis.degree + raise;
         let row = functions(&step, &seeds, raise);
         for point in parameter_points(basis, domain) {
-            let fixed: Option<Vec<Fraction>> = row.iter().map(|f| witness::at_point(f, &point)).collect();
+            let fixed: Option<Vec<Fraction>> =
+                row.iter().map(|f| witness::at_point(f, &point)).collect();
             let Some(fixed) = fixed else { continue };
             if let Some(found) = negative_minor(&fixed, &variable, &places) {
                 let mut at: Vec<(String, String)> = vec![("degree".to_owned(), degree.to_string())];
@@ -241,19 +340,29 @@ pub fn variation_diminishing(basis: &Basis, domain: &Domain<'_>, evaluator: &Eva
                     at,
                     left: found.value.to_string(),
                     right: "0".to_owned(),
-                    left_decimal: super::domain::enclosure(&found.value, 192).map_or_else(String::new, |b| b.decimal(12)),
+                    left_decimal: super::domain::enclosure(&found.value, 192)
+                        .map_or_else(String::new, |b| b.decimal(12)),
                     right_decimal: "0".to_owned(),
                 };
                 let steps = vec![
                     "a minor of the collocation matrix of two functions at two places is negative".to_owned(),
                     "so their quotient is not monotone, and a combination with one change of sign changes sign twice".to_owned(),
                 ];
-                return Ok(Decision::Refuted(Box::new(Refutation { witness, sides: None, steps })));
+                return Ok(Decision::Refuted(Box::new(Refutation {
+                    witness,
+                    sides: None,
+                    steps,
+                })));
             }
         }
-        tried.push(format!("degree {degree}: all minors of order two at simple places are nonnegative"));
+        tried.push(format!(
+            "degree {degree}: all minors of order two at simple places are nonnegative"
+        ));
     }
-    Ok(Decision::Open { reason: "total positivity is not proved for every degree".to_owned(), tried })
+    Ok(Decision::Open {
+        reason: "total positivity is not proved for every degree".to_owned(),
+        tried,
+    })
 }
 
 struct Minor {
@@ -267,7 +376,12 @@ fn negative_minor(functions: &[Fraction], variable: &Symbol, places: &[Fraction]
     };
     let values: Vec<Vec<Fraction>> = functions
         .iter()
-        .map(|f| places.iter().map(|x| f.at(name, x).ok()).collect::<Option<Vec<_>>>())
+        .map(|f| {
+            places
+                .iter()
+                .map(|x| f.at(name, x).ok())
+                .collect::<Option<Vec<_>>>()
+        })
         .collect::<Option<_>>()?;
     for (i, lower) in values.iter().enumerate() {
         for (j, upper) in values.iter().enumerate().skip(i + 1) {
@@ -277,8 +391,11 @@ fn negative_minor(functions: &[Fraction], variable: &Symbol, places: &[Fraction]
                     if !ordered {
                         continue;
                     }
-                    let entry = |row: &[Fraction], c: usize| row.get(c).cloned().unwrap_or_else(Fraction::zero);
-                    let minor = entry(lower, p) * entry(upper, q) - entry(lower, q) * entry(upper, p);
+                    let entry = |row: &[Fraction], c: usize| {
+                        row.get(c).cloned().unwrap_or_else(Fraction::zero)
+                    };
+                    let minor =
+                        entry(lower, p) * entry(upper, q) - entry(lower, q) * entry(upper, p);
                     if truth(&minor, Relation::Less) == Some(true) {
                         let at = vec![
                             ("functions".to_owned(), format!("{i}, {j}")),

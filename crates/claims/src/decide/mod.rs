@@ -16,7 +16,7 @@ pub mod witness;
 
 use crate::evaluate::Evaluator;
 use crate::evaluate::fault::Fault;
-use crate::evaluate::value::{FamilyProperty, Statement};
+use crate::evaluate::value::{FamilyProperty, Statement, Value};
 use crate::outcome::{Evidence, Witness};
 use crate::syntax::{Connective, Relation};
 use domain::Domain;
@@ -105,7 +105,9 @@ pub fn decide(
         Statement::Family { property, basis } => match property {
             FamilyProperty::Nonnegative => family::nonnegative(basis, domain, evaluator),
             FamilyProperty::Independent => family::independent(basis, domain, evaluator),
-            FamilyProperty::VariationDiminishing => family::variation_diminishing(basis, domain, evaluator),
+            FamilyProperty::VariationDiminishing => {
+                family::variation_diminishing(basis, domain, evaluator)
+            }
         },
         Statement::Join(Connective::And, a, b) => {
             let first = decide(a, domain, evaluator)?;
@@ -121,8 +123,12 @@ pub fn decide(
                 return Ok(first);
             }
             let second = decide(b, domain, evaluator)?;
-            Ok(match second {
-                proven @ Decision::Proven { .. } => proven,
+            Ok(match (first, second) {
+                (_, proven @ Decision::Proven { .. }) => proven,
+                // Two refutations that need no point are refutations at every point.
+                (Decision::Refuted(a), Decision::Refuted(b)) if a.witness.at.is_empty() => {
+                    Decision::Refuted(b)
+                }
                 _ => Decision::Open {
                     reason: "neither alternative is proved on the whole domain".to_owned(),
                     tried: vec!["each alternative on its own".to_owned()],
@@ -137,38 +143,64 @@ pub fn decide(
     }
 }
 
-/// `not p`: a universal statement about p itself ("p fails everywhere") is not meant; `not (a == b)`
-/// states that the two sides are different somewhere, as formulas.
+/// `not p`: the formulas of p do not agree everywhere. A point where p fails proves it; a proof of p
+/// refutes it, and any point of the domain shows it.
 fn negation(
     inner: &Statement,
     domain: &Domain,
     evaluator: &Evaluator<'_>,
 ) -> Result<Decision, Fault> {
     Ok(match decide(inner, domain, evaluator)? {
-        Decision::Refuted(refutation) => Decision::Proven {
-            evidence: Evidence::Witness,
-            conditions: vec![],
-            steps: refutation
-                .steps
+        Decision::Refuted(refutation) => {
+            let at = refutation
+                .witness
+                .at
+                .iter()
+                .map(|(name, value)| format!("{name} = {value}"));
+            let point = at.collect::<Vec<_>>().join(", ");
+            let mut steps = refutation.steps;
+            steps.push(format!(
+                "a point where the negated statement fails: {point}"
+            ));
+            Decision::Proven {
+                evidence: Evidence::Witness,
+                conditions: vec![],
+                steps,
+            }
+        }
+        Decision::Proven { steps, .. } => {
+            let witness = comparisons(inner)
                 .into_iter()
-                .chain(std::iter::once(format!(
-                    "a point where it fails: {}",
-                    refutation
-                        .witness
-                        .at
-                        .iter()
-                        .map(|(n, v)| format!("{n} = {v}"))
-                        .collect::<Vec<_>>()
-                        .join(", ")
-                )))
-                .collect(),
-        },
-        Decision::Proven { .. } => Decision::Open {
-            reason: "the negated statement holds identically".to_owned(),
-            tried: vec!["the statement without `not`".to_owned()],
-        },
+                .find_map(|(left, right)| equality::sample(left, right, domain));
+            match witness {
+                Some(witness) => {
+                    let first = "the negated statement is proved: it holds everywhere".to_owned();
+                    let steps = std::iter::once(first).chain(steps).collect();
+                    Decision::Refuted(Box::new(Refutation {
+                        witness,
+                        sides: None,
+                        steps,
+                    }))
+                }
+                None => Decision::Open {
+                    reason: "the negated statement holds, but no point of the domain was found"
+                        .to_owned(),
+                    tried: steps,
+                },
+            }
+        }
         open @ Decision::Open { .. } => open,
     })
+}
+
+/// The sides of all comparisons in a statement.
+fn comparisons(statement: &Statement) -> Vec<(&Value, &Value)> {
+    match statement {
+        Statement::Compare { left, right, .. } => vec![(left, right)],
+        Statement::Join(_, a, b) => [comparisons(a), comparisons(b)].concat(),
+        Statement::Not(inner) => comparisons(inner),
+        Statement::Agrees { .. } | Statement::Family { .. } => vec![],
+    }
 }
 
 /// A conjunction of decisions, neither of which is a refutation unless the second is.

@@ -93,7 +93,10 @@ fn one_sided(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<bool> {
 /// Writes sine and cosine of a quarter turn as rational functions of the tangent t of half the angle,
 /// s = 2t/(1 + t^2), c = (1 - t^2)/(1 + t^2), and multiplies by the positive denominator: the same sign,
 /// with t in [0,1] for a variable of [0,1]. A variable that also stands outside keeps its own range.
-fn half_angles(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Polynomial, Vec<(Symbol, Interval)>)> {
+fn half_angles(
+    polynomial: &Polynomial,
+    domain: &Domain<'_>,
+) -> Option<(Polynomial, Vec<(Symbol, Interval)>)> {
     let mut value = Fraction::from(polynomial.clone());
     let mut boxes = vec![];
     for symbol in polynomial.symbols() {
@@ -101,7 +104,10 @@ fn half_angles(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Polynomi
             continue;
         };
         let half = Symbol::named(&format!("{name}\u{bd}"));
-        if boxes.iter().any(|(known, _): &(Symbol, Interval)| *known == half) {
+        if boxes
+            .iter()
+            .any(|(known, _): &(Symbol, Interval)| *known == half)
+        {
             continue;
         }
         let unit = domain.interval(&Symbol::Cos(name.clone(), *angle));

@@ -197,7 +197,16 @@ fn conclude(outcome: &mut Outcome, claim: &Claim, statement: &Written, decision:
 }
 
 fn refute(outcome: &mut Outcome, claim: &Claim, statement: &Written, refutation: Refutation) {
-    outcome.correction = repair::search(claim, statement);
+    // A statement in words is our formula, not the paper's: correcting it would say nothing.
+    let printed_formula = matches!(
+        outcome.kind,
+        Kind::Identity | Kind::Value | Kind::Construction | Kind::Definition
+    );
+    outcome.correction = if printed_formula {
+        repair::search(claim, statement)
+    } else {
+        None
+    };
     if outcome.correction.is_some() {
         outcome.verdict = Verdict::Misprint;
     }

@@ -9,6 +9,9 @@ use super::{Bindings, Evaluator, wrong_type};
 use crate::syntax::{Expr, Place};
 use torse_algebra::{Affine, Fraction};
 
+/// The work of one step of the recursion, in units of a visited node.
+const ROW_WORK: u64 = 1_500;
+
 impl Evaluator<'_> {
     /// The member `name[index, degree](arguments)`; without arguments, of the family's own variable.
     pub(super) fn member(
@@ -151,6 +154,7 @@ impl Evaluator<'_> {
         if let Some(row) = self.members.borrow().get(&key) {
             return row.clone();
         }
+        self.spend(ROW_WORK * (1 + steps as u64));
         let mut row = seeds.to_vec();
         for _ in 0..steps {
             let mut next = vec![Fraction::zero(); row.len() + 1];

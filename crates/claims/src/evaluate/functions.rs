@@ -203,13 +203,17 @@ impl Evaluator<'_> {
             Node::Name(name) => self.declarations.basis(name),
             _ => None,
         };
-        let basis = basis.ok_or_else(|| wrong_type(family.place, "a formula", "the name of a basis"))?;
+        let basis =
+            basis.ok_or_else(|| wrong_type(family.place, "a formula", "the name of a basis"))?;
         let property = match name {
             "nonnegative" => FamilyProperty::Nonnegative,
             "independent" => FamilyProperty::Independent,
             _ => FamilyProperty::VariationDiminishing,
         };
-        Ok(Value::Truth(Box::new(Statement::Family { property, basis: Arc::clone(basis) })))
+        Ok(Value::Truth(Box::new(Statement::Family {
+            property,
+            basis: Arc::clone(basis),
+        })))
     }
 
     /// A plain scalar.

@@ -46,20 +46,24 @@ pub(super) fn determinant(rows: &[Vec<Fraction>], place: Place) -> Result<Fracti
         .map_err(|e| fault(&e, place))
 }
 
-/// The inverse.
+/// The inverse, by the adjugate: the determinant is the only divisor.
 pub(super) fn inverse(rows: &[Vec<Fraction>], place: Place) -> Result<Value, Fault> {
-    let inverse = matrix(rows, place)?
-        .inverse()
-        .map_err(|e| fault(&e, place))?;
-    let rows = quantities(&inverse);
-    Ok(Value::Matrix(rows))
+    Ok(Value::Matrix(quantities(&inverted(rows, place)?)))
+}
+
+fn inverted(rows: &[Vec<Fraction>], place: Place) -> Result<Matrix<Fraction>, Fault> {
+    let matrix = matrix(rows, place)?;
+    let determinant = matrix.determinant().map_err(|e| fault(&e, place))?;
+    let inverse = Fraction::integer(1)
+        .over(&determinant)
+        .map_err(|e| Fault::exact(place, e))?;
+    let adjugate = matrix.adjugate().map_err(|e| fault(&e, place))?;
+    Ok(adjugate.map(|entry| entry.clone() * inverse.clone()))
 }
 
 /// The solution x of `A x = right`, for a vector or a matrix of right sides.
 pub(super) fn solve(rows: &[Vec<Fraction>], right: &Value, place: Place) -> Result<Value, Fault> {
-    let inverse = matrix(rows, place)?
-        .inverse()
-        .map_err(|e| fault(&e, place))?;
+    let inverse = inverted(rows, place)?;
     let columns: Vec<Vec<Quantity>> = match right {
         Value::Vector(v) if !v.generic => v.entries.iter().map(|q| vec![q.clone()]).collect(),
         Value::Matrix(rows) => rows.clone(),

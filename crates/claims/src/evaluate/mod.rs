@@ -50,6 +50,7 @@ pub struct Evaluator<'a> {
     symbolic_degree: Cell<bool>,
     depth: Cell<usize>,
     nodes: Cell<u64>,
+    work: Cell<u64>,
     members: RefCell<BTreeMap<String, Vec<Fraction>>>,
 }
 
@@ -68,6 +69,7 @@ impl<'a> Evaluator<'a> {
             symbolic_degree: Cell::new(false),
             depth: Cell::new(0),
             nodes: Cell::new(0),
+            work: Cell::new(0),
             members: RefCell::new(BTreeMap::new()),
         }
     }
@@ -111,6 +113,16 @@ impl<'a> Evaluator<'a> {
         }
     }
 
+    /// The work done so far, in units of one visited node.
+    #[must_use]
+    pub fn work(&self) -> u64 {
+        self.work.get()
+    }
+
+    fn spend(&self, units: u64) {
+        self.work.set(self.work.get().saturating_add(units));
+    }
+
     /// Whether any formula so far had a symbolic degree.
     #[must_use]
     pub fn met_symbolic_degree(&self) -> bool {
@@ -139,6 +151,7 @@ impl<'a> Evaluator<'a> {
 
     fn value(&self, expr: &Expr, bound: &Bindings) -> Outcome<Value> {
         self.nodes.set(self.nodes.get() + 1);
+        self.spend(1);
         if self.nodes.get() > MAX_NODES {
             return Err(Fault::limit(
                 expr.place,

@@ -201,12 +201,24 @@ impl Series {
                 return Ok(Some(self.factor.clone() * total * term.clone()));
             }
         }
+        // No power of E outside lowest ..= power + lowest + (number of seeds) - 1 occurs.
+        if let Target::Entry(index) = &self.target {
+            let below = index.clone() - Affine::number(self.lowest);
+            let top = self.lowest + i64::try_from(self.seeds.len()).unwrap_or(i64::MAX) - 1;
+            let above = index.clone() - (self.power.clone() + Affine::number(top));
+            if greatest(&below).is_some_and(|n| n < 0) || least(&above).is_some_and(|n| n > 0) {
+                return Ok(Some(Fraction::zero()));
+            }
+        }
         let Some((start, mut seeds)) = self.collapsed() else {
             return Ok(None);
         };
         while seeds.last().is_some_and(Fraction::is_zero) {
             seeds.pop();
         }
+        let leading = seeds.iter().take_while(|s| s.is_zero()).count();
+        seeds.drain(..leading);
+        let start = start + Affine::number(i64::try_from(leading).unwrap_or(0));
         let top = i64::try_from(seeds.len()).unwrap_or(i64::MAX) - 1;
         match &self.target {
             Target::Entry(index) => {

@@ -27,6 +27,7 @@ pub struct Alphabet {
 #[must_use]
 pub fn single(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let mut result = renamed(expr);
+    result.extend(functions_dropped(expr));
     result.extend(local(expr, alphabet));
     result.extend(scaled(expr, alphabet));
     inside(expr, alphabet, &mut result);
@@ -37,7 +38,11 @@ pub fn single(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
 fn renamed(expr: &Expr) -> Vec<Edit> {
     let mut result = vec![];
     let bases = |expr: &Expr| {
-        let names: Vec<String> = expr.names().into_iter().map(|n| n.trim_end_matches('\'').to_owned()).collect();
+        let names: Vec<String> = expr
+            .names()
+            .into_iter()
+            .map(|n| n.trim_end_matches('\'').to_owned())
+            .collect();
         names
     };
     let mut all = bases(expr);
@@ -46,16 +51,25 @@ fn renamed(expr: &Expr) -> Vec<Edit> {
     let mut pending: Vec<(Vec<usize>, &Expr)> = vec![(vec![], expr)];
     while let Some((path, part)) = pending.pop() {
         let own = bases(part);
-        let sum = matches!(&part.node, Node::Binary(Operator::Add | Operator::Subtract, ..));
+        let sum = matches!(
+            &part.node,
+            Node::Binary(Operator::Add | Operator::Subtract, ..)
+        );
         if sum && part.size() <= MAX_RENAMED {
-            let mut repeated: Vec<&String> = own.iter().filter(|n| own.iter().filter(|o| o == n).count() > 1).collect();
+            let mut repeated: Vec<&String> = own
+                .iter()
+                .filter(|n| own.iter().filter(|o| o == n).count() > 1)
+                .collect();
             repeated.sort();
             repeated.dedup();
             for old in repeated {
                 for new in all.iter().filter(|n| *n != old) {
                     let changed = with_name(part, old, new);
                     let change = format!("`{old}` replaced by `{new}` in `{}`", text(part));
-                    result.push(Edit { expr: placed(expr, &path, changed), change });
+                    result.push(Edit {
+                        expr: placed(expr, &path, changed),
+                        change,
+                    });
                 }
             }
         }
@@ -64,6 +78,53 @@ fn renamed(expr: &Expr) -> Vec<Edit> {
             deeper.push(position);
             pending.push((deeper, inner));
         }
+    }
+    result
+}
+
+/// A sine or cosine that occurs more than once taken for its variable, throughout.
+fn functions_dropped(expr: &Expr) -> Vec<Edit> {
+    let mut calls: Vec<&Expr> = vec![];
+    let mut pending = vec![expr];
+    while let Some(part) = pending.pop() {
+        if let Node::Call(head, _) = &part.node
+            && matches!(&head.node, Node::Name(name) if name == "sin" || name == "cos")
+        {
+            calls.push(part);
+        }
+        pending.extend(part.parts());
+    }
+    let mut result = vec![];
+    let mut seen: Vec<String> = vec![];
+    for call in &calls {
+        let old = text(call);
+        let repeated = calls.iter().filter(|other| text(other) == old).count() > 1;
+        if !repeated || seen.contains(&old) {
+            continue;
+        }
+        for variable in call
+            .names()
+            .into_iter()
+            .filter(|n| !["sin", "cos", "pi"].contains(n))
+        {
+            let change = format!("`{old}` replaced by `{variable}` throughout");
+            result.push(Edit {
+                expr: with_part(expr, &old, &Expr::name(variable)),
+                change,
+            });
+        }
+        seen.push(old);
+    }
+    result
+}
+
+fn with_part(expr: &Expr, old: &str, new: &Expr) -> Expr {
+    if matches!(expr.node, Node::Call(..)) && text(expr) == old {
+        return new.clone();
+    }
+    let mut result = expr.clone();
+    for part in result.parts_mut() {
+        *part = with_part(part, old, new);
     }
     result
 }
@@ -192,6 +253,23 @@ fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
             }
         }
         Node::Call(head, arguments) => {
+            for (position, pair) in arguments.windows(2).enumerate() {
+                let [a, b] = pair else { continue };
+                if !matches!((&a.node, &b.node), (Node::Name(_), Node::Name(_))) || a.node == b.node
+                {
+                    continue;
+                }
+                let mut swapped = arguments.clone();
+                swapped.swap(position, position + 1);
+                let by = Expr::made(Node::Call(head.clone(), swapped));
+                let change = format!(
+                    "`{}` and `{}` exchanged in `{}`",
+                    text(a),
+                    text(b),
+                    text(expr)
+                );
+                result.push(Edit { expr: by, change });
+            }
             // sin <-> cos, and a function in place of its variable.
             if let (Node::Name(name), [argument]) = (&head.node, arguments.as_slice()) {
                 let other = match name.as_str() {

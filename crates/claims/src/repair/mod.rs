@@ -27,6 +27,8 @@ const MAX_SINGLE: usize = 6_000;
 const MAX_FIRST: usize = 150;
 /// The most candidates evaluated with two edits.
 const MAX_DOUBLE: usize = 12_000;
+/// The work one search may do, in units of a visited node of a formula.
+const MAX_WORK: u64 = 1_200_000;
 /// How many survivors of the sample point are proved before the search ends.
 const MAX_PROOFS: usize = 8;
 /// Formulas larger than this are corrected with one edit at most.
@@ -87,6 +89,9 @@ fn proved(
             continue;
         }
         let expr = edits::placed(&statement.expr, path, edit.expr);
+        if is_tautology(&expr, path) {
+            continue;
+        }
         let trial = Written {
             expr: expr.clone(),
             origin: statement.origin.clone(),
@@ -109,6 +114,20 @@ fn proved(
         }
     }
     found
+}
+
+/// Whether the comparison at the end of the path says the same thing twice: no correction.
+fn is_tautology(expr: &Expr, path: &[usize]) -> bool {
+    let parent = path.split_last().map_or(path, |(_, parent)| parent);
+    let comparison = parent
+        .iter()
+        .try_fold(expr, |e, position| e.parts().into_iter().nth(*position));
+    match comparison.map(|e| &e.node) {
+        Some(Node::Compare(left, rest)) => rest
+            .iter()
+            .any(|(_, right)| canonical::canonical(left) == canonical::canonical(right)),
+        _ => false,
+    }
 }
 
 /// The right side of the first equality of the statement that does not hold, and the way to it.
@@ -215,8 +234,17 @@ impl<'a> Target<'a> {
         Some(Self { instances })
     }
 
-    /// Whether a candidate agrees with the left side at every instance.
+    /// Whether a candidate agrees with the left side at every instance; never once the work is used up.
     fn agrees(&self, candidate: &Expr) -> bool {
+        if self
+            .instances
+            .iter()
+            .map(|(evaluator, _)| evaluator.work())
+            .sum::<u64>()
+            > MAX_WORK
+        {
+            return false;
+        }
         self.instances.iter().all(|(evaluator, left)| {
             let Ok(value) = evaluator.evaluate(candidate) else {
                 return false;

@@ -166,7 +166,7 @@ impl Expr {
     #[must_use]
     pub fn number(value: &Rational) -> Self {
         use num_traits::Signed;
-        if value.is_negative() {
+        if value.is_negative() && value.is_integer() {
             return Self::made(Node::Negative(Box::new(Self::number(&-value.clone()))));
         }
         let whole = |n: &torse_algebra::Integer| {
@@ -180,7 +180,7 @@ impl Expr {
         }
         Self::made(Node::Binary(
             Operator::Divide,
-            Box::new(whole(value.numer())),
+            Box::new(Self::number(&Rational::from_integer(value.numer().clone()))),
             Box::new(whole(value.denom())),
         ))
     }

@@ -1,0 +1,46 @@
+//! Names for what a derivation introduces, away from the names of the family.
+
+use std::collections::BTreeSet;
+
+/// Names in use.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Names {
+    taken: BTreeSet<String>,
+}
+
+impl Names {
+    /// Starts with the names of the family.
+    pub fn of(taken: impl IntoIterator<Item = String>) -> Self {
+        Self {
+            taken: taken.into_iter().collect(),
+        }
+    }
+
+    /// `wanted`, with as many underscores in front of its digits as it takes to be new.
+    pub fn fresh(&mut self, wanted: &str) -> String {
+        let stem = wanted.trim_end_matches(|c: char| c.is_ascii_digit());
+        let digits = wanted.get(stem.len()..).unwrap_or("");
+        let mut name = wanted.to_owned();
+        let mut marks = 0;
+        while self.taken.contains(&name) {
+            marks += 1;
+            name = format!("{stem}{}{digits}", "_".repeat(marks));
+        }
+        self.taken.insert(name.clone());
+        name
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_taken_name_gets_underscores() {
+        let mut names = Names::of(["m".to_owned(), "a11".to_owned()]);
+        assert_eq!(names.fresh("m"), "m_");
+        assert_eq!(names.fresh("m"), "m__");
+        assert_eq!(names.fresh("a11"), "a_11");
+        assert_eq!(names.fresh("n"), "n");
+    }
+}
