@@ -71,6 +71,16 @@ pub fn lines(table: &Table) -> String {
     text
 }
 
+/// A text in lines of at most [`WIDTH`], each after `indent` blanks.
+pub fn paragraph(indent: u16, text: &str) -> String {
+    let mut table = table();
+    table.add_row([text]);
+    if let Some(column) = table.column_mut(0) {
+        column.set_padding((indent, 0));
+    }
+    lines(&table)
+}
+
 /// The label of a verdict in its colour.
 pub fn verdict(of: Verdict) -> String {
     let style = Style::new();

@@ -49,7 +49,7 @@ fn verdicts(paper: &PaperOutcome, findings: &BTreeMap<String, String>) -> String
         column.set_constraint(ColumnConstraint::ContentWidth);
     }
     let slug = terminal::heading(&format!("{}/", paper.slug));
-    format!("{slug}  {}\n{}", paper.title, terminal::lines(&table))
+    terminal::paragraph(0, &format!("{slug}  {}", paper.title)) + &terminal::lines(&table)
 }
 
 fn evidence(outcome: &Outcome) -> &'static str {
@@ -86,26 +86,17 @@ fn in_full<'a>(
     findings: &BTreeMap<String, String>,
 ) -> String {
     let mut text = String::new();
-    let told = outcomes.filter_map(|outcome| Some((outcome, findings.get(&outcome.id)?)));
-    for (outcome, finding) in told {
-        let mut table = terminal::table();
-        table.add_row([finding]);
-        if let Some(column) = table.column_mut(0) {
-            column.set_padding((4, 0));
+    for outcome in outcomes {
+        if let Some(finding) = findings.get(&outcome.id) {
+            let id = terminal::heading(&outcome.id);
+            text += &terminal::paragraph(0, &format!("{id}  {}", outcome.at));
+            text += &terminal::paragraph(4, finding);
         }
-        text.push_str(&format!(
-            "{}  {}\n{}",
-            terminal::heading(&outcome.id),
-            outcome.at,
-            terminal::lines(&table)
-        ));
     }
+    let title = terminal::heading("Findings");
     match text.is_empty() {
         true => text,
-        false => format!(
-            "\n{} (`torse explain ID` says more)\n{text}",
-            terminal::heading("Findings")
-        ),
+        false => format!("\n{title} (`torse explain ID` says more)\n{text}"),
     }
 }
 

@@ -58,7 +58,7 @@ impl Verify {
 }
 
 fn slowest(run: &Run) -> String {
-    let mut text = String::from("slowest claims, in milliseconds:\n");
+    let mut text = String::from("slowest claims, in milliseconds of wall time:\n");
     for (id, time) in run.slowest(10) {
         text.push_str(&format!("{:>9.1}  {id}\n", 1e3 * time.as_secs_f64()));
     }

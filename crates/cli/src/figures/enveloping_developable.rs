@@ -2,9 +2,11 @@
 
 use super::{Redrawn, Undrawn, parts, shaded};
 use torse_figures::{
-    Aspect, Axis, Camera, Content, Figure, Legend, Line, Paint, Panel, Picture, Plot, Size, View,
+    Aspect, Axis, Bounds, Camera, Content, Figure, Legend, Line, Paint, Panel, Picture, Plot, Size,
+    View,
 };
-use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily};
+use torse_geometry::Bounds::Range;
+use torse_geometry::{EnvelopingPatch, Gbt, PlaneFamily};
 
 pub const FIGURE: Redrawn = Redrawn {
     paper: "gbt-developable",
@@ -33,6 +35,9 @@ const SHAPES: [f64; 3] = [-1.0, 0.0, 1.0];
 /// The range of the parameter `x1` on each ruling.
 const RULING: [f64; 2] = [-1.0 / 60.0, 1.0 / 60.0];
 
+/// The box that all three views show.
+const BOX: [[f64; 2]; 3] = [[-22.0, 22.0], [-15.0, 15.0], [12.0, 28.0]];
+
 fn draw() -> Result<Picture, Undrawn> {
     let mut panels = Vec::new();
     let mut sections = Plot::new(Axis::auto("$y$"), Axis::auto("$z$"))
@@ -47,14 +52,17 @@ fn draw() -> Result<Picture, Undrawn> {
         }
         let name = format!("$\\mu = \\nu = {shape}$");
         sections = sections.curve(section, Line::nth(number), &name);
-        let patch = EnvelopingPatch::new(family, Bounds::Range(RULING))?;
+        let patch = EnvelopingPatch::new(family, Range(RULING))?;
         let surface = shaded(&patch, 160, 8)?
             .paint(Paint::nth(number))
             .lines(20, 0);
-        let view = View::new().surface(surface).camera(Camera::Angles {
-            azimuth: -60.0,
-            elevation: 25.0,
-        });
+        let view = View::new()
+            .surface(surface)
+            .bounds(Bounds::Fixed(BOX))
+            .camera(Camera::Angles {
+                azimuth: -60.0,
+                elevation: 25.0,
+            });
         panels.push(Panel {
             content: Content::View(view),
             caption: name,
@@ -70,7 +78,7 @@ fn draw() -> Result<Picture, Undrawn> {
         columns: 2,
         panel_size: Size {
             width: 400,
-            height: 330,
+            height: 290,
         },
     };
     Ok(figure.draw()?)

@@ -35,14 +35,14 @@ fn draw() -> Result<Picture, Undrawn> {
     let patch = cone.patch()?;
     let (p, q) = (patch.first(), patch.second());
     let mut view = View::new();
-    for u in parts(10) {
+    for u in parts(16) {
         view = view.curve(
             vec![p.point(&u)?, cone.summit],
             Line::solid(Colour::GREY, 0.7),
             "",
         );
     }
-    let surface = shaded(&patch, 160, 12)?.lines(20, 0);
+    let surface = shaded(&patch, 160, 12)?.lines(16, 0);
     let view = view
         .surface(surface)
         .curve(
@@ -58,13 +58,13 @@ fn draw() -> Result<Picture, Undrawn> {
         .points(vec![cone.summit], Colour::INK, "")
         .note(cone.summit, "$\\mathbf{o}$", Place::Right)
         .camera(Camera::Angles {
-            azimuth: -60.0,
-            elevation: 25.0,
+            azimuth: -35.0,
+            elevation: 40.0,
         })
         .legend(Legend::Below);
     let size = Size {
         width: 620,
-        height: 480,
+        height: 460,
     };
     Ok(view.draw("Quintic Hermite patch on a cone", size)?)
 }

@@ -1,6 +1,6 @@
 //! `torse report`: the files it writes.
 
-use crate::support::{claim, mini, on, repository};
+use crate::support::{add_paper, claim, mini, on};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -50,26 +50,56 @@ fn a_report_of_a_paper_is_written_whole_and_the_same_twice() {
 }
 
 #[test]
-fn the_reports_of_the_three_papers_come_with_their_figures() {
-    let out = TempDir::new().unwrap();
-    let path = out.path().to_str().unwrap();
-    let ran = on(&repository(), &["report", "--out", path]);
-    assert_eq!(ran.code, Some(0), "{}", ran.err);
-    let files = files(out.path());
-    for paper in ["gbt-developable", "gbt-surfaces", "hermite-developable"] {
-        assert!(files[&format!("{paper}.pdf")].starts_with(b"%PDF-"));
-        let html = String::from_utf8_lossy(&files[&format!("{paper}.html")]).into_owned();
-        assert!(html.contains(&format!("torse explain {paper}/")), "{paper}");
+fn figures_belong_to_their_papers_and_come_as_pixels_and_as_drawings() {
+    let folder = mini(&claim("a", "x == x", ""));
+    for id in ["gbt-developable", "hermite-developable"] {
+        add_paper(
+            folder.path(),
+            id,
+            &claim("a", "x == x", "").replace("mini/", &format!("{id}/")),
+        );
     }
-    for figure in [
-        "gbt-developable-fig-1",
-        "gbt-developable-ex-4.1",
-        "hermite-developable-fig-4a",
-    ] {
-        assert!(files[&format!("figures/{figure}.png")].starts_with(b"\x89PNG"));
-        assert!(files[&format!("figures/{figure}.svg")].starts_with(b"<svg"));
+    let figures_of = |papers: &[&str]| {
+        let out = TempDir::new().unwrap();
+        let path = out.path().to_str().unwrap();
+        let ran = on(
+            folder.path(),
+            &[&["report", "--out", path], papers].concat(),
+        );
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        let mut files = files(out.path());
+        assert_eq!(ran.out.lines().count(), files.len());
+        files.retain(|name, _| name.starts_with("figures/"));
+        files
+    };
+    let names = |files: &BTreeMap<String, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
+    let all = figures_of(&[]);
+    assert_eq!(
+        names(&all),
+        [
+            "gbt-developable-ex-4.1",
+            "gbt-developable-fig-1",
+            "hermite-developable-fig-4a"
+        ]
+        .iter()
+        .flat_map(|name| ["png", "svg"].map(|kind| format!("figures/{name}.{kind}")))
+        .collect::<Vec<_>>()
+    );
+    for (name, bytes) in &all {
+        let magic: &[u8] = if name.ends_with("png") {
+            b"\x89PNG"
+        } else {
+            b"<svg"
+        };
+        assert!(bytes.starts_with(magic), "{name}");
     }
-    assert!(ran.out.contains("summary.pdf"), "{}", ran.out);
+    let own = figures_of(&["hermite-developable"]);
+    assert_eq!(names(&own), names(&all)[4..]);
+    assert!(
+        own.iter().all(|(name, bytes)| all[name] == *bytes),
+        "the bytes differ"
+    );
+    assert!(figures_of(&["mini"]).is_empty());
 }
 
 #[test]

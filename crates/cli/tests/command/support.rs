@@ -60,23 +60,30 @@ pub fn copy_of_repository() -> TempDir {
 /// A folder of derivations with one paper `mini` and this file of claims, over a symbol `x` in [0, 1].
 pub fn mini(claims: &str) -> TempDir {
     let folder = TempDir::new().unwrap();
-    let paper = folder.path().join("mini");
+    add_paper(folder.path(), "mini", claims);
+    folder
+}
+
+/// Adds a paper with this id and this file of claims, over a symbol `x` in [0, 1].
+pub fn add_paper(folder: &Path, id: &str, claims: &str) {
+    let paper = folder.join(id);
     fs::create_dir(&paper).unwrap();
-    let head = r#"
+    let head = format!(
+        r#"
 [paper]
-id = "mini"
-title = "A small paper"
+id = "{id}"
+title = "A small paper whose title is longer than the hundred columns that a line of the table of verdicts may have"
 authors = "N. N."
 venue = "Nowhere 1"
 claims = ["claims.toml"]
 
 [symbols]
-x = { in = "[0, 1]" }
-P = { family = 3, indices = ["0..3"] }
-"#;
+x = {{ in = "[0, 1]" }}
+P = {{ family = 3, indices = ["0..3"] }}
+"#
+    );
     fs::write(paper.join("paper.toml"), head).unwrap();
     fs::write(paper.join("claims.toml"), claims).unwrap();
-    folder
 }
 
 /// A claim `mini/NAME` that states a formula, with further fields.
