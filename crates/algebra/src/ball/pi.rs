@@ -84,3 +84,25 @@ fn arctan_of_inverse(n: u64, bits: usize) -> (Integer, u64) {
     }
     (sum, 2 * terms + 1)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashu_float::{Context, round::mode};
+
+    #[test]
+    fn every_digit_computed_is_that_of_the_correctly_rounded_value() {
+        for bits in (0..300).chain([1000, 4096]) {
+            // Two digits stand before the point.
+            let cut = Context::<mode::Down>::new(bits + 2).pi::<2>(None).value();
+            let digits = cut.repr().significand();
+            let exponent = bits as isize + cut.repr().exponent();
+            let expected = if exponent >= 0 {
+                digits << exponent.unsigned_abs()
+            } else {
+                digits >> exponent.unsigned_abs()
+            };
+            assert_eq!(computed_floor(bits), expected, "{bits} bits");
+        }
+    }
+}

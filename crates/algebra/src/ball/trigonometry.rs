@@ -67,26 +67,52 @@ fn in_first_quadrant(fraction: &Integer, places: usize, bits: usize) -> (Ball, B
     // a unit of the result.
     let guard = 2 * halvings + 16;
     let working = bits + guard;
-    let one = Integer::ONE << working;
-
-    let pi = pi::enclosure(working);
-    let angle: Integer = (fraction * &pi.lo) >> (places + 1 + halvings);
-    let (mut sine, mut versine, terms) = taylor(&angle, working);
-    // The terms and the tail; then the angle: pi is known to one unit, the floor adds another.
-    let mut error = Integer::from(terms + 2 + 2);
-    for _ in 0..halvings {
-        let doubled = (&sine * (&one - &versine)) >> (working - 1);
-        versine = (&sine * &sine) >> (working - 1);
-        sine = doubled;
-        error = error * 4 + 2;
-    }
+    let Kernel {
+        sine,
+        versine,
+        error,
+    } = Kernel::new(fraction, places, working, halvings);
     let enclosure = |value: &Integer| Ball {
         // Both values lie in [0, 1] because the angle is in the first quadrant.
         lo: shifted_down(&(value - &error), guard, Toward::MinusInfinity).max(Integer::ZERO),
         hi: shifted_down(&(value + &error), guard, Toward::PlusInfinity).min(Integer::ONE << bits),
         bits,
     };
-    (enclosure(&sine), enclosure(&(one - versine)))
+    (
+        enclosure(&sine),
+        enclosure(&((Integer::ONE << working) - versine)),
+    )
+}
+
+/// `sin` and `1 - cos` of an angle in the first quadrant, in units of `2^-working`.
+struct Kernel {
+    sine: Integer,
+    versine: Integer,
+    /// Neither value is off by more than this.
+    error: Integer,
+}
+
+impl Kernel {
+    /// For a quarter turn times `fraction * 2^-places`, by at least 2 halvings.
+    fn new(fraction: &Integer, places: usize, working: usize, halvings: usize) -> Self {
+        let one = Integer::ONE << working;
+        let pi = pi::enclosure(working);
+        let angle: Integer = (fraction * &pi.lo) >> (places + 1 + halvings);
+        let (mut sine, mut versine, terms) = taylor(&angle, working);
+        // The terms and the tail; then the angle: pi is known to one unit, the floor adds another.
+        let mut error = Integer::from(terms + 2 + 2);
+        for _ in 0..halvings {
+            let doubled = (&sine * (&one - &versine)) >> (working - 1);
+            versine = (&sine * &sine) >> (working - 1);
+            sine = doubled;
+            error = error * 4 + 2;
+        }
+        Self {
+            sine,
+            versine,
+            error,
+        }
+    }
 }
 
 /// `(sin h, 1 - cos h, N)` from `N` Taylor terms, for `0 <= h <= 1/2`, all with `working` binary digits.
@@ -134,5 +160,42 @@ impl Ball {
             bits: precision,
         };
         quarter_turn(&(self * &two_over_pi), self.bits)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_traits::Signed;
+
+    #[test]
+    fn the_error_of_the_kernel_is_within_its_bound() {
+        let (coarse, fine) = (100, 400);
+        for halvings in [2, 4, 8, 16, 30] {
+            for fraction in 1..64 {
+                let kernel =
+                    |working, halvings| Kernel::new(&Integer::from(fraction), 6, working, halvings);
+                let (rough, exact) = (kernel(coarse, halvings), kernel(fine, 3));
+                let bound = (&rough.error << (fine - coarse)) + &exact.error;
+                for (value, truth) in [(rough.sine, exact.sine), (rough.versine, exact.versine)] {
+                    let difference = ((value << (fine - coarse)) - truth).abs();
+                    assert!(difference <= bound, "{halvings} halvings at {fraction}/64");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_error_bound_has_to_grow_with_the_doublings() {
+        // With 30 halvings the true error exceeds what the Taylor series alone accounts for.
+        let (working, halvings) = (160, 30);
+        let exceeds = (1..64).any(|fraction| {
+            let rough = Kernel::new(&Integer::from(fraction), 6, working, halvings);
+            let exact = Kernel::new(&Integer::from(fraction), 6, 400, 3);
+            let terms = taylor(&(Integer::ONE << (working - halvings)), working).2;
+            ((rough.sine << (400 - working)) - exact.sine).abs()
+                > Integer::from(terms + 4) << (400 - working)
+        });
+        assert!(exceeds);
     }
 }
