@@ -11,6 +11,7 @@ pub mod engine;
 pub mod evaluate;
 pub mod notation;
 pub mod outcome;
+pub mod recheck;
 pub mod repair;
 pub mod syntax;
 

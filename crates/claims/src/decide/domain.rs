@@ -180,15 +180,29 @@ impl Domain<'_> {
             && fits(&interval.upper, Relation::AtMost, Relation::Less)
     }
 
-    /// Whether the assumptions state that this polynomial, or one it is a factor of, is not zero.
+    /// Whether the assumptions imply that this polynomial is not zero: it is, up to a constant, a product
+    /// of factors of quantities that are assumed to be different from zero.
     #[must_use]
     pub fn assumes_nonzero(&self, polynomial: &Polynomial) -> bool {
-        self.constraints.iter().any(|c| {
-            matches!(
-                c.relation,
+        let mut rest = polynomial.clone();
+        for constraint in &self.constraints {
+            if !matches!(
+                constraint.relation,
                 Relation::Different | Relation::Less | Relation::Greater
-            ) && c.value.numerator().exact_quotient(polynomial).is_some()
-        })
+            ) {
+                continue;
+            }
+            let assumed = constraint.value.numerator();
+            if assumed.exact_quotient(&rest).is_some() {
+                return true;
+            }
+            while assumed.as_constant().is_none()
+                && let Some(quotient) = rest.exact_quotient(assumed)
+            {
+                rest = quotient;
+            }
+        }
+        rest.as_constant().is_some()
     }
 }
 

@@ -188,24 +188,81 @@ fn subdivided(
     }
 }
 
-/// The sign from the coefficients on one box.
+/// The sign from the coefficients on one box. A polynomial with nonnegative coefficients is positive if on
+/// every face of the box that belongs to it some coefficient is positive: the Bernstein polynomials of a
+/// face are positive inside it.
 fn on_box(polynomial: &Polynomial, boxes: &[(Symbol, Interval)]) -> Option<bool> {
     let mut pieces = vec![Fraction::from(polynomial.clone())];
+    let mut faces: Vec<Vec<Face>> = vec![];
+    let mut rays_open = true;
     for (symbol, interval) in boxes {
+        let before = pieces.len();
         pieces = split(pieces, symbol, interval)?;
         if pieces.len() > MAX_PIECES {
             return None;
         }
+        if interval.lower.is_some() && interval.upper.is_some() {
+            let count = pieces.len() / before.max(1);
+            let closed = |bound: &Option<Bound>| bound.as_ref().is_some_and(|b| b.closed);
+            let mut own = vec![Face {
+                first: 0,
+                last: count,
+            }];
+            if closed(&interval.lower) {
+                own.push(Face { first: 0, last: 1 });
+            }
+            if closed(&interval.upper) {
+                own.push(Face {
+                    first: count.saturating_sub(1),
+                    last: count,
+                });
+            }
+            faces.push(own);
+        } else {
+            rays_open &= [&interval.lower, &interval.upper]
+                .into_iter()
+                .flatten()
+                .all(|b| !b.closed);
+        }
     }
-    let mut strict = true;
+    let mut positive = vec![];
     for piece in &pieces {
-        let (nonnegative, positive) = ray_sign(piece.as_polynomial()?)?;
-        if !nonnegative {
+        let sign = ray_sign(piece.as_polynomial()?)?;
+        if !sign.nonnegative {
             return None;
         }
-        strict &= positive;
+        positive.push(if rays_open {
+            sign.somewhere
+        } else {
+            sign.constant
+        });
     }
-    Some(strict)
+    Some(every_face_positive(&positive, &faces))
+}
+
+/// A range of Bernstein indices of one symbol.
+#[derive(Clone, Copy)]
+struct Face {
+    first: usize,
+    last: usize,
+}
+
+/// Whether every choice of one face a symbol contains a positive entry. The entries are in row-major
+/// order: the last symbol varies fastest.
+fn every_face_positive(positive: &[bool], faces: &[Vec<Face>]) -> bool {
+    let Some((own, rest)) = faces.split_first() else {
+        return positive.first().copied().unwrap_or(false);
+    };
+    let count = own.first().map_or(1, |face| face.last).max(1);
+    let stride = positive.len() / count;
+    own.iter().all(|face| {
+        let merged: Vec<bool> = (0..stride)
+            .map(|offset| {
+                (face.first..face.last).any(|i| positive.get(i * stride + offset) == Some(&true))
+            })
+            .collect();
+        every_face_positive(&merged, rest)
+    })
 }
 
 /// Writes every piece in the Bernstein form of a bounded symbol, or shifts a symbol with one bound.
@@ -254,9 +311,17 @@ fn binomial(n: usize, k: usize) -> Rational {
     })
 }
 
-/// For a polynomial in nonnegative symbols, pi and roots: whether every coefficient is nonnegative, and
-/// whether the constant one is positive.
-fn ray_sign(polynomial: &Polynomial) -> Option<(bool, bool)> {
+/// What the coefficients of a polynomial in nonnegative symbols, pi and roots tell.
+struct RaySign {
+    /// Every coefficient is nonnegative.
+    nonnegative: bool,
+    /// The constant one is positive.
+    constant: bool,
+    /// Some coefficient is positive.
+    somewhere: bool,
+}
+
+fn ray_sign(polynomial: &Polynomial) -> Option<RaySign> {
     use std::collections::BTreeMap;
     // Group by the powers of the nonnegative symbols; the coefficients are numbers.
     let mut groups: BTreeMap<Polynomial, Polynomial> = BTreeMap::new();
@@ -276,16 +341,19 @@ fn ray_sign(polynomial: &Polynomial) -> Option<(bool, bool)> {
         let entry = groups.entry(powers).or_insert_with(Polynomial::zero);
         *entry = &*entry + &number;
     }
-    let mut positive = false;
+    let mut sign = RaySign {
+        nonnegative: true,
+        constant: false,
+        somewhere: false,
+    };
     for (powers, number) in groups {
         let number = Fraction::from(number);
-        if truth(&number, Relation::AtLeast)? {
-            positive |= powers.is_one() && truth(&number, Relation::Greater)?;
-        } else {
-            return Some((false, false));
-        }
+        sign.nonnegative &= truth(&number, Relation::AtLeast)?;
+        let positive = truth(&number, Relation::Greater)?;
+        sign.somewhere |= positive;
+        sign.constant |= positive && powers.is_one();
     }
-    Some((true, positive))
+    Some(sign)
 }
 
 /// Decides `left relation right` for an order relation or `!=`, on the domain.

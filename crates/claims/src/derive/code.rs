@@ -82,7 +82,11 @@ fn listed(items: impl IntoIterator<Item = String>) -> String {
 }
 
 fn texts(items: &[(Expr, Expr)]) -> String {
-    listed(items.iter().map(|(formula, _)| format!("`{}`", notation::text(formula))))
+    listed(
+        items
+            .iter()
+            .map(|(formula, _)| format!("`{}`", notation::text(formula))),
+    )
 }
 
 /// A function on doubles: one coordinate of the points in, one coordinate of the results out.
@@ -126,7 +130,11 @@ fn function(derivation: &Derivation) -> &'static str {
         .lines
         .iter()
         .any(|line| matches!(line.left.node, Node::Call(..)));
-    if of_curve { "end_derivatives" } else { "next_points" }
+    if of_curve {
+        "end_derivatives"
+    } else {
+        "next_points"
+    }
 }
 
 /// A module that defines every symbol and computes the results symbolically.
@@ -143,8 +151,16 @@ pub(super) fn sympy(derivation: &Derivation) -> String {
     };
     let integers = "integer=True, positive=True";
     define(&derivation.degrees, left(&derivation.degrees), integers);
-    define(&derivation.parameters, left(&derivation.parameters), "real=True");
-    let points: Vec<String> = code.points.iter().map(|(_, v)| notation::sympy(v)).collect();
+    define(
+        &derivation.parameters,
+        left(&derivation.parameters),
+        "real=True",
+    );
+    let points: Vec<String> = code
+        .points
+        .iter()
+        .map(|(_, v)| notation::sympy(v))
+        .collect();
     define(&points, points.join(", "), "real=True");
     text.push('\n');
     for (name, value) in &code.values {

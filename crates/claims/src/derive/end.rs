@@ -52,7 +52,9 @@ pub(super) struct Family<'a> {
 impl<'a> Family<'a> {
     /// Looks a basis up.
     pub fn new(declarations: &'a Declarations, name: &str) -> Result<Self, DeriveError> {
-        let unknown = || DeriveError::UnknownBasis { name: name.to_owned() };
+        let unknown = || DeriveError::UnknownBasis {
+            name: name.to_owned(),
+        };
         let basis = Arc::clone(declarations.basis(name).ok_or_else(unknown)?);
         let interval = match declarations.symbol(&basis.variable) {
             Some(SymbolKind::Real(interval)) => {

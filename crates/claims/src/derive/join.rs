@@ -223,9 +223,15 @@ impl<'a> Join<'a> {
         let mut all: Vec<Polynomial> = diagonal
             .flat_map(|f| {
                 let own = std::iter::once(f.numerator().primitive().1);
-                own.chain(f.conditions().iter().cloned()).collect::<Vec<_>>()
+                own.chain(f.conditions().iter().cloned())
+                    .collect::<Vec<_>>()
             })
-            .chain(self.b.iter().flatten().flat_map(|f| f.conditions().to_vec()))
+            .chain(
+                self.b
+                    .iter()
+                    .flatten()
+                    .flat_map(|f| f.conditions().to_vec()),
+            )
             .filter(|p| p.as_constant().is_none())
             .collect();
         all.sort();
@@ -278,7 +284,10 @@ impl<'a> Join<'a> {
             let mut solution = vec![];
             for i in 0..width {
                 let wanted = row.iter().filter_map(|(l, factor)| {
-                    Some((Operator::Add, times(notation::expression(factor), cell(&b, *l, i)?)))
+                    Some((
+                        Operator::Add,
+                        times(notation::expression(factor), cell(&b, *l, i)?),
+                    ))
                 });
                 let known = (0..j).filter_map(|l| {
                     Some((Operator::Subtract, times(cell(&a, j, l)?, cell(&c, l, i)?)))
@@ -294,7 +303,9 @@ impl<'a> Join<'a> {
                 }
                 let name = Expr::name(&names.fresh(&format!("c{j}{i}")));
                 coefficients.push(Line {
-                    label: format!("difference {j} of the next points, coefficient of difference {i}"),
+                    label: format!(
+                        "difference {j} of the next points, coefficient of difference {i}"
+                    ),
                     left: name.clone(),
                     right: value,
                 });
@@ -348,9 +359,7 @@ fn over(above: Expr, below: Option<Expr>) -> Expr {
 fn total(terms: impl Iterator<Item = (Operator, Expr)>) -> Option<Expr> {
     terms.fold(None, |sum, (operator, term)| {
         Some(match (sum, operator) {
-            (None, Operator::Subtract) => {
-                Expr::made(crate::syntax::Node::Negative(Box::new(term)))
-            }
+            (None, Operator::Subtract) => Expr::made(crate::syntax::Node::Negative(Box::new(term))),
             (None, _) => term,
             (Some(sum), operator) => sum.with(operator, term),
         })

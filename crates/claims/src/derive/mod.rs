@@ -133,7 +133,9 @@ pub enum DeriveError {
         index: usize,
     },
     /// A derivative at the start does not involve the point that it should determine.
-    #[error("the derivative of order {order} at the start does not determine the point of index {order}")]
+    #[error(
+        "the derivative of order {order} at the start does not determine the point of index {order}"
+    )]
     Undetermined {
         /// The order.
         order: usize,

@@ -39,7 +39,9 @@ pub fn print(derivation: &Derivation, language: Language) -> String {
 /// Left and right sides, written.
 fn sides(derivation: &Derivation, write: fn(&Expr) -> String) -> Vec<(String, String)> {
     let lines = derivation.lines.iter();
-    lines.map(|line| (write(&line.left), write(&line.right))).collect()
+    lines
+        .map(|line| (write(&line.left), write(&line.right)))
+        .collect()
 }
 
 fn conditions(derivation: &Derivation, write: fn(&Expr) -> String) -> Vec<String> {

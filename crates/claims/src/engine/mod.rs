@@ -82,6 +82,12 @@ pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<Derivatio
         return Ok(outcome);
     }
     let Some(statement) = &claim.statement else {
+        if entry.kind == Kind::Figure {
+            outcome
+                .steps
+                .push("all data are printed; deciding a figure means drawing it".to_owned());
+            return Ok(outcome);
+        }
         outcome.verdict = Verdict::Definition;
         return Ok(outcome);
     };

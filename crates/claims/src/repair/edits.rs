@@ -19,8 +19,10 @@ pub struct Edit {
 /// The names that an edit may put in.
 #[derive(Debug, Clone, Default)]
 pub struct Alphabet {
-    /// Scalars that occur in the claim.
+    /// Numbers and vectors that occur in the claim.
     pub names: Vec<String>,
+    /// Families of points or scalars that occur in the claim.
+    pub families: Vec<String>,
 }
 
 /// All formulas one edit away.
@@ -170,6 +172,9 @@ fn inside(expr: &Expr, alphabet: &Alphabet, into: &mut Vec<Edit>) {
         let mut edits = if head { vec![] } else { local(part, alphabet) };
         if head {
             edits.extend(primes(part));
+            if matches!(expr.node, Node::Index(..)) {
+                edits.extend(families(part, alphabet));
+            }
         }
         if additive
             || matches!(
@@ -416,6 +421,23 @@ fn numbers(value: &Rational) -> Vec<Rational> {
     near.retain(|n| n != value);
     near.dedup();
     near
+}
+
+/// One family taken for another.
+fn families(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
+    let Node::Name(name) = &expr.node else {
+        return vec![];
+    };
+    if !alphabet.families.contains(name) {
+        return vec![];
+    }
+    let others = alphabet.families.iter().filter(|other| *other != name);
+    others
+        .map(|other| Edit {
+            change: format!("`{name}` replaced by `{other}`"),
+            expr: Expr::name(other),
+        })
+        .collect()
 }
 
 /// A prime more or less.

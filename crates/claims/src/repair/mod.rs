@@ -155,23 +155,40 @@ fn failing_side(claim: &Claim, statement: &Written) -> Option<(Vec<usize>, Expr)
     }
 }
 
-/// Scalars that occur in the claim: symbols and plain definitions.
+/// The most names of a kind that edits may put in.
+const MAX_NAMES: usize = 16;
+
+/// Numbers, vectors and families that occur in the claim, through definitions; those of the formula
+/// itself first.
 fn alphabet(claim: &Claim, expr: &Expr) -> Alphabet {
-    let mut names: BTreeSet<String> = BTreeSet::new();
-    let given = claim.given.iter().map(|w| &w.expr);
-    for name in std::iter::once(expr).chain(given).flat_map(Expr::names) {
-        let scalar = matches!(
-            claim.declarations.symbol(name),
-            Some(SymbolKind::Real(_) | SymbolKind::Integer { .. })
-        ) || claim
-            .declarations
-            .definition(name)
-            .is_some_and(|d| d.parameters.is_empty());
-        if scalar {
-            names.insert(name.to_owned());
+    let mut seen: BTreeSet<String> = BTreeSet::new();
+    let mut alphabet = Alphabet::default();
+    let mut level: Vec<&Expr> = std::iter::once(expr)
+        .chain(claim.given.iter().map(|w| &w.expr))
+        .collect();
+    while !level.is_empty() {
+        let mut deeper = vec![];
+        for name in level.iter().flat_map(|e| e.names()) {
+            if !seen.insert(name.to_owned()) {
+                continue;
+            }
+            match claim.declarations.symbol(name) {
+                Some(SymbolKind::Real(_) | SymbolKind::Integer { .. } | SymbolKind::Vector(_)) => {
+                    alphabet.names.push(name.to_owned());
+                }
+                Some(SymbolKind::Family { .. }) => alphabet.families.push(name.to_owned()),
+                None => {}
+            }
+            if let Some(definition) = claim.declarations.definition(name) {
+                if definition.parameters.is_empty() && level.len() == 1 {
+                    alphabet.names.push(name.to_owned());
+                }
+                deeper.push(&definition.body.expr);
+            }
         }
+        level = deeper;
     }
-    // A name used with an index is usually one of a pair.
+    // A name is usually one of a pair.
     for (one, other) in [
         ("mu", "nu"),
         ("mu1", "nu1"),
@@ -180,14 +197,17 @@ fn alphabet(claim: &Claim, expr: &Expr) -> Alphabet {
         ("m", "n"),
     ] {
         for (present, absent) in [(one, other), (other, one)] {
-            if names.contains(present) && claim.declarations.symbol(absent).is_some() {
-                names.insert(absent.to_owned());
+            if seen.contains(present)
+                && claim.declarations.symbol(absent).is_some()
+                && seen.insert(absent.to_owned())
+            {
+                alphabet.names.push(absent.to_owned());
             }
         }
     }
-    Alphabet {
-        names: names.into_iter().collect(),
-    }
+    alphabet.names.truncate(MAX_NAMES);
+    alphabet.families.truncate(MAX_NAMES);
+    alphabet
 }
 
 /// The left side at a few instances of the integers, at the sample point.
