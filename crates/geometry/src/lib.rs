@@ -101,9 +101,10 @@
 //! | eqs. (2.1), (2.2) to (2.3), (2.4) | [`hermite::cubic`], [`hermite::quartic`], [`hermite::quintic`], [`hermite::functions`] |
 //! | Definitions 3.1, 3.2, eq. (3.1) | [`RuledSurface`], [`developable::certify`], [`developable::prove_developable`] |
 //! | eqs. (3.2) to (3.4) | [`HermiteCone`], [`HermiteCone::patch`] |
+//! | matrices and determinants of eqs. (3.5), (3.6), (3.7) | [`developable::cone_system`] |
 //! | eq. (3.5), Sect. 3.1 | [`HermiteCone::cubic`] |
 //! | eq. (3.6), Sect. 3.2, corrected | [`HermiteCone::quartic`] |
-//! | eq. (3.7), Sect. 3.3, corrected | [`HermiteCone::quintic`] |
+//! | eq. (3.7), Sect. 3.3 | [`HermiteCone::quintic`] |
 //! | eqs. (4.1) to (4.4), Sect. 4 as printed | [`developable::oblique_image_as_printed`] |
 //! | Sect. 4, what it aims at | [`developable::oblique_image`] |
 //!

@@ -15,7 +15,8 @@
 //!
 //! the curves are images of each other in the dilation about `o` with ratio `k`, and the surface is a
 //! cone with apex `o`. The systems are set up here from the Hermite functions themselves, not from
-//! the print: eqs. (3.6), (3.7) have slips (a spurious exclusion `k = 135/136` comes from one).
+//! the print: a misprinted entry of eq. (3.6) makes the paper exclude `k = 135/136`. As the systems are
+//! those of a dilation, so are their solutions, which the tests compare point by point.
 
 use super::linear::{singular_for, solve};
 use crate::basis::{Bernstein, hermite};
@@ -24,6 +25,7 @@ use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
 use crate::surface::RuledSurface;
 use crate::vector::{scale, sub};
+use torse_algebra::Rational;
 
 /// A cone between two Hermite curves: the data of both (in the order of [`hermite`]), the apex and the
 /// ratio `k`.
@@ -69,6 +71,65 @@ enum Unknown {
     Summit,
 }
 
+/// The unknowns of the three systems, in the order of the paper's columns.
+fn unknowns(degree: usize) -> &'static [Unknown] {
+    use Unknown::{P, Q, Summit};
+    match degree {
+        3 => &[P(1), P(2), P(3), P(0)],
+        4 => &[Q(1), P(2), P(3), P(4), Summit],
+        5 => &[P(3), Q(4), P(5), Q(1), P(2), Summit],
+        _ => &[],
+    }
+}
+
+/// The coefficient of a datum in the condition for the power `u^m`,
+/// `sum_j E[m][j] (q_j - k p_j) - (1 - k) [m = 0] o = 0`, where `E[m][j]` is the coefficient of `u^m` in
+/// `H_j + H_j'`.
+fn entry<S: Coordinate>(functions: &[Vec<Rational>], k: &S, m: usize, datum: Unknown) -> S {
+    let coefficient = |j: usize| -> S {
+        let at = |n: usize| {
+            functions
+                .get(j)
+                .and_then(|h| h.get(n))
+                .map(|c| k.constant(c))
+        };
+        let plain = at(m).unwrap_or_else(|| k.zero());
+        at(m + 1).map_or(plain.clone(), |c| plain + k.natural(m + 1) * c)
+    };
+    match datum {
+        Unknown::P(j) => -(k.clone() * coefficient(j)),
+        Unknown::Q(j) => coefficient(j),
+        Unknown::Summit if m == 0 => k.clone() - k.one(),
+        Unknown::Summit => k.zero(),
+    }
+}
+
+/// The rows of the matrix of the system of degree 3, 4 or 5 (hermite-developable eqs. (3.5) to (3.7)), from
+/// the highest power of `u` down, with the paper's columns; empty for other degrees.
+///
+/// ```
+/// use torse_algebra::{Fraction, Matrix, rational::integer};
+/// use torse_geometry::{Coordinate, developable::cone_system};
+/// let k = Fraction::named("k");
+/// let power = |n| k.power(n).unwrap();
+/// let det = |degree| Matrix::from_rows(cone_system(degree, &k)).unwrap().determinant().unwrap();
+/// assert_eq!(det(3), power(4));
+/// // Printed as -16 k^3 (136 k - 135)(k - 1), from a misprinted entry.
+/// let less = k.clone() - k.one();
+/// assert_eq!(det(4), -(k.natural(16) * power(3) * less.clone()));
+/// assert_eq!(det(5), k.natural(256) * power(3) * less);
+/// ```
+pub fn cone_system<S: Coordinate>(degree: usize, k: &S) -> Vec<Vec<S>> {
+    let functions = hermite::functions(degree);
+    let row = |m| {
+        unknowns(degree)
+            .iter()
+            .map(|&d| entry(&functions, k, m, d))
+            .collect()
+    };
+    (0..unknowns(degree).len()).rev().map(row).collect()
+}
+
 impl<S: Coordinate> HermiteCone<S> {
     /// The cubic cone over the given `q = [q(0), q(1), q'(0), q'(1)]` with the given summit
     /// (hermite-developable eq. (3.5)).
@@ -93,10 +154,7 @@ impl<S: Coordinate> HermiteCone<S> {
             q: q.map(Some).to_vec(),
             summit: Some(summit),
         };
-        known.solved(
-            k,
-            &[Unknown::P(0), Unknown::P(1), Unknown::P(2), Unknown::P(3)],
-        )
+        known.solved(k)
     }
 
     /// The quartic cone; the summit follows (hermite-developable eq. (3.6)).
@@ -132,16 +190,7 @@ impl<S: Coordinate> HermiteCone<S> {
             q: vec![q0, None, q1, q0u, q1u],
             summit: None,
         };
-        known.solved(
-            k,
-            &[
-                Unknown::Q(1),
-                Unknown::P(2),
-                Unknown::P(3),
-                Unknown::P(4),
-                Unknown::Summit,
-            ],
-        )
+        known.solved(k)
     }
 
     /// The quintic cone; the summit follows (hermite-developable eq. (3.7)).
@@ -191,15 +240,7 @@ impl<S: Coordinate> HermiteCone<S> {
             q: vec![q0, None, q1, q0u, None, q1u],
             summit: None,
         };
-        let unknown = [
-            Unknown::P(3),
-            Unknown::Q(4),
-            Unknown::P(5),
-            Unknown::Q(1),
-            Unknown::P(2),
-            Unknown::Summit,
-        ];
-        known.solved(k, &unknown)
+        known.solved(k)
     }
 
     /// The patch `(1 - v) p(u) + v q(u)` (hermite-developable eq. (3.4)).
@@ -223,9 +264,8 @@ struct Known<S> {
 }
 
 impl<S: Coordinate> Known<S> {
-    /// Sets up and solves `sum_j E[m][j] (q_j - k p_j) - (1 - k) [m = 0] o = 0` for all powers `m`,
-    /// where `E[m][j]` is the coefficient of `u^m` in `H_j + H_j'`.
-    fn solved(mut self, k: S, unknown: &[Unknown]) -> Result<HermiteCone<S>> {
+    /// Sets up and solves the system of [`cone_system`].
+    fn solved(mut self, k: S) -> Result<HermiteCone<S>> {
         const WHAT: &str = "a Hermite cone";
         check_positive("k", &k)?;
         if is_zero(&(k.clone() - k.one())) {
@@ -239,39 +279,21 @@ impl<S: Coordinate> Known<S> {
             .flatten()
             .flatten();
         check_finite("Hermite datum", given)?;
-        let size = unknown.len();
-        let functions = hermite::functions(size - 1);
-        let coefficient = |m: usize, j: usize| -> S {
-            let at = |n: usize| {
-                functions
-                    .get(j)
-                    .and_then(|h| h.get(n))
-                    .map(|c| k.constant(c))
-            };
-            let plain = at(m).unwrap_or_else(|| k.zero());
-            at(m + 1).map_or(plain.clone(), |c| plain + k.natural(m + 1) * c)
-        };
-        let entry = |m: usize, datum: Unknown| match datum {
-            Unknown::P(j) => -(k.clone() * coefficient(m, j)),
-            Unknown::Q(j) => coefficient(m, j),
-            Unknown::Summit if m == 0 => k.clone() - k.one(),
-            Unknown::Summit => k.zero(),
-        };
-        let matrix = (0..size)
-            .map(|m| unknown.iter().map(|&d| entry(m, d)).collect())
-            .collect();
-        let mut right: Vec<[S; 3]> = vec![std::array::from_fn(|_| k.zero()); size];
-        for (m, target) in right.iter_mut().enumerate() {
+        let degree = self.p.len().saturating_sub(1);
+        let functions = hermite::functions(degree);
+        let matrix = cone_system(degree, &k);
+        let mut right: Vec<[S; 3]> = vec![std::array::from_fn(|_| k.zero()); matrix.len()];
+        for (m, target) in right.iter_mut().rev().enumerate() {
             let p = self.p.iter().enumerate().map(|(j, d)| (Unknown::P(j), d));
             let q = self.q.iter().enumerate().map(|(j, d)| (Unknown::Q(j), d));
             for (datum, value) in p.chain(q).chain([(Unknown::Summit, &self.summit)]) {
                 if let Some(value) = value {
-                    *target = sub(target, &scale(&entry(m, datum), value));
+                    *target = sub(target, &scale(&entry(&functions, &k, m, datum), value));
                 }
             }
         }
         let solution = solve(WHAT, matrix, right).map_err(|_| singular_for(WHAT, &k))?;
-        for (datum, value) in unknown.iter().zip(solution) {
+        for (datum, value) in unknowns(degree).iter().zip(solution) {
             let slot = match *datum {
                 Unknown::P(j) => self.p.get_mut(j),
                 Unknown::Q(j) => self.q.get_mut(j),

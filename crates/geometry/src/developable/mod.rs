@@ -10,7 +10,7 @@ mod proof;
 mod unroll;
 
 pub use certificate::{Certificate, Worst, certify};
-pub use hermite::{HermiteCone, QuarticData, QuinticData};
+pub use hermite::{HermiteCone, QuarticData, QuinticData, cone_system};
 pub use linear::solve;
 pub use oblique::{oblique_image, oblique_image_as_printed};
 pub use patch::{Bounds, EnvelopingPatch, TangentPatch};
