@@ -76,7 +76,7 @@ impl Explain {
             add_witness(&mut note, witness);
         }
         note.option("left - right", self.formula(outcome.difference.as_ref()));
-        note.option("right side", self.formula(outcome.derived.as_ref()));
+        note.option("derived right", self.formula(outcome.derived.as_ref()));
         if let Some(correction) = &outcome.correction {
             note.gap();
             note.add("corrected", &self.cut(&correction.statement.text));

@@ -3,7 +3,7 @@
 use crate::terminal;
 use comfy_table::{CellAlignment, ColumnConstraint, Row};
 use std::collections::BTreeMap;
-use torse_claims::{Outcome, PaperOutcome};
+use torse_claims::{Outcome, PaperOutcome, Verdict};
 use torse_report::{Tally, model::Report, words};
 
 /// The verdicts of `papers`.
@@ -91,6 +91,10 @@ fn in_full<'a>(
             let id = terminal::heading(&outcome.id);
             text += &terminal::paragraph(0, &format!("{id}  {}", outcome.at));
             text += &terminal::paragraph(4, finding);
+            // What an undecided claim failed at is the first of its steps.
+            if let (Verdict::Undecided, Some(reason)) = (outcome.verdict, outcome.steps.first()) {
+                text += &terminal::paragraph(4, &format!("Reason: {reason}."));
+            }
         }
     }
     let title = terminal::heading("Findings");

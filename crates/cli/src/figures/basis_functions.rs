@@ -12,7 +12,7 @@ pub const FIGURE: Redrawn = Redrawn {
     alt: "Four plots, one for each degree from 2 to 5. In each, the basis functions are bells on the unit \
           interval between a falling first and a rising last function. As the shape parameters grow from \
           −1 to 1, first and last function lie lower and the inner ones higher.",
-    claims: &["gbt-developable/fig-1", "gbt-developable/thm-1.3"],
+    claims: &["gbt-developable/fig-1"],
     draw,
 };
 

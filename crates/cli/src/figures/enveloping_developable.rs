@@ -17,7 +17,7 @@ pub const FIGURE: Redrawn = Redrawn {
               so the surface is a cylinder; the end rulings keep their place and grow longer with μ = ν.",
     alt: "Three shaded arches over the same box, each covered with parallel rulings, and a plot of their three \
           sections: the arches share their feet, and the greater the shape parameters, the lower the arch.",
-    claims: &["gbt-developable/fig-8", "gbt-developable/sec-3.2.psi-z"],
+    claims: &["gbt-developable/fig-8"],
     draw,
 };
 

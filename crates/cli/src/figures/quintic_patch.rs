@@ -14,10 +14,7 @@ pub const FIGURE: Redrawn = Redrawn {
               The view is our choice.",
     alt: "A shaded strip between two wavy curves in parallel planes, crossed by straight rulings; their \
           continuations meet in one point beyond the smaller curve.",
-    claims: &[
-        "hermite-developable/fig-4a",
-        "hermite-developable/eq-3.7.det",
-    ],
+    claims: &["hermite-developable/fig-4a"],
     draw,
 };
 
