@@ -168,42 +168,43 @@ struct FormulaData {
     usable: bool,
 }
 
-/// For each formula its pieces; a formula counts as usable only when it can be set whole and in pieces.
+/// For each formula whether it can be set, and its pieces where it may have to be broken and can be.
 fn formulas(sources: &[String]) -> Result<Vec<FormulaData>, ReportError> {
-    let whole = formula::usable::<PagedDocument>(sources)?;
-    let pieces: Vec<Vec<String>> = sources
-        .iter()
-        .map(|source| formula::pieces(source))
-        .collect();
-    let flat: Vec<String> = pieces
-        .iter()
-        .zip(&whole)
-        .filter(|(_, whole)| **whole)
-        .flat_map(|(pieces, _)| pieces.iter().cloned())
-        .collect();
-    let mut flat_usable = formula::usable::<PagedDocument>(&flat)?.into_iter();
-    let data = sources
-        .iter()
-        .zip(whole)
-        .zip(pieces)
-        .map(|((source, whole), pieces)| {
-            let breakable = whole
-                && flat_usable
-                    .by_ref()
-                    .take(pieces.len())
-                    .fold(true, |all, one| all && one);
-            let pieces = if breakable {
-                pieces
-            } else {
-                vec![source.clone()]
-            };
-            FormulaData {
-                source: source.clone(),
-                pieces,
-                usable: whole,
-            }
+    /// No formula of so few characters is wider than the column.
+    const SHORT: usize = 40;
+    let usable = formula::usable::<PagedDocument>(sources)?;
+    let mut data: Vec<FormulaData> = Vec::with_capacity(sources.len());
+    for (source, usable) in sources.iter().zip(usable) {
+        let whole = vec![source.clone()];
+        let short = !usable || source.chars().count() <= SHORT;
+        let pieces = if short {
+            whole
+        } else {
+            formula::pieces(source)
+        };
+        data.push(FormulaData {
+            source: source.clone(),
+            pieces,
+            usable,
         });
-    Ok(data.collect())
+    }
+    let broken = data.iter().filter(|formula| formula.pieces.len() > 1);
+    let pieces: Vec<String> = broken
+        .flat_map(|formula| formula.pieces.iter().cloned())
+        .collect();
+    let mut pieces_usable = formula::usable::<PagedDocument>(&pieces)?.into_iter();
+    for formula in data.iter_mut().filter(|formula| formula.pieces.len() > 1) {
+        let count = formula.pieces.len();
+        let refused = pieces_usable
+            .by_ref()
+            .take(count)
+            .filter(|usable| !usable)
+            .count();
+        if refused > 0 {
+            formula.pieces = vec![formula.source.clone()];
+        }
+    }
+    Ok(data)
 }
 
 #[derive(Serialize)]
