@@ -62,7 +62,7 @@ fn counts(papers: &[PaperOutcome]) -> String {
     let mut table = terminal::table();
     let mut header = vec!["verdict".to_owned(), "claims".to_owned()];
     header.extend(tally.evidence.iter().map(|of| of.label.to_owned()));
-    header.push("no evidence needed".to_owned());
+    header.push("no evidence".to_owned());
     table.set_header(header);
     let number = |count: usize| match count {
         0 => String::new(),

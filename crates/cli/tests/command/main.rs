@@ -1,5 +1,8 @@
 //! The command as its users meet it: the real binary, run on folders of derivations.
 
+// Helpers of tests fail as tests do.
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 mod data;
 mod explain;
 mod report;
