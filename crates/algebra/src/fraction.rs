@@ -486,6 +486,10 @@ impl Scalar for Fraction {
         Ok((sine.into(), cosine.into()))
     }
 
+    fn pi_like(&self) -> Result<Self, ExactError> {
+        Ok(Self::symbol(Symbol::Pi))
+    }
+
     fn scaled(&self, q: &Rational) -> Self {
         let numerator = self.numerator.scaled(q);
         Self {

@@ -44,12 +44,16 @@ pub fn to_f64(q: &Rational) -> f64 {
         return 0.0;
     }
     // Scale so that the integer quotient has at least 64 significant bits.
-    let bits = |n: &Integer| i64::try_from(dashu_int::ops::BitTest::bit_len(n)).unwrap_or(i64::MAX / 4);
+    let bits =
+        |n: &Integer| i64::try_from(dashu_int::ops::BitTest::bit_len(n)).unwrap_or(i64::MAX / 4);
     let shift = 66 - (bits(q.numer()) - bits(q.denom()));
     let magnitude = q.numer().abs();
     let amount = usize::try_from(shift.unsigned_abs()).unwrap_or(usize::MAX / 64);
-    let quotient =
-        if shift >= 0 { (magnitude << amount) / q.denom() } else { magnitude / (q.denom().clone() << amount) };
+    let quotient = if shift >= 0 {
+        (magnitude << amount) / q.denom()
+    } else {
+        magnitude / (q.denom().clone() << amount)
+    };
     let value = ToPrimitive::to_f64(&quotient).unwrap_or(f64::INFINITY)
         * f64::powi(2.0, i32::try_from(-shift).unwrap_or(i32::MAX));
     if q.is_negative() { -value } else { value }

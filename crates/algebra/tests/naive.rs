@@ -1,6 +1,8 @@
 //! The packed polynomials against a naive evaluator that was written independently: a map from a map of
 //! exponents to rational coefficients, the relations applied one step at a time.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use torse_algebra::rational::{integer, ratio};

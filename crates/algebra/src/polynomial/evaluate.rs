@@ -61,7 +61,11 @@ impl Polynomial {
     /// The polynomial with each symbol for which `value` answers replaced, in the ring of `like` (a ring
     /// that contains polynomials). Terms are grouped by the powers of the replaced symbols, so what is
     /// kept is never multiplied out again.
-    pub(crate) fn replaced<S: Scalar + From<Polynomial>>(&self, like: &S, value: impl Fn(&Symbol) -> Option<S>) -> S {
+    pub(crate) fn replaced<S: Scalar + From<Polynomial>>(
+        &self,
+        like: &S,
+        value: impl Fn(&Symbol) -> Option<S>,
+    ) -> S {
         let values: Vec<Option<S>> = self.symbols.iter().map(&value).collect();
         if values.iter().all(Option::is_none) {
             return self.clone().into();
@@ -69,13 +73,23 @@ impl Polynomial {
         let mut groups: BTreeMap<Vec<u16>, Vec<(Vec<u16>, crate::Integer)>> = BTreeMap::new();
         for (row, coefficient) in self.rows().zip(&self.coefficients) {
             let part = |replaced: bool| {
-                row.iter().zip(&values).map(|(e, v)| if v.is_some() == replaced { *e } else { 0 }).collect::<Vec<u16>>()
+                row.iter()
+                    .zip(&values)
+                    .map(|(e, v)| if v.is_some() == replaced { *e } else { 0 })
+                    .collect::<Vec<u16>>()
             };
-            groups.entry(part(true)).or_default().push((part(false), coefficient.clone()));
+            groups
+                .entry(part(true))
+                .or_default()
+                .push((part(false), coefficient.clone()));
         }
         let mut total = like.zero_like();
         for (powers, kept) in groups {
-            let kept = Self::collected(std::sync::Arc::clone(&self.symbols), kept, self.denominator.clone());
+            let kept = Self::collected(
+                std::sync::Arc::clone(&self.symbols),
+                kept,
+                self.denominator.clone(),
+            );
             let mut term = S::from(kept);
             for (exponent, value) in powers.iter().zip(&values) {
                 if let Some(value) = value {

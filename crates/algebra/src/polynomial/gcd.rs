@@ -38,7 +38,11 @@ impl Polynomial {
         if other.is_zero() {
             return self.primitive().1;
         }
-        let shared: Vec<&Symbol> = self.symbols.iter().filter(|s| other.symbols.binary_search(s).is_ok()).collect();
+        let shared: Vec<&Symbol> = self
+            .symbols
+            .iter()
+            .filter(|s| other.symbols.binary_search(s).is_ok())
+            .collect();
         let bounds: Vec<(u16, &Symbol)> = shared
             .into_iter()
             .map(|s| (modular::gcd_degree_bound(self, other, s), s))
@@ -49,10 +53,11 @@ impl Polynomial {
         };
         // If the bounds allow the whole of one argument, try it.
         for (candidate, target) in [(self, other), (other, self)] {
-            let allowed = candidate
-                .symbols
-                .iter()
-                .all(|s| bounds.iter().any(|(bound, symbol)| *symbol == s && *bound >= candidate.degree_in(s)));
+            let allowed = candidate.symbols.iter().all(|s| {
+                bounds
+                    .iter()
+                    .any(|(bound, symbol)| *symbol == s && *bound >= candidate.degree_in(s))
+            });
             if allowed && target.exact_quotient(candidate).is_some() {
                 return candidate.primitive().1;
             }
@@ -67,8 +72,11 @@ impl Polynomial {
         let (content_a, part_a) = self.split_content(main);
         let (content_b, part_b) = other.split_content(main);
         let content = content_a.gcd(&content_b);
-        let (mut a, mut b) =
-            if part_a.degree_in(main) >= part_b.degree_in(main) { (part_a, part_b) } else { (part_b, part_a) };
+        let (mut a, mut b) = if part_a.degree_in(main) >= part_b.degree_in(main) {
+            (part_a, part_b)
+        } else {
+            (part_b, part_a)
+        };
         while !b.is_zero() {
             if b.degree_in(main) == 0 {
                 return content.primitive().1;
@@ -132,6 +140,10 @@ impl Polynomial {
 
     /// The bits of the largest coefficient.
     fn largest_bits(&self) -> usize {
-        self.coefficients.iter().map(dashu_int::ops::BitTest::bit_len).max().unwrap_or(0)
+        self.coefficients
+            .iter()
+            .map(dashu_int::ops::BitTest::bit_len)
+            .max()
+            .unwrap_or(0)
     }
 }

@@ -8,7 +8,8 @@
 //!
 //! **Theorem.** A polynomial is the zero function if and only if its normal form has no terms.
 //!
-//! One operation is one file: [`add`], [`multiply`], [`reduce`], [`divide`], [`calculus`], [`evaluate`].
+//! One operation is one file: [`add`], [`multiply`], `reduce` (the relations), [`divide`], [`gcd`],
+//! [`calculus`], [`evaluate`], [`trigonometry`].
 
 pub mod add;
 pub mod calculus;

@@ -48,7 +48,13 @@ fn image(p: &Polynomial, main: &Symbol, all: &[Symbol]) -> Vec<u64> {
     let values: Vec<Option<u64>> = p
         .symbols()
         .iter()
-        .map(|s| if s == main { None } else { all.binary_search(s).ok().map(number) })
+        .map(|s| {
+            if s == main {
+                None
+            } else {
+                all.binary_search(s).ok().map(number)
+            }
+        })
         .collect();
     let mut result = vec![0; usize::from(p.degree_in(main)) + 1];
     for (row, coefficient) in p.rows().zip(&p.coefficients) {
@@ -102,5 +108,7 @@ pub(super) fn gcd_degree_bound(a: &Polynomial, b: &Polynomial, main: &Symbol) ->
     if image_a.last() == Some(&0) && image_b.last() == Some(&0) {
         return trivial;
     }
-    u16::try_from(gcd_degree(image_a, image_b)).unwrap_or(trivial).min(trivial)
+    u16::try_from(gcd_degree(image_a, image_b))
+        .unwrap_or(trivial)
+        .min(trivial)
 }

@@ -5,10 +5,11 @@
 //! angles by the addition theorems, and the exact values at 30, 45 and 60 degrees.
 
 use super::Polynomial;
+use crate::matrix::ExactDivision;
 use crate::rational::{Rational, integer, ratio};
-use crate::scalar::{ExactError, Scalar};
+use crate::scalar::{ExactError, Scalar, ZeroTest};
 use crate::symbol::{Angle, Symbol};
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive};
 use std::sync::Arc;
 
 /// The largest multiple of a variable that is expanded.
@@ -123,7 +124,7 @@ impl Polynomial {
         let refused = || ExactError::NoSquareRoot {
             radicand: radicand.to_string(),
         };
-        if *radicand < Rational::zero() {
+        if radicand.is_negative() {
             return Err(refused());
         }
         // sqrt(a/b) = sqrt(a b) / b
@@ -178,7 +179,27 @@ impl Scalar for Polynomial {
         pair(self, Angle::QuarterTurn)
     }
 
+    fn pi_like(&self) -> Result<Self, ExactError> {
+        Ok(Self::symbol(Symbol::Pi))
+    }
+
     fn scaled(&self, q: &Rational) -> Self {
         Polynomial::scaled(self, q)
+    }
+}
+
+impl ZeroTest for Polynomial {
+    fn is_known_zero(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn is_known_nonzero(&self) -> bool {
+        !self.is_zero()
+    }
+}
+
+impl ExactDivision for Polynomial {
+    fn exact_quotient(&self, by: &Self) -> Option<Self> {
+        Self::exact_quotient(self, by)
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::evaluate::scope::{Declarations, Interval, SymbolKind};
 use crate::syntax::Relation;
+use torse_algebra::order::compare;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Affine, Ball, Fraction, Polynomial, Rational, Scalar, Symbol};
 
@@ -39,7 +40,7 @@ impl Domain<'_> {
         };
         match symbol {
             Symbol::Named(name) => match self.declarations.symbol(name) {
-                Some(SymbolKind::Real(interval)) => interval.clone(),
+                Some(SymbolKind::Real(interval)) => (**interval).clone(),
                 Some(SymbolKind::Integer { .. }) => {
                     let form = Affine::symbol(name);
                     Interval {
@@ -58,9 +59,9 @@ impl Domain<'_> {
                         .and_then(|b| b.value.as_rational())
                         .is_some_and(|v| {
                             if low {
-                                v >= integer(0)
+                                compare(&v, &integer(0)).is_ge()
                             } else {
-                                v <= integer(1)
+                                compare(&v, &integer(1)).is_le()
                             }
                         })
                 };

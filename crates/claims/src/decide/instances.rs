@@ -7,7 +7,7 @@
 use super::Decision;
 use crate::evaluate::scope::{Declarations, SymbolKind};
 use crate::outcome::Evidence;
-use crate::syntax::Expr;
+use crate::syntax::{Expr, Node};
 use std::collections::{BTreeMap, BTreeSet};
 use torse_algebra::Fraction;
 
@@ -23,20 +23,20 @@ pub fn integers_used(exprs: &[&Expr], declarations: &Declarations) -> Vec<String
     let mut pending: Vec<&Expr> = exprs.to_vec();
     let mut integers = BTreeSet::new();
     while let Some(expr) = pending.pop() {
-        for name in expr.names() {
+        let mut names = BTreeSet::new();
+        free_names(expr, &mut vec![], &mut names);
+        for name in names {
             let base = name.trim_end_matches('\'');
-            if !seen.insert(base.to_owned()) {
+            if !seen.insert(name.clone()) {
                 continue;
             }
             if matches!(declarations.symbol(base), Some(SymbolKind::Integer { .. })) {
                 integers.insert(base.to_owned());
             }
-            if let Some(definition) = declarations
-                .definition(name)
-                .or_else(|| declarations.definition(base))
-            {
-                pending.push(&definition.body.expr);
-            }
+            let definition = declarations
+                .definition(&name)
+                .or_else(|| declarations.definition(base));
+            pending.extend(definition.map(|d| &d.body.expr));
         }
     }
     // A symbol whose bound names another one comes after it.
@@ -59,6 +59,38 @@ pub fn integers_used(exprs: &[&Expr], declarations: &Declarations) -> Vec<String
         ordered.push(rest.remove(position));
     }
     ordered
+}
+
+/// The names of a formula that no sum binds.
+fn free_names<'e>(expr: &'e Expr, bound: &mut Vec<&'e str>, into: &mut BTreeSet<String>) {
+    match &expr.node {
+        Node::Name(name) => {
+            if !bound.contains(&name.as_str()) {
+                into.insert(name.clone());
+            }
+        }
+        Node::Call(head, arguments) => {
+            if let (Node::Name(function), [index, low, high, term]) =
+                (&head.node, arguments.as_slice())
+                && function == "sum"
+                && let Node::Name(index) = &index.node
+            {
+                free_names(low, bound, into);
+                free_names(high, bound, into);
+                bound.push(index);
+                free_names(term, bound, into);
+                bound.pop();
+                return;
+            }
+            expr.parts()
+                .into_iter()
+                .for_each(|part| free_names(part, bound, into));
+        }
+        _ => expr
+            .parts()
+            .into_iter()
+            .for_each(|part| free_names(part, bound, into)),
+    }
 }
 
 /// Values of the integers, smallest first, and whether the list is complete.
@@ -136,6 +168,19 @@ pub fn combined(
                 refutation.witness.at.splice(0..0, integers);
                 refutation.steps.insert(0, format!("the instance {label}"));
                 return Decision::Refuted(refutation);
+            }
+            // "Somewhere": one instance is enough.
+            Decision::Proven {
+                evidence: Evidence::Witness,
+                conditions,
+                mut steps,
+            } => {
+                steps.insert(0, format!("the instance {label}"));
+                return Decision::Proven {
+                    evidence: Evidence::Witness,
+                    conditions,
+                    steps,
+                };
             }
             Decision::Proven {
                 conditions: more, ..

@@ -367,8 +367,8 @@ pub fn compare(
     domain: &Domain<'_>,
 ) -> Result<Decision, Fault> {
     let (Some([x]), Some([y])) = (
-        left.entries().first_chunk::<1>().map(|c| *c),
-        right.entries().first_chunk::<1>().map(|c| *c),
+        left.entries().first_chunk::<1>().copied(),
+        right.entries().first_chunk::<1>().copied(),
     ) else {
         return Ok(Decision::Open {
             reason: "an order of vectors".to_owned(),
@@ -414,7 +414,8 @@ pub fn compare(
         }
     }
     if let Some(point) = witness::find(&difference, domain, opposite)
-        && let Some(witness) = witness::described(&point, &[x.clone()], &[y.clone()])
+        && let Some(witness) =
+            witness::described(&point, std::slice::from_ref(x), std::slice::from_ref(y))
     {
         return Ok(Decision::Refuted(Box::new(Refutation {
             witness,

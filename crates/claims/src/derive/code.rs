@@ -137,42 +137,46 @@ fn function(derivation: &Derivation) -> &'static str {
     }
 }
 
+/// What a module may need of SymPy.
+const IMPORTED: [&str; 8] = [
+    "Ge", "Ne", "Rational", "cos", "pi", "sin", "sqrt", "sympify",
+];
+
 /// A module that defines every symbol and computes the results symbolically.
 pub(super) fn sympy(derivation: &Derivation) -> String {
     let code = Code::of(derivation);
-    let left = |names: &[String]| listed(names.iter().map(|n| notation::sympy(&Expr::name(n))));
-    let mut text = format!("\"\"\"{}.\"\"\"\n\n", derivation.title);
-    text.push_str("from sympy import Ge, Ne, Rational, cos, pi, sin, sqrt, symbols, sympify\n\n");
-    let mut define = |names: &[String], left: String, assumptions: &str| {
-        if !names.is_empty() {
-            let quoted = names.join(" ");
-            let _ = writeln!(text, "{left}, = symbols('{quoted},', {assumptions})");
-        }
-    };
-    let integers = "integer=True, positive=True";
-    define(&derivation.degrees, left(&derivation.degrees), integers);
-    define(
-        &derivation.parameters,
-        left(&derivation.parameters),
-        "real=True",
-    );
-    let points: Vec<String> = code
-        .points
-        .iter()
-        .map(|(_, v)| notation::sympy(v))
-        .collect();
-    define(&points, points.join(", "), "real=True");
-    text.push('\n');
+    let points = code.points.iter().map(|(_, name)| notation::text(name));
+    let mut body = symbols(&derivation.degrees, "integer=True, positive=True");
+    body += &symbols(&derivation.parameters, "real=True");
+    body += &symbols(&points.collect::<Vec<_>>(), "real=True");
+    body.push('\n');
     for (name, value) in &code.values {
         let (name, value) = (notation::sympy(name), notation::sympy(value));
-        let _ = writeln!(text, "{name} = {value}");
+        let _ = writeln!(body, "{name} = {value}");
     }
     let results = code.results.iter().map(|(formula, variable)| {
         let (formula, variable) = (notation::text(formula), notation::sympy(variable));
         format!("    \"{formula}\": {variable},\n")
     });
-    let _ = write!(text, "\nresults = {{\n{}}}\n", results.collect::<String>());
+    let _ = write!(body, "\nresults = {{\n{}}}\n", results.collect::<String>());
     let conditions = code.conditions.iter().map(notation::sympy);
-    let _ = writeln!(text, "conditions = [{}]", listed(conditions));
-    text
+    let _ = writeln!(body, "conditions = [{}]", listed(conditions));
+    let word = |c: char| !c.is_ascii_alphanumeric() && c != '_';
+    let needed = IMPORTED
+        .iter()
+        .filter(|name| body.split(word).any(|w| w == **name));
+    let imported = listed(needed.chain(&["symbols"]).map(ToString::to_string));
+    format!(
+        "\"\"\"{}.\"\"\"\n\nfrom sympy import {imported}\n\n{body}",
+        derivation.title
+    )
+}
+
+/// The definition of symbols with these names.
+fn symbols(names: &[String], assumptions: &str) -> String {
+    if names.is_empty() {
+        return String::new();
+    }
+    let left = listed(names.iter().map(|n| notation::sympy(&Expr::name(n))));
+    format!("{left} = symbols(\"{}\", {assumptions})\n", names.join(" "))
 }

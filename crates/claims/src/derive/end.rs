@@ -7,10 +7,13 @@ use crate::evaluate::quantity::Quantity;
 use crate::evaluate::scope::{Basis, Declarations, SymbolKind};
 use crate::evaluate::series::{HERE, Series, Target};
 use crate::notation;
-use crate::syntax::{Expr, Node, Relation};
+use crate::syntax::{Expr, Node, Operator, Relation};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol, rational};
+
+/// A derivative is written out up to this many nodes.
+const MAX_WRITTEN_OUT: usize = 80;
 
 /// An end of the interval of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -250,6 +253,37 @@ impl Curve {
         }
     }
 
+    /// A derivative in differences with named coefficients, whose lines are added.
+    fn abbreviated(
+        &self,
+        derivative: &Fraction,
+        end: End,
+        order: usize,
+        label: &str,
+        names: &mut Names,
+        lines: &mut Vec<Line>,
+    ) -> Expr {
+        let letter = match end {
+            End::Start => "a",
+            End::Finish => "b",
+        };
+        let parts = self.differences(derivative, end).into_iter().enumerate();
+        let terms = parts.filter(|(_, part)| !part.is_zero()).map(|(i, part)| {
+            let left = Expr::name(&names.fresh(&format!("{letter}{order}{i}")));
+            lines.push(Line {
+                label: format!("{label}, coefficient of difference {i}"),
+                left: left.clone(),
+                right: notation::expression(&part),
+            });
+            left.with(
+                Operator::Multiply,
+                notation::expression(&self.difference(end, i)),
+            )
+        });
+        let sum = terms.reduce(|sum, term| sum.with(Operator::Add, term));
+        sum.unwrap_or_else(|| notation::expression(&Fraction::zero()))
+    }
+
     /// `degree >= least`.
     pub fn degree_at_least(&self, least: usize) -> Expr {
         let least = least.max(usize::from(self.least_degree));
@@ -317,16 +351,20 @@ pub fn end_derivatives(
         used.extend((0..count).map(|i| notation::expression(&curve.point(end, i))));
         for (n, derivative) in derivatives.iter().enumerate() {
             conditions.extend(derivative.conditions().iter().cloned());
-            let function = Expr::name(&format!("{head}{}", "'".repeat(n)));
-            let place = notation::expression(curve.value(end));
             let label = match n {
                 0 => format!("the curve at the {word}"),
                 _ => format!("derivative {n} at the {word}"),
             };
+            let mut right = notation::expression(derivative);
+            if right.size() > MAX_WRITTEN_OUT {
+                right = curve.abbreviated(derivative, end, n, &label, &mut names, &mut lines);
+            }
+            let function = Expr::name(&format!("{head}{}", "'".repeat(n)));
+            let place = notation::expression(curve.value(end));
             lines.push(Line {
                 label,
                 left: Expr::made(Node::Call(Box::new(function), vec![place])),
-                right: notation::expression(derivative),
+                right,
             });
         }
     }

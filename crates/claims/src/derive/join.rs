@@ -114,11 +114,10 @@ fn solved(
     let join = Join::new(&first, &second, rows)?;
     let written_out = join.written_out()?;
     let small = |line: &Line| line.right.size() <= MAX_WRITTEN_OUT;
-    let (mut lines, divisors) = match written_out {
+    let (lines, divisors) = match written_out {
         Some(lines) if lines.iter().all(small) => (lines, join.divisors()),
         _ => join.abbreviated(&mut names),
     };
-    lines.shrink_to_fit();
     let reach = join.b.iter().map(Vec::len).max().unwrap_or(1) - 1;
     let degrees = [
         first.degree_at_least(reach),
@@ -251,7 +250,7 @@ impl<'a> Join<'a> {
     fn abbreviated(&self, names: &mut Names) -> (Vec<Line>, Vec<Expr>) {
         let mut lines = vec![];
         let mut named = |letter: &str, rows: &[Differences], of: &str| -> Vec<Vec<Option<Expr>>> {
-            let name = |j: usize, i: usize, value: &Fraction| {
+            let mut name = |j: usize, i: usize, value: &Fraction| {
                 if value.is_zero() {
                     return None;
                 }
@@ -266,7 +265,6 @@ impl<'a> Join<'a> {
                 });
                 Some(name)
             };
-            let mut name = name;
             let rows = rows.iter().enumerate();
             rows.map(|(j, row)| (0..).zip(row).map(|(i, v)| name(j, i, v)).collect())
                 .collect()

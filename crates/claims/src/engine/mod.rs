@@ -131,7 +131,14 @@ pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, 
             },
             Err(fault) => return Err(fault),
         };
-        let ends = !decision.is_proven();
+        let ends = !decision.is_proven()
+            || matches!(
+                decision,
+                Decision::Proven {
+                    evidence: Evidence::Witness,
+                    ..
+                }
+            );
         decided.push((assignment, decision));
         if ends {
             break;
@@ -221,10 +228,8 @@ fn refute(outcome: &mut Outcome, claim: &Claim, statement: &Written, refutation:
     if let Some((left, right)) = refutation.sides {
         let differing = left.iter().zip(&right).find(|(x, y)| x != y);
         if let Some((x, y)) = differing {
-            outcome.difference = Some(notation::formula(&notation::expression(
-                &(x.clone() - y.clone()),
-            )));
-            outcome.derived = Some(notation::formula(&notation::expression(x)));
+            outcome.difference = readable(&(x.clone() - y.clone()));
+            outcome.derived = readable(x);
         }
     }
 }

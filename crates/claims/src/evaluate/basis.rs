@@ -59,20 +59,22 @@ impl Evaluator<'_> {
         let (operator, seeds) = self.in_angle(|| self.seeds(basis, &values, place))?;
         let power = degree.clone() - Affine::number(i64::from(basis.degree));
         if let Some(n) = power.as_number() {
-            let (Ok(steps), Some(position)) = (usize::try_from(n), index.as_number()) else {
+            let Ok(steps) = usize::try_from(n) else {
                 let range = format!("{}..", basis.degree);
-                let (what, index) = if n < 0 {
-                    ("the degree of ", degree)
-                } else {
-                    ("", index)
-                };
+                let name = format!("the degree of {name}");
                 return Err(Fault::at(
                     place,
                     Problem::IndexOutside {
-                        name: format!("{what}{name}"),
-                        index: index.to_string(),
+                        name,
+                        index: degree.to_string(),
                         range,
                     },
+                ));
+            };
+            let Some(position) = index.as_number() else {
+                return Err(Fault::limit(
+                    place,
+                    format!("the function of index {index} of degree {degree}"),
                 ));
             };
             if steps > 60 {

@@ -69,7 +69,7 @@ pub enum Problem {
 #[derive(Debug, Clone)]
 pub struct Fault {
     /// What went wrong.
-    pub problem: Problem,
+    pub problem: Box<Problem>,
     /// Where in the text of the formula.
     pub place: Place,
     /// The text, once it is known; a fault in a definition points into the definition.
@@ -81,7 +81,7 @@ impl Fault {
     #[must_use]
     pub fn at(place: Place, problem: Problem) -> Self {
         Self {
-            problem,
+            problem: Box::new(problem),
             place,
             origin: None,
         }
@@ -108,7 +108,7 @@ impl Fault {
     #[must_use]
     pub fn is_limit(&self) -> bool {
         matches!(
-            self.problem,
+            *self.problem,
             Problem::Limit { .. } | Problem::ZeroDivisor { .. }
         )
     }
@@ -125,7 +125,7 @@ impl Fault {
     pub fn into_error(self, origin: &Origin) -> DerivationError {
         let origin = self.origin.unwrap_or_else(|| origin.clone());
         let error = DerivationError::at(&origin, self.place, self.problem.to_string());
-        match self.problem {
+        match *self.problem {
             Problem::UnknownName { similar: Some(similar), .. } => {
                 error.with_help(format!("did you mean `{similar}`? Names are declared under [symbols], [define], [basis] or `let`"))
             }

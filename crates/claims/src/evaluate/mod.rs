@@ -208,10 +208,8 @@ impl<'a> Evaluator<'a> {
                 fitted(&left, &right, left_expr.place.to(right_expr.place))?;
             let link = Statement::Compare {
                 relation: *relation,
-                left: fit_left,
-                right: fit_right,
-                right_expr: right_expr.clone(),
-                left_expr: left_expr.clone(),
+                left: Box::new(fit_left),
+                right: Box::new(fit_right),
             };
             chain = Some(match chain {
                 None => link,

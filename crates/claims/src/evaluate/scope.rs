@@ -30,7 +30,7 @@ pub struct Interval {
 #[derive(Debug, Clone)]
 pub enum SymbolKind {
     /// A real number of an interval.
-    Real(Interval),
+    Real(Box<Interval>),
     /// An integer with bounds, both included.
     Integer {
         /// The least value.
@@ -298,11 +298,11 @@ fn symbol_kind(source: &Arc<Source>, entry: &SymbolEntry) -> Result<SymbolKind, 
         });
     }
     let Some(text) = &entry.interval else {
-        return Ok(SymbolKind::Real(Interval::default()));
+        return Ok(SymbolKind::Real(Box::default()));
     };
     let origin = Origin::of(source, text);
     interval(text.get_ref())
-        .map(SymbolKind::Real)
+        .map(|interval| SymbolKind::Real(Box::new(interval)))
         .ok_or_else(|| {
             complaint(
                 &origin,

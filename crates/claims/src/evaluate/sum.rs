@@ -135,11 +135,11 @@ impl Evaluator<'_> {
         let mut factors = vec![];
         flatten(term, &mut factors);
         let here = Affine::symbol(index);
-        let is_binomial = |e: &&Expr| {
+        let is_binomial = |e: &Expr| {
             matches!(&e.node, Node::Call(head, arguments)
             if matches!(&head.node, Node::Name(n) if n == "binom") && arguments.len() == 2)
         };
-        let Some(position) = factors.iter().position(|e| is_binomial(&e)) else {
+        let Some(position) = factors.iter().position(|e| is_binomial(e)) else {
             return Ok(None);
         };
         let Node::Call(_, arguments) = &factors.remove(position).node else {

@@ -50,13 +50,9 @@ pub enum Statement {
         /// The relation.
         relation: Relation,
         /// The left side.
-        left: Value,
+        left: Box<Value>,
         /// The right side.
-        right: Value,
-        /// The syntax of the right side, for repair and for the derived form.
-        right_expr: Expr,
-        /// The syntax of the left side.
-        left_expr: Expr,
+        right: Box<Value>,
     },
     /// The printed decimals agree with the values, coordinate by coordinate.
     Agrees {

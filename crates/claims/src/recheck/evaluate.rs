@@ -38,10 +38,12 @@ pub struct Evaluator<'a> {
     pub declarations: &'a Declarations,
     /// The integer symbols.
     pub integers: BTreeMap<String, i64>,
-    /// Symbols fixed by assumptions or determined by given equations.
+    /// Symbols fixed by assumptions, replaced where they are met.
     pub known: BTreeMap<Symbol, Quotient>,
+    /// Symbols determined by the given equations, replaced at the end: their values are large.
+    pub solved: BTreeMap<Symbol, Quotient>,
     /// The work so far.
-    pub work: Work,
+    pub work: &'a Work,
     /// How deep definitions are nested now.
     pub depth: Cell<usize>,
 }
@@ -63,7 +65,12 @@ impl Value {
     fn each(&self, change: &impl Fn(&Quotient) -> Result<Quotient>) -> Result<Self> {
         Ok(match self {
             Self::Number(number) => Self::Number(change(number)?),
-            Self::Many(items) => Self::Many(items.iter().map(|v| v.each(change)).collect::<Result<_>>()?),
+            Self::Many(items) => Self::Many(
+                items
+                    .iter()
+                    .map(|v| v.each(change))
+                    .collect::<Result<_>>()?,
+            ),
             Self::Function { .. } => return Err(not_covered("arithmetic with a function")),
         })
     }
@@ -106,18 +113,35 @@ impl Evaluator<'_> {
             Node::Binary(operator, a, b) => {
                 self.binary(*operator, self.value(a, bound)?, self.value(b, bound)?)
             }
-            Node::List(items) => {
-                Ok(Value::Many(items.iter().map(|i| self.value(i, bound)).collect::<Result<_>>()?))
+            Node::List(items) => Ok(Value::Many(
+                items
+                    .iter()
+                    .map(|i| self.value(i, bound))
+                    .collect::<Result<_>>()?,
+            )),
+            Node::Compare(..) | Node::Join(..) | Node::Not(_) => {
+                Err(not_covered("a statement inside a formula"))
             }
-            Node::Compare(..) | Node::Join(..) | Node::Not(_) => Err(not_covered("a statement inside a formula")),
         }
+    }
+
+    /// The number with the solution of the given equations put in.
+    pub fn resolved(&self, number: &Quotient) -> Result<Quotient> {
+        let all = self.solved.iter();
+        all.fold(Ok(number.clone()), |number, (symbol, value)| {
+            number?.with(symbol, value, self.work)
+        })
     }
 
     /// An integer.
     pub fn integer(&self, expr: &Expr, bound: &Bindings) -> Result<i64> {
         let value = self.value(expr, bound)?.number()?.as_constant();
-        let whole = value.filter(Rational::is_integer).map(|v| i64::try_from(v.to_integer()));
-        whole.and_then(std::result::Result::ok).ok_or_else(|| not_covered("an index that is no integer"))
+        let whole = value
+            .filter(Rational::is_integer)
+            .map(|v| i64::try_from(v.to_integer()));
+        whole
+            .and_then(std::result::Result::ok)
+            .ok_or_else(|| not_covered("an index that is no integer"))
     }
 
     fn leaf(&self, name: &str) -> Value {
@@ -163,11 +187,22 @@ impl Evaluator<'_> {
         }
         let base = name.trim_end_matches('\'');
         if base.len() < name.len()
-            && let Value::Function { parameters, body, mut derivatives } = self.named(base, bound)?
+            && let Value::Function {
+                parameters,
+                body,
+                mut derivatives,
+            } = self.named(base, bound)?
             && let Some(first) = parameters.first()
         {
-            derivatives.push((first.clone(), i64::try_from(name.len() - base.len()).unwrap_or(i64::MAX)));
-            return Ok(Value::Function { parameters, body, derivatives });
+            derivatives.push((
+                first.clone(),
+                i64::try_from(name.len() - base.len()).unwrap_or(i64::MAX),
+            ));
+            return Ok(Value::Function {
+                parameters,
+                body,
+                derivatives,
+            });
         }
         Err(not_covered(format!("the name {name}")))
     }
@@ -191,21 +226,34 @@ impl Evaluator<'_> {
                 return self.member(basis, indices, &[], bound);
             }
             if let Some(SymbolKind::Family { dimension, .. }) = self.declarations.symbol(name) {
-                let index = indices.iter().map(|i| self.integer(i, bound)).collect::<Result<Vec<_>>>()?;
+                let index = indices
+                    .iter()
+                    .map(|i| self.integer(i, bound))
+                    .collect::<Result<Vec<_>>>()?;
                 return Ok(self.point(&format!("{name}{index:?}"), *dimension));
             }
         }
-        indices.iter().try_fold(self.value(head, bound)?, |value, index| {
-            let position = usize::try_from(self.integer(index, bound)? - 1).ok();
-            let Value::Many(items) = value else {
-                return Err(not_covered("an index of a number"));
-            };
-            position.and_then(|p| items.get(p).cloned()).ok_or_else(|| not_covered("an entry outside"))
-        })
+        indices
+            .iter()
+            .try_fold(self.value(head, bound)?, |value, index| {
+                let position = usize::try_from(self.integer(index, bound)? - 1).ok();
+                let Value::Many(items) = value else {
+                    return Err(not_covered("an index of a number"));
+                };
+                position
+                    .and_then(|p| items.get(p).cloned())
+                    .ok_or_else(|| not_covered("an entry outside"))
+            })
     }
 
     /// `g[i,k](x, mu)`: the seeds, then `g[i,j+1] = a g[i,j] + b g[i-1,j]`.
-    fn member(&self, basis: &Basis, indices: &[Expr], arguments: &[Expr], bound: &Bindings) -> Result<Value> {
+    fn member(
+        &self,
+        basis: &Basis,
+        indices: &[Expr],
+        arguments: &[Expr],
+        bound: &Bindings,
+    ) -> Result<Value> {
         let [index, degree] = indices else {
             return Err(not_covered("a member of a family without two indices"));
         };
@@ -215,22 +263,34 @@ impl Evaluator<'_> {
             return Err(not_covered(format!("a family at degree {degree}")));
         }
         let mut inner = Bindings::new();
-        for (name, argument) in std::iter::once(&basis.variable).chain(&basis.parameters).zip(arguments) {
+        for (name, argument) in std::iter::once(&basis.variable)
+            .chain(&basis.parameters)
+            .zip(arguments)
+        {
             inner.insert(name.clone(), self.value(argument, bound)?);
         }
         let formula = |expr: &Expr| self.deeper(|| self.value(expr, &inner)?.number());
         let (a, b) = (formula(&basis.step.0.expr)?, formula(&basis.step.1.expr)?);
-        let mut row = basis.seeds.iter().map(|s| formula(&s.expr)).collect::<Result<Vec<_>>>()?;
+        let mut row = basis
+            .seeds
+            .iter()
+            .map(|s| formula(&s.expr))
+            .collect::<Result<Vec<_>>>()?;
         for _ in 0..steps {
             let zero = Quotient::integer(0);
             let kept = row.iter().chain(std::iter::once(&zero));
             let moved = std::iter::once(&zero).chain(&row);
             row = kept
                 .zip(moved)
-                .map(|(same, before)| a.times(same, &self.work)?.plus(&b.times(before, &self.work)?, &self.work))
+                .map(|(same, before)| {
+                    a.times(same, self.work)?
+                        .plus(&b.times(before, self.work)?, self.work)
+                })
                 .collect::<Result<_>>()?;
         }
-        let entry = usize::try_from(index).ok().and_then(|i| row.get(i).cloned());
+        let entry = usize::try_from(index)
+            .ok()
+            .and_then(|i| row.get(i).cloned());
         Ok(Value::Number(entry.unwrap_or_else(|| Quotient::integer(0))))
     }
 
@@ -241,17 +301,19 @@ impl Evaluator<'_> {
             Operator::Multiply => self.product(a, b),
             Operator::Divide => {
                 let divisor = b.number()?;
-                a.each(&|q| q.over(&divisor, &self.work))
+                a.each(&|q| q.over(&divisor, self.work))
             }
             Operator::Power => {
                 let (base, exponent) = (a.number()?, b.number()?.as_constant());
-                let exponent = exponent.filter(|e| e.is_integer() && e.abs() <= rational::integer(MAX_COUNT));
+                let exponent =
+                    exponent.filter(|e| e.is_integer() && e.abs() <= rational::integer(MAX_COUNT));
                 let exponent = exponent.ok_or_else(|| not_covered("this power"))?;
                 let count = i64::try_from(exponent.to_integer()).unwrap_or(0);
-                let power = (0..count.abs())
-                    .try_fold(Quotient::integer(1), |power, _| power.times(&base, &self.work))?;
+                let power = (0..count.abs()).try_fold(Quotient::integer(1), |power, _| {
+                    power.times(&base, self.work)
+                })?;
                 Ok(Value::Number(if count < 0 {
-                    Quotient::integer(1).over(&power, &self.work)?
+                    Quotient::integer(1).over(&power, self.work)?
                 } else {
                     power
                 }))
@@ -261,11 +323,16 @@ impl Evaluator<'_> {
 
     fn sum(&self, a: Value, b: Value) -> Result<Value> {
         match (a, b) {
-            (Value::Number(a), Value::Number(b)) => Ok(Value::Number(a.plus(&b, &self.work)?)),
-            (Value::Number(zero), other) | (other, Value::Number(zero)) if zero.is_zero() => Ok(other),
-            (Value::Many(a), Value::Many(b)) if a.len() == b.len() => {
-                Ok(Value::Many(a.into_iter().zip(b).map(|(a, b)| self.sum(a, b)).collect::<Result<_>>()?))
+            (Value::Number(a), Value::Number(b)) => Ok(Value::Number(a.plus(&b, self.work)?)),
+            (Value::Number(zero), other) | (other, Value::Number(zero)) if zero.is_zero() => {
+                Ok(other)
             }
+            (Value::Many(a), Value::Many(b)) if a.len() == b.len() => Ok(Value::Many(
+                a.into_iter()
+                    .zip(b)
+                    .map(|(a, b)| self.sum(a, b))
+                    .collect::<Result<_>>()?,
+            )),
             _ => Err(not_covered("a sum of different shapes")),
         }
     }
@@ -273,19 +340,28 @@ impl Evaluator<'_> {
     fn product(&self, a: Value, b: Value) -> Result<Value> {
         match (a, b) {
             (Value::Number(factor), other) | (other, Value::Number(factor)) => {
-                other.each(&|q| q.times(&factor, &self.work))
+                other.each(&|q| q.times(&factor, self.work))
             }
             (a, Value::Many(entries)) if matches!(entries.first(), Some(Value::Number(_))) => {
                 let column = Value::Many(entries);
-                a.rows()?.iter().map(|row| self.dot(&row.iter().collect::<Vec<_>>(), &column.numbers()))
-                    .map(|entry| entry.map(Value::Number)).collect::<Result<_>>().map(Value::Many)
+                a.rows()?
+                    .iter()
+                    .map(|row| self.dot(&row.iter().collect::<Vec<_>>(), &column.numbers()))
+                    .map(|entry| entry.map(Value::Number))
+                    .collect::<Result<_>>()
+                    .map(Value::Many)
             }
             (a, b) => {
                 let (a, b) = (a.rows()?, transposed(&b.rows()?));
                 let entry = |row: &Vec<Quotient>, column: &Vec<Quotient>| {
-                    self.dot(&row.iter().collect::<Vec<_>>(), &column.iter().collect::<Vec<_>>())
+                    self.dot(
+                        &row.iter().collect::<Vec<_>>(),
+                        &column.iter().collect::<Vec<_>>(),
+                    )
                 };
-                let rows = a.iter().map(|row| b.iter().map(|column| entry(row, column)).collect());
+                let rows = a
+                    .iter()
+                    .map(|row| b.iter().map(|column| entry(row, column)).collect());
                 Ok(Value::matrix(rows.collect::<Result<_>>()?))
             }
         }
@@ -295,9 +371,11 @@ impl Evaluator<'_> {
         if a.len() != b.len() {
             return Err(not_covered("a product of different lengths"));
         }
-        a.iter().zip(b).try_fold(Quotient::integer(0), |sum, (x, y)| {
-            sum.plus(&x.times(y, &self.work)?, &self.work)
-        })
+        a.iter()
+            .zip(b)
+            .try_fold(Quotient::integer(0), |sum, (x, y)| {
+                sum.plus(&x.times(y, self.work)?, self.work)
+            })
     }
 
     fn call(&self, head: &Expr, arguments: &[Expr], bound: &Bindings) -> Result<Value> {
@@ -314,32 +392,54 @@ impl Evaluator<'_> {
         {
             return Ok(value);
         }
-        let Value::Function { parameters, body, derivatives } = self.value(head, bound)? else {
+        let Value::Function {
+            parameters,
+            body,
+            derivatives,
+        } = self.value(head, bound)?
+        else {
             return Err(not_covered("a call of what is no function"));
         };
         if parameters.len() != arguments.len() {
             return Err(not_covered("a call with another number of arguments"));
         }
-        let values = arguments.iter().map(|a| self.value(a, bound)).collect::<Result<Vec<_>>>()?;
+        let values = arguments
+            .iter()
+            .map(|a| self.value(a, bound))
+            .collect::<Result<Vec<_>>>()?;
         if derivatives.is_empty() {
             let inner = parameters.into_iter().zip(values).collect();
             return self.deeper(|| self.value(&body, &inner));
         }
         // Differentiate with fresh variables, then put the arguments in.
         let fresh = |name: &str| format!("{name}\u{b0}");
-        let inner = parameters.iter().map(|p| (p.clone(), Value::Number(Sum::symbol(Symbol::named(&fresh(p))).into())));
+        let inner = parameters.iter().map(|p| {
+            (
+                p.clone(),
+                Value::Number(Sum::symbol(Symbol::named(&fresh(p))).into()),
+            )
+        });
         let mut value = self.deeper(|| self.value(&body, &inner.collect()))?;
         for (name, order) in &derivatives {
-            let name = if parameters.contains(name) { fresh(name) } else { name.clone() };
+            let name = if parameters.contains(name) {
+                fresh(name)
+            } else {
+                name.clone()
+            };
             value = self.derived(value, &name, *order)?;
         }
-        parameters.iter().zip(values).try_fold(value, |value, (parameter, argument)| {
-            self.placed(&value, &fresh(parameter), &argument.number()?)
-        })
+        parameters
+            .iter()
+            .zip(values)
+            .try_fold(value, |value, (parameter, argument)| {
+                self.placed(&value, &fresh(parameter), &argument.number()?)
+            })
     }
 
     fn derived(&self, value: Value, name: &str, order: i64) -> Result<Value> {
-        (0..order.min(MAX_COUNT)).try_fold(value, |value, _| value.each(&|q| q.derivative(name, &self.work)))
+        (0..order.min(MAX_COUNT)).try_fold(value, |value, _| {
+            value.each(&|q| q.derivative(name, self.work))
+        })
     }
 
     /// The value with a variable at a point.
@@ -350,16 +450,21 @@ impl Evaluator<'_> {
                 let radians = match angle {
                     torse_algebra::Angle::Radian => point.clone(),
                     torse_algebra::Angle::QuarterTurn => {
-                        let quarter = Sum::symbol(Symbol::Pi).scaled(&Rational::new(1.into(), 2.into()));
-                        point.times(&quarter.into(), &self.work)?
+                        let quarter =
+                            Sum::symbol(Symbol::Pi).scaled(&Rational::new(1.into(), 2.into()));
+                        point.times(&quarter.into(), self.work)?
                     }
                 };
-                let (sine, cosine) = turn::sine_cosine(&radians, &self.work)?;
-                Ok(Some(if matches!(symbol, Symbol::Sin(..)) { sine } else { cosine }))
+                let (sine, cosine) = turn::sine_cosine(&radians, self.work)?;
+                Ok(Some(if matches!(symbol, Symbol::Sin(..)) {
+                    sine
+                } else {
+                    cosine
+                }))
             }
             _ => Ok(None),
         };
-        value.each(&|q| q.replaced(&put, &self.work))
+        value.each(&|q| q.replaced(&put, self.work))
     }
 
     /// The built-in functions; `None` for other names.
@@ -371,7 +476,11 @@ impl Evaluator<'_> {
         };
         Ok(Some(match (name, arguments) {
             ("sum", [index, low, high, term]) => {
-                let (index, low, high) = (named(index)?, self.integer(low, bound)?, self.integer(high, bound)?);
+                let (index, low, high) = (
+                    named(index)?,
+                    self.integer(low, bound)?,
+                    self.integer(high, bound)?,
+                );
                 if high - low > MAX_COUNT {
                     return Err(not_covered("a sum this long"));
                 }
@@ -383,13 +492,27 @@ impl Evaluator<'_> {
                 })?
             }
             ("D", [function, rest @ ..]) => {
-                let order = rest.get(1).map_or(Ok(1), |order| self.integer(order, bound))?;
+                let order = rest
+                    .get(1)
+                    .map_or(Ok(1), |order| self.integer(order, bound))?;
                 let variable = rest.first().map(named).transpose()?;
                 match (value(function)?, variable) {
-                    (Value::Function { parameters, body, mut derivatives }, variable) => {
+                    (
+                        Value::Function {
+                            parameters,
+                            body,
+                            mut derivatives,
+                        },
+                        variable,
+                    ) => {
                         let by = variable.or_else(|| parameters.first().cloned());
-                        derivatives.push((by.ok_or_else(|| not_covered("this derivative"))?, order));
-                        Value::Function { parameters, body, derivatives }
+                        derivatives
+                            .push((by.ok_or_else(|| not_covered("this derivative"))?, order));
+                        Value::Function {
+                            parameters,
+                            body,
+                            derivatives,
+                        }
                     }
                     (value, Some(variable)) => self.derived(value, &variable, order)?,
                     _ => return Err(not_covered("a derivative by nothing")),
@@ -401,21 +524,29 @@ impl Evaluator<'_> {
             ("binom", [n, k]) => {
                 let (n, k) = (self.integer(n, bound)?, self.integer(k, bound)?);
                 if k > n || k < 0 || n > MAX_COUNT {
-                    return if n <= MAX_COUNT && n >= 0 { Ok(Some(Value::Number(Quotient::integer(0)))) } else { Err(not_covered("this binomial")) };
+                    return if n <= MAX_COUNT && n >= 0 {
+                        Ok(Some(Value::Number(Quotient::integer(0))))
+                    } else {
+                        Err(not_covered("this binomial"))
+                    };
                 }
-                let product = (1..=k).fold(Rational::one(), |p, i| p * Rational::new((n - k + i).into(), i.into()));
+                let product = (1..=k).fold(Rational::one(), |p, i| {
+                    p * Rational::new((n - k + i).into(), i.into())
+                });
                 Value::Number(Quotient::number(product))
             }
             ("factorial", [n]) => {
                 let n = self.integer(n, bound)?.min(MAX_COUNT);
                 Value::Number(Quotient::number((1..=n).map(rational::integer).product()))
             }
-            ("sin", [x]) => Value::Number(turn::sine_cosine(&value(x)?.number()?, &self.work)?.0),
-            ("cos", [x]) => Value::Number(turn::sine_cosine(&value(x)?.number()?, &self.work)?.1),
-            ("sqrt", [x]) => Value::Number(root(&value(x)?.number()?)?),
+            ("sin", [x]) => Value::Number(turn::sine_cosine(&value(x)?.number()?, self.work)?.0),
+            ("cos", [x]) => Value::Number(turn::sine_cosine(&value(x)?.number()?, self.work)?.1),
+            ("sqrt", [x]) => Value::Number(root(&self.resolved(&value(x)?.number()?)?)?),
             ("norm", [v]) => {
                 let v = value(v)?;
-                Value::Number(root(&self.dot(&v.numbers(), &v.numbers())?)?)
+                Value::Number(root(
+                    &self.resolved(&self.dot(&v.numbers(), &v.numbers())?)?,
+                )?)
             }
             ("dot", [a, b]) => Value::Number(self.dot(&value(a)?.numbers(), &value(b)?.numbers())?),
             ("cross", [a, b]) => {
@@ -424,26 +555,42 @@ impl Evaluator<'_> {
                     return Err(not_covered("a cross product outside of space"));
                 };
                 let minor = |x: &Quotient, v: &Quotient, y: &Quotient, u: &Quotient| {
-                    let second = y.times(u, &self.work)?.negated();
-                    Ok(Value::Number(x.times(v, &self.work)?.plus(&second, &self.work)?))
+                    let second = y.times(u, self.work)?.negated();
+                    Ok(Value::Number(
+                        x.times(v, self.work)?.plus(&second, self.work)?,
+                    ))
                 };
-                Value::Many(vec![minor(a2, b3, a3, b2)?, minor(a3, b1, a1, b3)?, minor(a1, b2, a2, b1)?])
+                Value::Many(vec![
+                    minor(a2, b3, a3, b2)?,
+                    minor(a3, b1, a1, b3)?,
+                    minor(a1, b2, a2, b1)?,
+                ])
             }
-            ("det", [m]) => Value::Number(linear::determinant(&value(m)?.rows()?, &self.work)?),
-            ("inverse", [m]) => Value::matrix(linear::inverse(&value(m)?.rows()?, &self.work)?),
+            ("det", [m]) => Value::Number(linear::determinant(&value(m)?.rows()?, self.work)?),
+            ("inverse", [m]) => Value::matrix(linear::inverse(&value(m)?.rows()?, self.work)?),
             ("solve", [m, right]) => {
-                let inverse = Value::matrix(linear::inverse(&value(m)?.rows()?, &self.work)?);
+                let inverse = Value::matrix(linear::inverse(&value(m)?.rows()?, self.work)?);
                 self.product(inverse, value(right)?)?
             }
             ("transpose", [m]) => Value::matrix(transposed(&value(m)?.rows()?)),
             ("identity", [n]) => {
                 let n = self.integer(n, bound)?.min(MAX_COUNT);
-                let row = |r| (0..n).map(|c| Quotient::integer(i64::from(r == c))).collect();
+                let row = |r| {
+                    (0..n)
+                        .map(|c| Quotient::integer(i64::from(r == c)))
+                        .collect()
+                };
                 Value::matrix((0..n).map(row).collect())
             }
             ("coefficients", [forms, unknowns]) => {
                 let (forms, unknowns) = (value(forms)?, value(unknowns)?);
-                let row = |form: &&Quotient| unknowns.numbers().iter().map(|u| self.coefficient(form, u)).collect();
+                let row = |form: &&Quotient| {
+                    unknowns
+                        .numbers()
+                        .iter()
+                        .map(|u| self.coefficient(form, u))
+                        .collect()
+                };
                 Value::matrix(forms.numbers().iter().map(row).collect::<Result<_>>()?)
             }
             _ => return Ok(None),
@@ -451,10 +598,15 @@ impl Evaluator<'_> {
     }
 
     fn coefficient(&self, form: &Quotient, unknown: &Quotient) -> Result<Quotient> {
-        let symbol = unknown.as_symbol().ok_or_else(|| not_covered("coefficients of a formula"))?;
+        let symbol = unknown
+            .as_symbol()
+            .ok_or_else(|| not_covered("coefficients of a formula"))?;
+        let form = self.resolved(form)?;
         let below_free = form.below.split(&symbol).is_some_and(|(c, _)| c.is_zero());
         match form.above.split(&symbol) {
-            Some((c, _)) if below_free => Quotient::from(c).over(&form.below.clone().into(), &self.work),
+            Some((c, _)) if below_free => {
+                Quotient::from(c).over(&form.below.clone().into(), self.work)
+            }
             _ => Err(not_covered("coefficients of what is not linear")),
         }
     }
@@ -462,7 +614,9 @@ impl Evaluator<'_> {
 
 fn transposed(rows: &[Vec<Quotient>]) -> Vec<Vec<Quotient>> {
     let width = rows.first().map_or(0, Vec::len);
-    (0..width).map(|c| rows.iter().filter_map(|row| row.get(c).cloned()).collect()).collect()
+    (0..width)
+        .map(|c| rows.iter().filter_map(|row| row.get(c).cloned()).collect())
+        .collect()
 }
 
 /// The square root of a positive rational: `sqrt(p/q) = sqrt(p q)/q`, squares pulled out.
@@ -470,7 +624,10 @@ fn root(value: &Quotient) -> Result<Quotient> {
     let number = value.as_constant().filter(|v| !v.is_negative());
     let number = number.ok_or_else(|| not_covered("a square root of a formula"))?;
     let product = i64::try_from(number.numer() * number.denom());
-    let mut rest = product.ok().filter(|p| *p < 1 << 40).ok_or_else(|| not_covered("a root this large"))?;
+    let mut rest = product
+        .ok()
+        .filter(|p| *p < 1 << 40)
+        .ok_or_else(|| not_covered("a root this large"))?;
     let mut sum = Sum::constant(Rational::new(1.into(), number.denom().clone()));
     if rest == 0 {
         return Ok(Quotient::integer(0));
@@ -485,7 +642,9 @@ fn root(value: &Quotient) -> Result<Quotient> {
             rest /= prime;
             exponent += 1;
         }
-        let whole = (0..exponent / 2).map(|_| rational::integer(prime)).product();
+        let whole = (0..exponent / 2)
+            .map(|_| rational::integer(prime))
+            .product();
         sum = sum.scaled(&whole);
         if exponent % 2 == 1 {
             let prime = u32::try_from(prime).map_err(|_| not_covered("a root this large"))?;

@@ -14,18 +14,28 @@ const MAX_INSTANCES: usize = 24;
 
 /// An instance, written: `k = 2, l = 4`.
 pub fn name(instance: &BTreeMap<String, i64>) -> String {
-    let parts: Vec<String> = instance.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    let parts: Vec<String> = instance
+        .iter()
+        .map(|(name, value)| format!("{name} = {value}"))
+        .collect();
     parts.join(", ")
 }
 
 /// The integers of the counterexample.
 pub fn of_witness(claim: &Claim, outcome: &Outcome) -> Option<BTreeMap<String, i64>> {
     let witness = outcome.witness.as_ref()?;
-    let is_integer = |name: &str| matches!(claim.declarations.symbol(name), Some(SymbolKind::Integer { .. }));
+    let is_integer = |name: &str| {
+        matches!(
+            claim.declarations.symbol(name),
+            Some(SymbolKind::Integer { .. })
+        )
+    };
     let integers = witness.at.iter().filter(|(name, _)| is_integer(name));
-    let values: BTreeMap<String, i64> =
-        integers.filter_map(|(name, value)| Some((name.clone(), value.parse().ok()?))).collect();
-    (!values.is_empty() && values.keys().cloned().collect::<BTreeSet<_>>() == used(claim, None)).then_some(values)
+    let values: BTreeMap<String, i64> = integers
+        .filter_map(|(name, value)| Some((name.clone(), value.parse().ok()?)))
+        .collect();
+    (!values.is_empty() && values.keys().cloned().collect::<BTreeSet<_>>() == used(claim, None))
+        .then_some(values)
 }
 
 /// Small instances: unbounded integers take their least values in turn, in different orders so that two
@@ -40,8 +50,12 @@ pub fn small(claim: &Claim, statement: &Expr) -> Vec<BTreeMap<String, i64>> {
         let mut count = 0;
         // Bounds name other integers, so those come first.
         for _ in 0..names.len() {
-            let ready = |n: &&&String| bounds(&claim.declarations, n).all(|b| partial.iter().all(|p| at(&b, p).is_some()));
-            let Some(name) = pending.iter().find(ready).map(|n| (*n).clone()) else { break };
+            let ready = |n: &&&String| {
+                bounds(&claim.declarations, n).all(|b| partial.iter().all(|p| at(&b, p).is_some()))
+            };
+            let Some(name) = pending.iter().find(ready).map(|n| (*n).clone()) else {
+                break;
+            };
             pending.retain(|n| **n != name);
             let unbounded_turn = (turn * (1 + count % 2)) % SPAN;
             let range = |p: &BTreeMap<String, i64>| {
@@ -50,10 +64,15 @@ pub fn small(claim: &Claim, statement: &Expr) -> Vec<BTreeMap<String, i64>> {
                 }
                 let bound = |b: &Option<Affine>| b.as_ref().and_then(|b| at(b, p));
                 match claim.declarations.symbol(&name) {
-                    Some(SymbolKind::Integer { least, most }) => match (bound(least), bound(most)) {
-                        (Some(least), Some(most)) => least..=most.min(least + 11),
-                        (least, _) => least.unwrap_or(0) + unbounded_turn..=least.unwrap_or(0) + unbounded_turn,
-                    },
+                    Some(SymbolKind::Integer { least, most }) => {
+                        match (bound(least), bound(most)) {
+                            (Some(least), Some(most)) => least..=most.min(least + 11),
+                            (least, _) => {
+                                least.unwrap_or(0) + unbounded_turn
+                                    ..=least.unwrap_or(0) + unbounded_turn
+                            }
+                        }
+                    }
                     _ => 0..=0,
                 }
             };
@@ -64,7 +83,10 @@ pub fn small(claim: &Claim, statement: &Expr) -> Vec<BTreeMap<String, i64>> {
                 more.insert(name.clone(), value);
                 more
             };
-            partial = partial.iter().flat_map(|p| range(p).map(|value| with(p, value)).collect::<Vec<_>>()).collect();
+            partial = partial
+                .iter()
+                .flat_map(|p| range(p).map(|value| with(p, value)).collect::<Vec<_>>())
+                .collect();
             partial.truncate(MAX_INSTANCES);
         }
         all.extend(partial);
@@ -85,16 +107,21 @@ fn bounds(declarations: &Declarations, name: &str) -> impl Iterator<Item = Affin
 
 /// The value of a bound.
 fn at(form: &Affine, instance: &BTreeMap<String, i64>) -> Option<i64> {
-    form.multiples().try_fold(form.constant(), |sum, (name, multiple)| {
-        instance.get(name).map(|value| sum + multiple * value)
-    })
+    form.multiples()
+        .try_fold(form.constant(), |sum, (name, multiple)| {
+            instance.get(name).map(|value| sum + multiple * value)
+        })
 }
 
 /// Integers that an assumption gives a value: `m == 3`.
 fn pinned(claim: &Claim) -> BTreeMap<String, i64> {
     let one = |expr: &Expr| {
-        let Node::Compare(first, rest) = &expr.node else { return None };
-        let [(Relation::Equal, right)] = rest.as_slice() else { return None };
+        let Node::Compare(first, rest) = &expr.node else {
+            return None;
+        };
+        let [(Relation::Equal, right)] = rest.as_slice() else {
+            return None;
+        };
         match (&first.node, &right.node) {
             (Node::Name(name), Node::Number { value, .. }) if value.is_integer() => {
                 Some((name.clone(), i64::try_from(value.to_integer()).ok()?))
@@ -102,14 +129,28 @@ fn pinned(claim: &Claim) -> BTreeMap<String, i64> {
             _ => None,
         }
     };
-    claim.assumptions.iter().filter_map(|a| one(&a.expr)).collect()
+    claim
+        .assumptions
+        .iter()
+        .filter_map(|a| one(&a.expr))
+        .collect()
 }
 
 /// The integer symbols that a claim uses, through definitions and bounds.
 fn used(claim: &Claim, statement: Option<&Expr>) -> BTreeSet<String> {
     let declarations = &claim.declarations;
-    let written = claim.statement.iter().filter(|_| statement.is_none()).chain(&claim.given).chain(&claim.assumptions).chain(&claim.unknowns);
-    let mut pending: Vec<String> = statement.into_iter().chain(written.map(|w| &w.expr)).flat_map(free).collect();
+    let written = claim
+        .statement
+        .iter()
+        .filter(|_| statement.is_none())
+        .chain(&claim.given)
+        .chain(&claim.assumptions)
+        .chain(&claim.unknowns);
+    let mut pending: Vec<String> = statement
+        .into_iter()
+        .chain(written.map(|w| &w.expr))
+        .flat_map(free)
+        .collect();
     let (mut seen, mut integers) = (BTreeSet::new(), BTreeSet::new());
     while let Some(name) = pending.pop() {
         if !seen.insert(name.clone()) {
@@ -117,11 +158,18 @@ fn used(claim: &Claim, statement: Option<&Expr>) -> BTreeSet<String> {
         }
         if matches!(declarations.symbol(&name), Some(SymbolKind::Integer { .. })) {
             integers.insert(name.clone());
-            let named = bounds(declarations, &name).flat_map(|b| b.multiples().map(|(n, _)| n.to_owned()).collect::<Vec<_>>());
+            let named = bounds(declarations, &name)
+                .flat_map(|b| b.multiples().map(|(n, _)| n.to_owned()).collect::<Vec<_>>());
             pending.extend(named);
         }
         let base = name.trim_end_matches('\'');
-        for definition in [declarations.definition(&name), declarations.definition(base)].into_iter().flatten() {
+        for definition in [
+            declarations.definition(&name),
+            declarations.definition(base),
+        ]
+        .into_iter()
+        .flatten()
+        {
             let inner = free(&definition.body.expr).into_iter();
             pending.extend(inner.filter(|n| !definition.parameters.contains(n)));
         }

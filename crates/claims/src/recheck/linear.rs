@@ -9,7 +9,9 @@ use torse_algebra::Symbol;
 const MAX_SIZE: usize = 7;
 
 fn not_covered(what: &str) -> Obstacle {
-    Obstacle::NotCovered { what: what.to_owned() }
+    Obstacle::NotCovered {
+        what: what.to_owned(),
+    }
 }
 
 /// The determinant, expanded along the first row.
@@ -27,7 +29,11 @@ pub fn determinant(rows: &[Vec<Quotient>], work: &Work) -> Result<Quotient, Obst
         }
         let minor = determinant(&without_column(rest, column), work)?;
         let term = entry.times(&minor, work)?;
-        let signed = if column % 2 == 0 { term } else { term.negated() };
+        let signed = if column % 2 == 0 {
+            term
+        } else {
+            term.negated()
+        };
         total = total.plus(&signed, work)?;
     }
     Ok(total)
@@ -49,10 +55,16 @@ pub fn inverse(rows: &[Vec<Quotient>], work: &Work) -> Result<Vec<Vec<Quotient>>
         let others = rows.iter().enumerate().filter(|(row, _)| *row != c);
         let others: Vec<Vec<Quotient>> = others.map(|(_, row)| row.clone()).collect();
         let minor = determinant(&without_column(&others, r), work)?;
-        let cofactor = if (r + c) % 2 == 0 { minor } else { minor.negated() };
+        let cofactor = if (r + c) % 2 == 0 {
+            minor
+        } else {
+            minor.negated()
+        };
         cofactor.over(&whole, work)
     };
-    (0..rows.len()).map(|r| (0..rows.len()).map(|c| entry(r, c)).collect()).collect()
+    (0..rows.len())
+        .map(|r| (0..rows.len()).map(|c| entry(r, c)).collect())
+        .collect()
 }
 
 /// Solves `form = 0` for all forms.
@@ -69,7 +81,9 @@ pub fn solve(
         let mut row = vec![];
         for unknown in unknowns {
             let (coefficient, others) = rest.split(unknown).ok_or_else(nonlinear)?;
-            let mixed = unknowns.iter().any(|u| coefficient.split(u).is_none_or(|(c, _)| !c.is_zero()));
+            let mixed = unknowns
+                .iter()
+                .any(|u| coefficient.split(u).is_none_or(|(c, _)| !c.is_zero()));
             if mixed {
                 return Err(nonlinear());
             }
@@ -80,16 +94,27 @@ pub fn solve(
         rows.push(row);
     }
     for column in 0..unknowns.len() {
-        let entry = |row: &Vec<Quotient>| row.get(column).cloned().unwrap_or_else(|| Quotient::integer(0));
+        let entry = |row: &Vec<Quotient>| {
+            row.get(column)
+                .cloned()
+                .unwrap_or_else(|| Quotient::integer(0))
+        };
         let open = rows.iter().enumerate().skip(column);
         let candidates = open.filter(|(_, row)| !entry(row).is_zero());
         let pivot = candidates.min_by_key(|(_, row)| entry(row).above.terms().count());
         let Some(pivot) = pivot.map(|(position, _)| position) else {
-            return Err(not_covered("given equations that do not determine the unknowns"));
+            return Err(not_covered(
+                "given equations that do not determine the unknowns",
+            ));
         };
         rows.swap(column, pivot);
-        let Some(lead) = rows.get(column).cloned() else { continue };
-        let lead = lead.iter().map(|e| e.over(&entry(&lead), work)).collect::<Result<Vec<_>, _>>()?;
+        let Some(lead) = rows.get(column).cloned() else {
+            continue;
+        };
+        let lead = lead
+            .iter()
+            .map(|e| e.over(&entry(&lead), work))
+            .collect::<Result<Vec<_>, _>>()?;
         for (position, row) in rows.iter_mut().enumerate() {
             let factor = entry(row).negated();
             if position == column {

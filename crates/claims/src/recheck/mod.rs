@@ -70,8 +70,13 @@ enum Obstacle {
 /// Replays the outcome of a claim.
 #[must_use]
 pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
-    let proved = matches!(outcome.verdict, Verdict::Holds | Verdict::Conditional | Verdict::Definition)
-        && matches!(outcome.evidence, Some(Evidence::Identity | Evidence::Induction));
+    let proved = matches!(
+        outcome.verdict,
+        Verdict::Holds | Verdict::Conditional | Verdict::Definition
+    ) && matches!(
+        outcome.evidence,
+        Some(Evidence::Identity | Evidence::Induction)
+    );
     let refuted = matches!(outcome.verdict, Verdict::Misprint | Verdict::False);
     let statement = match &claim.statement {
         Some(statement) if proved || refuted => &statement.expr,
@@ -98,17 +103,24 @@ pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
 }
 
 fn not_replayable(reason: &str) -> Recheck {
-    Recheck::NotReplayable { reason: reason.to_owned() }
+    Recheck::NotReplayable {
+        reason: reason.to_owned(),
+    }
 }
 
 /// Checks that both sides agree at every small instance.
 fn vanishes(claim: &Claim, statement: &Expr) -> Recheck {
-    let mut confirmed = vec![];
+    let (work, mut confirmed) = (Work::default(), vec![]);
     for instance in instances::small(claim, statement) {
         let name = instances::name(&instance);
-        match difference(claim, statement, instance) {
+        match difference(claim, statement, instance, &work) {
             Ok(None) => confirmed.push(name),
-            Ok(Some(found)) => return Recheck::Contradicted { instance: name, found },
+            Ok(Some(found)) => {
+                return Recheck::Contradicted {
+                    instance: name,
+                    found,
+                };
+            }
             Err(Obstacle::ZeroDivisor | Obstacle::Outside) => {}
             Err(Obstacle::TooMuchWork) if !confirmed.is_empty() => break,
             Err(obstacle) => return not_replayable(&obstacle.to_string()),
@@ -117,17 +129,26 @@ fn vanishes(claim: &Claim, statement: &Expr) -> Recheck {
     if confirmed.is_empty() {
         return not_replayable("no small instance lies in the domain");
     }
-    Recheck::Confirmed { instances: confirmed }
+    Recheck::Confirmed {
+        instances: confirmed,
+    }
 }
 
 /// Checks that the sides differ at some small instance, or at that of the witness.
 fn differs(claim: &Claim, statement: &Expr, outcome: &Outcome) -> Recheck {
-    let mut agreeing = vec![];
+    let (work, mut agreeing) = (Work::default(), vec![]);
     let witness = instances::of_witness(claim, outcome);
-    for instance in witness.into_iter().chain(instances::small(claim, statement)) {
+    for instance in witness
+        .into_iter()
+        .chain(instances::small(claim, statement))
+    {
         let name = instances::name(&instance);
-        match difference(claim, statement, instance) {
-            Ok(Some(_)) => return Recheck::Confirmed { instances: vec![name] },
+        match difference(claim, statement, instance, &work) {
+            Ok(Some(_)) => {
+                return Recheck::Confirmed {
+                    instances: vec![name],
+                };
+            }
             Ok(None) => agreeing.push(name),
             Err(Obstacle::ZeroDivisor | Obstacle::Outside) => {}
             Err(obstacle) => return not_replayable(&obstacle.to_string()),
@@ -147,12 +168,14 @@ fn difference(
     claim: &Claim,
     statement: &Expr,
     instance: BTreeMap<String, i64>,
+    work: &Work,
 ) -> Result<Option<String>, Obstacle> {
     let mut evaluator = Evaluator {
         declarations: &claim.declarations,
         integers: instance,
         known: BTreeMap::new(),
-        work: Work::default(),
+        solved: BTreeMap::new(),
+        work,
         depth: Cell::new(0),
     };
     for assumption in &claim.assumptions {
@@ -164,9 +187,11 @@ fn difference(
     for given in &claim.given {
         for (relation, x, y) in comparisons(&given.expr, &evaluator)? {
             if relation != Relation::Equal {
-                return Err(Obstacle::NotCovered { what: "a given inequality".to_owned() });
+                return Err(Obstacle::NotCovered {
+                    what: "a given inequality".to_owned(),
+                });
             }
-            forms.push(x.plus(&y.negated(), &evaluator.work)?);
+            forms.push(x.plus(&y.negated(), evaluator.work)?);
         }
     }
     let mut unknowns: Vec<Symbol> = vec![];
@@ -174,13 +199,14 @@ fn difference(
         let value = evaluator.value(&unknown.expr, &BTreeMap::new())?;
         unknowns.extend(value.numbers().into_iter().filter_map(Quotient::as_symbol));
     }
-    let solution = linear::solve(&forms, &unknowns, &evaluator.work)?;
-    evaluator.known.extend(solution);
+    evaluator.solved = linear::solve(&forms, &unknowns, evaluator.work)?;
     for (relation, x, y) in comparisons(statement, &evaluator)? {
         if relation != Relation::Equal {
-            return Err(Obstacle::NotCovered { what: "an inequality".to_owned() });
+            return Err(Obstacle::NotCovered {
+                what: "an inequality".to_owned(),
+            });
         }
-        let gap = x.plus(&y.negated(), &evaluator.work)?;
+        let gap = evaluator.resolved(&x.plus(&y.negated(), evaluator.work)?)?;
         if !gap.is_zero() {
             let terms = gap.above.terms().count();
             return Ok(Some(format!("a difference of {terms} terms")));
@@ -207,7 +233,8 @@ fn comparisons(
                 let right = evaluator.value(right, &BTreeMap::new())?;
                 // Zero fits every shape: adding zeros of the shape of the other side.
                 let zero = Value::Number(Quotient::integer(0));
-                let shape = |v: &Value| evaluator.binary(Operator::Multiply, zero.clone(), v.clone());
+                let shape =
+                    |v: &Value| evaluator.binary(Operator::Multiply, zero.clone(), v.clone());
                 let x = evaluator.binary(Operator::Add, left, shape(&right)?)?;
                 let y = evaluator.binary(Operator::Add, right.clone(), shape(&x)?)?;
                 let pairs = x.numbers().into_iter().zip(y.numbers());
@@ -216,7 +243,9 @@ fn comparisons(
             }
             Ok(all)
         }
-        _ => Err(Obstacle::NotCovered { what: "a statement that is no equation".to_owned() }),
+        _ => Err(Obstacle::NotCovered {
+            what: "a statement that is no equation".to_owned(),
+        }),
     }
 }
 
@@ -227,7 +256,7 @@ fn assume(
     y: &Quotient,
     evaluator: &mut Evaluator<'_>,
 ) -> Result<(), Obstacle> {
-    let gap = x.plus(&y.negated(), &evaluator.work)?;
+    let gap = x.plus(&y.negated(), evaluator.work)?;
     if let Some(gap) = gap.as_constant() {
         let zero = torse_algebra::rational::integer(0);
         let holds = match relation {
@@ -238,22 +267,40 @@ fn assume(
             Relation::Greater => gap > zero,
             Relation::AtLeast => gap >= zero,
         };
-        return if holds { Ok(()) } else { Err(Obstacle::Outside) };
+        return if holds {
+            Ok(())
+        } else {
+            Err(Obstacle::Outside)
+        };
     }
     if relation != Relation::Equal {
         return Ok(());
     }
-    if let Some((symbol, value)) = x.as_symbol().map(|s| (s, y)).or_else(|| y.as_symbol().map(|s| (s, x))) {
+    if let Some((symbol, value)) = x
+        .as_symbol()
+        .map(|s| (s, y))
+        .or_else(|| y.as_symbol().map(|s| (s, x)))
+    {
         evaluator.known.insert(symbol, value.clone());
         return Ok(());
     }
-    let symbols: Vec<Symbol> = gap.above.terms().flat_map(|(m, _)| m.keys().cloned()).collect();
+    let symbols: Vec<Symbol> = gap
+        .above
+        .terms()
+        .flat_map(|(m, _)| m.keys().cloned())
+        .collect();
     let plain = symbols.iter().filter(|s| matches!(s, Symbol::Named(_)));
     for symbol in plain {
-        if let Ok(solution) = linear::solve(std::slice::from_ref(&gap), std::slice::from_ref(symbol), &evaluator.work) {
+        if let Ok(solution) = linear::solve(
+            std::slice::from_ref(&gap),
+            std::slice::from_ref(symbol),
+            evaluator.work,
+        ) {
             evaluator.known.extend(solution);
             return Ok(());
         }
     }
-    Err(Obstacle::NotCovered { what: "an assumption that fixes no symbol".to_owned() })
+    Err(Obstacle::NotCovered {
+        what: "an assumption that fixes no symbol".to_owned(),
+    })
 }

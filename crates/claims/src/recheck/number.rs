@@ -6,22 +6,25 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use torse_algebra::{Angle, Rational, Symbol, rational};
 
-/// The products of two terms that one instance may cost.
-const MAX_PRODUCTS: u64 = 400_000;
+/// The terms that replaying one claim may touch.
+const MAX_TERMS: u64 = 400_000;
 
 /// Symbols with their exponents, all positive.
 type Monomial = BTreeMap<Symbol, u32>;
 
-/// Counts the work of one instance.
+/// Counts the work of one claim, in terms touched.
 #[derive(Debug, Default)]
 pub struct Work(Cell<u64>);
 
 impl Work {
     /// Takes so many steps.
     pub fn spend(&self, steps: usize) -> Result<(), Obstacle> {
-        let total = self.0.get().saturating_add(u64::try_from(steps).unwrap_or(u64::MAX));
+        let total = self
+            .0
+            .get()
+            .saturating_add(u64::try_from(steps).unwrap_or(u64::MAX));
         self.0.set(total);
-        if total > MAX_PRODUCTS {
+        if total > MAX_TERMS {
             return Err(Obstacle::TooMuchWork);
         }
         Ok(())
@@ -138,7 +141,9 @@ impl Sum {
                 }
                 let mut outer = Self::default();
                 outer.enter(rest, coefficient * rational::integer(i64::from(*exponent)));
-                sum = sum.plus(&outer.times(&inner, work)?);
+                for (monomial, coefficient) in outer.times(&inner, work)?.0 {
+                    sum.enter(monomial, coefficient);
+                }
             }
         }
         Ok(sum)
@@ -165,7 +170,8 @@ fn derivative_of(symbol: &Symbol, name: &str) -> Option<Sum> {
         Angle::Radian => Sum::constant(Rational::one()),
         Angle::QuarterTurn => Sum::symbol(Symbol::Pi).scaled(&Rational::new(1.into(), 2.into())),
     };
-    let chain = |outer: Symbol, angle: &Angle| rate(angle).times(&Sum::symbol(outer), &Work::default());
+    let chain =
+        |outer: Symbol, angle: &Angle| rate(angle).times(&Sum::symbol(outer), &Work::default());
     match symbol {
         Symbol::Named(n) if **n == *name => Some(Sum::constant(Rational::one())),
         Symbol::Sin(n, angle) if **n == *name => chain(Symbol::Cos(n.clone(), *angle), angle).ok(),
@@ -188,7 +194,10 @@ pub struct Quotient {
 
 impl From<Sum> for Quotient {
     fn from(above: Sum) -> Self {
-        Self { above, below: Sum::constant(Rational::one()) }
+        Self {
+            above,
+            below: Sum::constant(Rational::one()),
+        }
     }
 }
 
@@ -234,6 +243,7 @@ impl Quotient {
     }
 
     pub fn plus(&self, other: &Self, work: &Work) -> Result<Self, Obstacle> {
+        work.spend(self.above.0.len() + other.above.0.len())?;
         if self.below == other.below {
             return Self::tidy(self.above.plus(&other.above), self.below.clone());
         }
@@ -243,23 +253,57 @@ impl Quotient {
     }
 
     pub fn negated(&self) -> Self {
-        Self { above: self.above.scaled(&-Rational::one()), below: self.below.clone() }
+        Self {
+            above: self.above.scaled(&-Rational::one()),
+            below: self.below.clone(),
+        }
     }
 
     pub fn times(&self, other: &Self, work: &Work) -> Result<Self, Obstacle> {
-        Self::tidy(self.above.times(&other.above, work)?, self.below.times(&other.below, work)?)
+        Self::tidy(
+            self.above.times(&other.above, work)?,
+            self.below.times(&other.below, work)?,
+        )
     }
 
     pub fn over(&self, other: &Self, work: &Work) -> Result<Self, Obstacle> {
-        Self::tidy(self.above.times(&other.below, work)?, self.below.times(&other.above, work)?)
+        Self::tidy(
+            self.above.times(&other.below, work)?,
+            self.below.times(&other.above, work)?,
+        )
     }
 
-    /// The quotient rule.
+    /// The quotient rule; a constant denominator stays as it is.
     pub fn derivative(&self, name: &str, work: &Work) -> Result<Self, Obstacle> {
-        let left = self.above.derivative(name, work)?.times(&self.below, work)?;
-        let right = self.above.times(&self.below.derivative(name, work)?, work)?;
+        let (above, below) = (
+            self.above.derivative(name, work)?,
+            self.below.derivative(name, work)?,
+        );
+        if below.is_zero() {
+            return Self::tidy(above, self.below.clone());
+        }
+        let left = above.times(&self.below, work)?;
+        let right = self.above.times(&below, work)?;
         let above = left.plus(&right.scaled(&-Rational::one()));
         Self::tidy(above, self.below.times(&self.below, work)?)
+    }
+
+    /// One symbol replaced; nothing is expanded where it occurs to the first power.
+    pub fn with(&self, symbol: &Symbol, value: &Self, work: &Work) -> Result<Self, Obstacle> {
+        let free = |sum: &Sum| {
+            !sum.terms()
+                .any(|(monomial, _)| monomial.contains_key(symbol))
+        };
+        match self.above.split(symbol) {
+            _ if free(&self.above) && free(&self.below) => Ok(self.clone()),
+            Some((coefficient, rest)) if free(&self.below) => {
+                let sum = value
+                    .times(&coefficient.into(), work)?
+                    .plus(&rest.into(), work)?;
+                sum.over(&self.below.clone().into(), work)
+            }
+            _ => self.replaced(&|s| Ok((s == symbol).then(|| value.clone())), work),
+        }
     }
 
     /// Every symbol replaced, where there is a replacement.
@@ -273,7 +317,8 @@ impl Quotient {
             for (monomial, coefficient) in sum.terms() {
                 let mut term = Self::number(coefficient.clone());
                 for (symbol, exponent) in monomial {
-                    let factor = value(symbol)?.unwrap_or_else(|| Sum::symbol(symbol.clone()).into());
+                    let factor =
+                        value(symbol)?.unwrap_or_else(|| Sum::symbol(symbol.clone()).into());
                     for _ in 0..*exponent {
                         term = term.times(&factor, work)?;
                     }

@@ -31,6 +31,8 @@ const MAX_DOUBLE: usize = 12_000;
 const MAX_WORK: u64 = 1_200_000;
 /// How many survivors of the sample point are proved before the search ends.
 const MAX_PROOFS: usize = 8;
+/// A comparison whose left side has at most so many nodes is a tautology when both sides are equal.
+const MAX_TAUTOLOGY: usize = 5;
 /// Formulas larger than this are corrected with one edit at most.
 const MAX_SIZE_DOUBLE: usize = 60;
 
@@ -123,6 +125,9 @@ fn is_tautology(expr: &Expr, path: &[usize]) -> bool {
         .iter()
         .try_fold(expr, |e, position| e.parts().into_iter().nth(*position));
     match comparison.map(|e| &e.node) {
+        // A long formula that comes to repeat the left side is a corrected restatement; a short one
+        // says nothing.
+        Some(Node::Compare(left, _)) if left.size() > MAX_TAUTOLOGY => false,
         Some(Node::Compare(left, rest)) => rest
             .iter()
             .any(|(_, right)| canonical::canonical(left) == canonical::canonical(right)),
