@@ -62,7 +62,7 @@ pub const fn verdict(of: Verdict) -> Term {
         Verdict::Holds => (
             "holds",
             "holds",
-            "True as printed, under the paper's own assumptions.",
+            "True as printed, under the paper’s own assumptions.",
         ),
         Verdict::Conditional => (
             "conditional",
@@ -210,11 +210,11 @@ pub const RULES: [Rule; 7] = [
     },
     Rule {
         name: "Every division is recorded",
-        statement: "A quotient is computed together with the statement that its divisor is not zero. Divisors that the paper's own assumptions do not exclude are listed with the verdict as conditions.",
+        statement: "A quotient is computed together with the statement that its divisor is not zero. Divisors that the paper’s own assumptions do not exclude are listed with the verdict as conditions.",
     },
     Rule {
         name: "A counterexample is exact",
-        statement: "A refuted statement comes with rational values of its symbols at which both sides were computed exactly. Decimals beside them are certified enclosures, given for the reader's convenience only.",
+        statement: "A refuted statement comes with rational values of its symbols at which both sides were computed exactly. Decimals beside them are certified enclosures, given for the reader’s convenience only.",
     },
     Rule {
         name: "A correction is proved",

@@ -8,12 +8,16 @@ use crate::evaluate::scope::{Basis, Declarations, SymbolKind};
 use crate::evaluate::series::{HERE, Series, Target};
 use crate::notation;
 use crate::syntax::{Expr, Node, Operator, Relation};
+use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use torse_algebra::{Affine, Fraction, Polynomial, Symbol, rational};
+use torse_algebra::{Affine, Fraction, Polynomial, Rational, Symbol, rational};
 
 /// A derivative is written out up to this many nodes.
 const MAX_WRITTEN_OUT: usize = 80;
+
+/// Degrees above this are not looked at for zeros of divisors.
+const MAX_ROOT: usize = 10_000;
 
 /// An end of the interval of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -282,6 +286,38 @@ impl Curve {
         });
         let sum = terms.reduce(|sum, term| sum.with(Operator::Add, term));
         sum.unwrap_or_else(|| notation::expression(&Fraction::zero()))
+    }
+
+    /// Whether a divisor can be zero for a degree that is allowed: a polynomial in the degree alone is
+    /// looked at up to Cauchy's bound of its roots, `1 + max |c_i| / |c_n|`.
+    pub fn can_vanish(&self, divisor: &Polynomial, least: usize) -> bool {
+        if divisor.as_constant().is_some() {
+            return divisor.is_zero();
+        }
+        let degree = Symbol::named(&self.degree);
+        if divisor.symbols() != std::slice::from_ref(&degree) {
+            return true;
+        }
+        let coefficients: Vec<Rational> = divisor
+            .coefficients_in(&degree)
+            .iter()
+            .filter_map(Polynomial::as_constant)
+            .collect();
+        let lead = coefficients.last().map_or_else(Rational::zero, Signed::abs);
+        let largest = coefficients.iter().map(Signed::abs).max();
+        let bound = largest.unwrap_or_else(Rational::zero) / lead + rational::integer(1);
+        let least = least.max(usize::from(self.least_degree));
+        (least..=MAX_ROOT)
+            .map(|n| rational::integer(i64::try_from(n).unwrap_or(i64::MAX)))
+            .take_while(|n| *n <= bound)
+            .any(|n| {
+                let horner = |value: Rational, c: &Rational| value * &n + c;
+                coefficients
+                    .iter()
+                    .rev()
+                    .fold(Rational::zero(), horner)
+                    .is_zero()
+            })
     }
 
     /// `degree >= least`.

@@ -231,7 +231,7 @@ impl<'a> Join<'a> {
                     .flatten()
                     .flat_map(|f| f.conditions().to_vec()),
             )
-            .filter(|p| p.as_constant().is_none())
+            .filter(|p| self.second.can_vanish(p, self.rows.len() - 1))
             .collect();
         all.sort();
         all.dedup();
@@ -277,8 +277,19 @@ impl<'a> Join<'a> {
         let (mut coefficients, mut points) = (vec![], vec![]);
         for (j, row) in self.rows.iter().enumerate() {
             let divisor = cell(&a, j, j);
-            let by_name = matches!(&divisor, Some(e) if !e.names().is_empty());
-            divisors.extend(divisor.clone().filter(|_| by_name).map(different_from_zero));
+            let pivot = self
+                .a
+                .get(j)
+                .map_or_else(Fraction::zero, |row| entry(row, j));
+            let can_vanish = self
+                .second
+                .can_vanish(pivot.numerator(), self.rows.len() - 1);
+            divisors.extend(
+                divisor
+                    .clone()
+                    .filter(|_| can_vanish)
+                    .map(different_from_zero),
+            );
             let mut solution = vec![];
             for i in 0..width {
                 let wanted = row.iter().filter_map(|(l, factor)| {

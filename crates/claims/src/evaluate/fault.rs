@@ -57,6 +57,12 @@ pub enum Problem {
         /// The divisor.
         divisor: String,
     },
+    /// Definitions that call each other without end, or nearly so.
+    #[error("definitions are nested deeper than {limit} levels: is one defined through itself?")]
+    Circular {
+        /// The limit.
+        limit: usize,
+    },
     /// Something the engine cannot carry out symbolically.
     #[error("{what}")]
     Limit {

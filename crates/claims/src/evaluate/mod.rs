@@ -380,10 +380,7 @@ impl<'a> Evaluator<'a> {
 
     fn deeper<T>(&self, place: Place, inner: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
         if self.depth.get() >= MAX_DEPTH {
-            return Err(Fault::limit(
-                place,
-                format!("definitions are nested deeper than {MAX_DEPTH} levels"),
-            ));
+            return Err(Fault::at(place, Problem::Circular { limit: MAX_DEPTH }));
         }
         self.depth.set(self.depth.get() + 1);
         let result = inner();
