@@ -10,7 +10,8 @@
 //! |---|---|
 //! | a basis with shape parameters | [`Gbt`], [`Bernstein`], or implement [`Basis`] by its three seeds |
 //! | a curve, its derivatives, length, curvature | [`Curve`], [`RationalCurve`], [`hermite`], [`curve`] |
-//! | a surface, its partials, normal, curvatures | [`TensorSurface`], [`RuledSurface`], [`RotationSurface`], [`Surface`], [`Forms`] |
+//! | a surface, its partials, normal, curvatures | [`TensorSurface`], [`RuledSurface`], [`RotationSurface`], [`Surface`], [`Forms`], [`Principal`] |
+//! | to exchange maps with nalgebra | [`Affine`] |
 //! | a developable from planes | [`PlaneFamily`], then [`EnvelopingPatch`] or [`TangentPatch`]; [`PlaneFamily::edge_parameter`] says where not to cut |
 //! | a developable between two planes | [`HermiteCone`], [`developable::oblique_image`] |
 //! | the next piece of a smooth chain | [`Continuity`], [`join::next_curve`], [`join::next_family`], [`join::next_surface`], [`join::chain`] |
@@ -140,5 +141,6 @@ pub use mesh::Mesh;
 pub use planes::{Plane, PlaneFamily, Ruling};
 pub use scalars::{Over, exact, exact_ball};
 pub use surface::{
-    Forms, Half, Partials, Rails, RotationSurface, RuledSurface, SpaceCurve, Surface, TensorSurface,
+    Forms, Half, Partials, Principal, Rails, RotationSurface, RuledSurface, SpaceCurve, Surface,
+    TensorSurface,
 };

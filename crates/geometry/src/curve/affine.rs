@@ -1,6 +1,7 @@
 //! Affine maps of space.
 
 use crate::vector::{add, dot};
+use nalgebra::{Affine3, Isometry3, Matrix3, Matrix4, Vector3};
 use torse_algebra::Scalar;
 
 /// The map `p -> linear p + shift`; rows of the linear part first.
@@ -11,6 +12,29 @@ use torse_algebra::Scalar;
 /// let curve = Curve::new(Gbt::new(0.2, 0.7)?, vec![[0.0, 0.0, 1.0], [1.0, 3.0, 0.0], [4.0, 1.0, 2.0]])?;
 /// let (of_curve, of_points) = (map.apply(&curve.point(&0.3)?), curve.mapped(|p| map.apply(p)).point(&0.3)?);
 /// assert!(of_curve.iter().zip(of_points).all(|(a, b)| (a - b).abs() < 1e-14));
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+///
+/// On f64 it converts from and to the maps of nalgebra; points and vectors are arrays, which nalgebra
+/// converts itself.
+///
+/// ```
+/// use nalgebra::{Isometry3, Matrix4, Point3, Vector3};
+/// use torse_geometry::{Affine, Bernstein, Curve};
+/// let motion = Isometry3::new(Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.3, -0.4, 0.5));
+/// let map = Affine::from(motion);
+/// let curve = Curve::new(Bernstein, vec![[0.0, 0.0, 1.0], [1.0, 3.0, 0.0], [4.0, 1.0, 2.0]])?;
+/// let expected = motion * Point3::from(curve.point(&0.3)?);
+/// let moved = Point3::from(curve.mapped(|p| map.apply(p)).point(&0.3)?);
+/// assert!((moved - expected).norm() < 1e-14);
+/// assert_eq!(Matrix4::from(map), motion.to_homogeneous());
+///
+/// // Other maps come as `Affine3`; back to it, nalgebra checks that the map can be inverted.
+/// let shear = Matrix4::new(1., 2., 0., 5., 0., 1., 0., 6., 0., 0., 3., 7., 0., 0., 0., 1.);
+/// let affine: nalgebra::Affine3<f64> = nalgebra::try_convert(shear).expect("an invertible map");
+/// let map = Affine::from(affine);
+/// assert_eq!(map.apply(&[1.0, 1.0, 1.0]), [8.0, 7.0, 10.0]);
+/// assert_eq!(nalgebra::try_convert(Matrix4::from(map)), Some(affine));
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,5 +51,31 @@ impl<S: Scalar> Affine<S> {
     pub fn apply(&self, p: &[S; 3]) -> [S; 3] {
         let [x, y, z] = &self.linear;
         add(&[dot(x, p), dot(y, p), dot(z, p)], &self.shift)
+    }
+}
+
+impl From<Affine3<f64>> for Affine<f64> {
+    fn from(map: Affine3<f64>) -> Self {
+        let matrix = map.matrix();
+        Self {
+            linear: std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)])),
+            shift: std::array::from_fn(|i| matrix[(i, 3)]),
+        }
+    }
+}
+
+impl From<Isometry3<f64>> for Affine<f64> {
+    fn from(motion: Isometry3<f64>) -> Self {
+        Self::from(nalgebra::convert::<_, Affine3<f64>>(motion))
+    }
+}
+
+/// The homogeneous matrix.
+impl From<Affine<f64>> for Matrix4<f64> {
+    fn from(map: Affine<f64>) -> Self {
+        let linear = Matrix3::from(map.linear).transpose();
+        linear
+            .to_homogeneous()
+            .append_translation(&Vector3::from(map.shift))
     }
 }

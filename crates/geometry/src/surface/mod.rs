@@ -3,11 +3,13 @@
 
 mod engineering;
 mod partials;
+mod principal;
 mod rotation;
 mod ruled;
 mod tensor;
 
 pub use partials::{Forms, Partials};
+pub use principal::Principal;
 pub use rotation::{Half, RotationSurface, rotation_parameter};
 pub use ruled::{Rails, RuledSurface, SpaceCurve, partials_between};
 pub use tensor::TensorSurface;

@@ -121,16 +121,6 @@ impl Forms<f64> {
         }
     }
 
-    /// The principal curvatures, the larger first.
-    ///
-    /// # Errors
-    /// [`GeometryError::Degenerate`] where the area element vanishes.
-    pub fn principal(&self) -> Result<[f64; 2]> {
-        let (h, k) = (self.mean()?, self.gaussian()?);
-        let root = (h * h - k).max(0.0).sqrt();
-        Ok([h + root, h - root])
-    }
-
     /// The unit normal.
     ///
     /// # Errors
@@ -140,7 +130,7 @@ impl Forms<f64> {
     }
 }
 
-fn singular() -> GeometryError {
+pub(super) fn singular() -> GeometryError {
     GeometryError::Degenerate {
         what: "surface normal",
         at: "this point".to_owned(),

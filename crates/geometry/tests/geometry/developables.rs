@@ -1,9 +1,12 @@
 //! Developables: exactly developable, tangent to their planes, and unrolled isometrically.
 
+use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Jet, Rational};
-use torse_geometry::developable::{QuarticData, certify, oblique_image, unroll};
+use torse_geometry::developable::{
+    QuarticData, certify, cone_system, oblique_image, solve, unroll,
+};
 use torse_geometry::vector::{det, dot, norm, sub};
 use torse_geometry::{
     Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, HermiteCone, PlaneFamily, Rails, RuledSurface,
@@ -105,6 +108,31 @@ proptest! {
             }
             prop_assert_eq!(determinant(&patch, &x), integer(0));
         }
+    }
+
+    #[test]
+    fn the_systems_of_the_cones_have_the_solutions_of_an_lu_decomposition(
+        degree in 3..=5_usize,
+        k in prop_oneof![0.1..0.95_f64, 1.05..8.0_f64],
+        right in prop::collection::vec(-100.0..100.0, 6),
+    ) {
+        let rows: Vec<Vec<f64>> = cone_system(degree, &k);
+        let size = rows.len();
+        let matrix = DMatrix::from_fn(size, size, |i, j| rows[i][j]);
+        let values = matrix.singular_values();
+        let condition = values.max() / values.min();
+        let lu = matrix.lu();
+        let determinant = match degree {
+            3 => k.powi(4),
+            4 => -16.0 * k.powi(3) * (k - 1.0),
+            _ => 256.0 * k.powi(3) * (k - 1.0),
+        };
+        prop_assert!((lu.determinant() / determinant - 1.0).abs() < 1e-14 * condition);
+        let reference = lu.solve(&DVector::from_column_slice(&right[..size])).unwrap();
+        let column = right.into_iter().take(size).map(|x| [x]).collect();
+        let solution = solve("a test", rows, column).unwrap();
+        let error = (DVector::from_iterator(size, solution.into_iter().flatten()) - &reference).norm();
+        prop_assert!(error <= 4.0 * f64::EPSILON * condition * reference.norm(), "{error:e} {condition:e}");
     }
 }
 

@@ -3,8 +3,9 @@
 use proptest::prelude::*;
 use torse_geometry::developable::{certify, unroll};
 use torse_geometry::{
-    Basis, Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, GeometryError, HermiteCone,
-    Mesh, PlaneFamily, RationalCurve, RotationSurface, Surface, TensorSurface, curve, join,
+    Basis, Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Forms, Gbt, GeometryError,
+    HermiteCone, Mesh, PlaneFamily, RationalCurve, RotationSurface, Surface, TensorSurface, curve,
+    join,
 };
 
 fn any() -> impl Strategy<Value = f64> {
@@ -61,6 +62,16 @@ proptest! {
         if let Ok(profile) = Curve::new(Bernstein, profile) {
             let _ = RotationSurface::turned(&profile, angle);
         }
+    }
+
+    #[test]
+    fn principal_curvatures_of_any_numbers_end(
+        first in prop::array::uniform3(any()), second in prop::array::uniform3(any()), area_squared in any(),
+    ) {
+        let normal = [0.0; 3];
+        let principal = Forms { first, second, area_squared, normal }.principal();
+        let known = first[0] > 0.0 && area_squared > 0.0 && second.iter().all(|x| x.is_finite());
+        prop_assert!(known || principal.is_err());
     }
 }
 

@@ -82,8 +82,38 @@ fn a_sphere_of_radius_two_has_curvatures_one_quarter_and_one_half_everywhere() {
         let forms = sphere.forms(&u, &v).unwrap();
         assert!((forms.gaussian().unwrap() - 0.25).abs() < 1e-13);
         assert!((forms.mean().unwrap().abs() - 0.5).abs() < 1e-13);
-        let [k1, k2] = forms.principal().unwrap();
-        assert!((k1 - k2).abs() < 1e-6 && k1 >= k2);
+        // Every point is an umbilic, and none loses digits for it.
+        for principal in forms.principal().unwrap() {
+            assert!((principal.curvature.abs() - 0.5).abs() < 1e-13);
+        }
+    }
+}
+
+#[test]
+fn principal_curvatures_are_those_of_mean_and_gaussian_and_their_directions_conjugate() {
+    let surface = wavy();
+    for (u, v) in [(0.1, 0.2), (0.6, 0.3), (0.9, 0.95)] {
+        let forms = surface.forms(&u, &v).unwrap();
+        let [p, q] = forms.principal().unwrap();
+        assert!(p.curvature >= q.curvature);
+        let close = |a: f64, b: f64| (a - b).abs() < 1e-12 * (1.0 + b.abs());
+        assert!(close(
+            0.5 * (p.curvature + q.curvature),
+            forms.mean().unwrap()
+        ));
+        assert!(close(p.curvature * q.curvature, forms.gaussian().unwrap()));
+        let form = |[a, b, c]: [f64; 3], x: [f64; 2], y: [f64; 2]| {
+            a * x[0] * y[0] + b * (x[0] * y[1] + x[1] * y[0]) + c * x[1] * y[1]
+        };
+        let area = forms.area_squared.sqrt();
+        let (first, second) = (forms.first, forms.second.map(|x| x / area));
+        // Unit vectors, perpendicular, conjugate, with their own normal curvature each.
+        for r in [p, q] {
+            assert!(close(form(first, r.direction, r.direction), 1.0));
+            assert!(close(form(second, r.direction, r.direction), r.curvature));
+        }
+        assert!(close(form(first, p.direction, q.direction), 0.0));
+        assert!(close(form(second, p.direction, q.direction), 0.0));
     }
 }
 
