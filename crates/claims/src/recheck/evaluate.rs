@@ -1,10 +1,10 @@
 //! The syntax tree at concrete integers, straight from the definitions.
 
+use super::Obstacle;
 use super::number::{Quotient, Sum, Work};
-use super::{Obstacle, linear, turn};
 use crate::evaluate::scope::{Basis, Declarations, SymbolKind};
 use crate::syntax::{Expr, Node, Operator};
-use num_traits::{One, Signed};
+use num_traits::Signed;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use torse_algebra::{Rational, Symbol, rational};
@@ -12,7 +12,7 @@ use torse_algebra::{Rational, Symbol, rational};
 /// How deep definitions may nest.
 const MAX_DEPTH: usize = 60;
 /// The longest sum and the highest power and degree.
-const MAX_COUNT: i64 = 60;
+pub(super) const MAX_COUNT: i64 = 60;
 
 /// What a formula is worth. A vector with one generic coordinate is a number.
 #[derive(Debug, Clone)]
@@ -29,8 +29,8 @@ pub enum Value {
     },
 }
 
-type Bindings = BTreeMap<String, Value>;
-type Result<T> = std::result::Result<T, Obstacle>;
+pub(super) type Bindings = BTreeMap<String, Value>;
+pub(super) type Result<T> = std::result::Result<T, Obstacle>;
 
 /// Evaluates formulas at one instance.
 pub struct Evaluator<'a> {
@@ -48,7 +48,7 @@ pub struct Evaluator<'a> {
     pub depth: Cell<usize>,
 }
 
-fn not_covered(what: impl Into<String>) -> Obstacle {
+pub(super) fn not_covered(what: impl Into<String>) -> Obstacle {
     Obstacle::NotCovered { what: what.into() }
 }
 
@@ -62,7 +62,7 @@ impl Value {
         }
     }
 
-    fn each(&self, change: &impl Fn(&Quotient) -> Result<Quotient>) -> Result<Self> {
+    pub(super) fn each(&self, change: &impl Fn(&Quotient) -> Result<Quotient>) -> Result<Self> {
         Ok(match self {
             Self::Number(number) => Self::Number(change(number)?),
             Self::Many(items) => Self::Many(
@@ -75,14 +75,14 @@ impl Value {
         })
     }
 
-    fn number(self) -> Result<Quotient> {
+    pub(super) fn number(self) -> Result<Quotient> {
         match self {
             Self::Number(number) => Ok(number),
             _ => Err(not_covered("a vector where a number is needed")),
         }
     }
 
-    fn rows(self) -> Result<Vec<Vec<Quotient>>> {
+    pub(super) fn rows(self) -> Result<Vec<Vec<Quotient>>> {
         let Self::Many(rows) = self else {
             return Err(not_covered("a number where a matrix is needed"));
         };
@@ -94,7 +94,7 @@ impl Value {
             .collect()
     }
 
-    fn matrix(rows: Vec<Vec<Quotient>>) -> Self {
+    pub(super) fn matrix(rows: Vec<Vec<Quotient>>) -> Self {
         let row = |row: Vec<Quotient>| Self::Many(row.into_iter().map(Self::Number).collect());
         Self::Many(rows.into_iter().map(row).collect())
     }
@@ -127,9 +127,9 @@ impl Evaluator<'_> {
 
     /// The number with the solution of the given equations put in.
     pub fn resolved(&self, number: &Quotient) -> Result<Quotient> {
-        let all = self.solved.iter();
-        all.fold(Ok(number.clone()), |number, (symbol, value)| {
-            number?.with(symbol, value, self.work)
+        let mut all = self.solved.iter();
+        all.try_fold(number.clone(), |number, (symbol, value)| {
+            number.with(symbol, value, self.work)
         })
     }
 
@@ -207,7 +207,7 @@ impl Evaluator<'_> {
         Err(not_covered(format!("the name {name}")))
     }
 
-    fn deeper<T>(&self, inner: impl FnOnce() -> Result<T>) -> Result<T> {
+    pub(super) fn deeper<T>(&self, inner: impl FnOnce() -> Result<T>) -> Result<T> {
         if self.depth.get() >= MAX_DEPTH {
             return Err(not_covered("definitions nested this deep"));
         }
@@ -247,7 +247,7 @@ impl Evaluator<'_> {
     }
 
     /// `g[i,k](x, mu)`: the seeds, then `g[i,j+1] = a g[i,j] + b g[i-1,j]`.
-    fn member(
+    pub(super) fn member(
         &self,
         basis: &Basis,
         indices: &[Expr],
@@ -321,7 +321,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn sum(&self, a: Value, b: Value) -> Result<Value> {
+    pub(super) fn sum(&self, a: Value, b: Value) -> Result<Value> {
         match (a, b) {
             (Value::Number(a), Value::Number(b)) => Ok(Value::Number(a.plus(&b, self.work)?)),
             (Value::Number(zero), other) | (other, Value::Number(zero)) if zero.is_zero() => {
@@ -337,7 +337,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn product(&self, a: Value, b: Value) -> Result<Value> {
+    pub(super) fn product(&self, a: Value, b: Value) -> Result<Value> {
         match (a, b) {
             (Value::Number(factor), other) | (other, Value::Number(factor)) => {
                 other.each(&|q| q.times(&factor, self.work))
@@ -367,7 +367,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn dot(&self, a: &[&Quotient], b: &[&Quotient]) -> Result<Quotient> {
+    pub(super) fn dot(&self, a: &[&Quotient], b: &[&Quotient]) -> Result<Quotient> {
         if a.len() != b.len() {
             return Err(not_covered("a product of different lengths"));
         }
@@ -377,280 +377,11 @@ impl Evaluator<'_> {
                 sum.plus(&x.times(y, self.work)?, self.work)
             })
     }
-
-    fn call(&self, head: &Expr, arguments: &[Expr], bound: &Bindings) -> Result<Value> {
-        if let Node::Index(family, indices) = &head.node
-            && let Node::Name(name) = &family.node
-            && let Some(basis) = self.declarations.basis(name)
-        {
-            return self.member(basis, indices, arguments, bound);
-        }
-        if let Node::Name(name) = &head.node
-            && !bound.contains_key(name)
-            && self.declarations.definition(name).is_none()
-            && let Some(value) = self.built_in(name, arguments, bound)?
-        {
-            return Ok(value);
-        }
-        let Value::Function {
-            parameters,
-            body,
-            derivatives,
-        } = self.value(head, bound)?
-        else {
-            return Err(not_covered("a call of what is no function"));
-        };
-        if parameters.len() != arguments.len() {
-            return Err(not_covered("a call with another number of arguments"));
-        }
-        let values = arguments
-            .iter()
-            .map(|a| self.value(a, bound))
-            .collect::<Result<Vec<_>>>()?;
-        if derivatives.is_empty() {
-            let inner = parameters.into_iter().zip(values).collect();
-            return self.deeper(|| self.value(&body, &inner));
-        }
-        // Differentiate with fresh variables, then put the arguments in.
-        let fresh = |name: &str| format!("{name}\u{b0}");
-        let inner = parameters.iter().map(|p| {
-            (
-                p.clone(),
-                Value::Number(Sum::symbol(Symbol::named(&fresh(p))).into()),
-            )
-        });
-        let mut value = self.deeper(|| self.value(&body, &inner.collect()))?;
-        for (name, order) in &derivatives {
-            let name = if parameters.contains(name) {
-                fresh(name)
-            } else {
-                name.clone()
-            };
-            value = self.derived(value, &name, *order)?;
-        }
-        parameters
-            .iter()
-            .zip(values)
-            .try_fold(value, |value, (parameter, argument)| {
-                self.placed(&value, &fresh(parameter), &argument.number()?)
-            })
-    }
-
-    fn derived(&self, value: Value, name: &str, order: i64) -> Result<Value> {
-        (0..order.min(MAX_COUNT)).try_fold(value, |value, _| {
-            value.each(&|q| q.derivative(name, self.work))
-        })
-    }
-
-    /// The value with a variable at a point.
-    fn placed(&self, value: &Value, variable: &str, point: &Quotient) -> Result<Value> {
-        let put = |symbol: &Symbol| match symbol {
-            Symbol::Named(n) if **n == *variable => Ok(Some(point.clone())),
-            Symbol::Sin(n, angle) | Symbol::Cos(n, angle) if **n == *variable => {
-                let radians = match angle {
-                    torse_algebra::Angle::Radian => point.clone(),
-                    torse_algebra::Angle::QuarterTurn => {
-                        let quarter =
-                            Sum::symbol(Symbol::Pi).scaled(&Rational::new(1.into(), 2.into()));
-                        point.times(&quarter.into(), self.work)?
-                    }
-                };
-                let (sine, cosine) = turn::sine_cosine(&radians, self.work)?;
-                Ok(Some(if matches!(symbol, Symbol::Sin(..)) {
-                    sine
-                } else {
-                    cosine
-                }))
-            }
-            _ => Ok(None),
-        };
-        value.each(&|q| q.replaced(&put, self.work))
-    }
-
-    /// The built-in functions; `None` for other names.
-    fn built_in(&self, name: &str, arguments: &[Expr], bound: &Bindings) -> Result<Option<Value>> {
-        let value = |e: &Expr| self.value(e, bound);
-        let named = |e: &Expr| match &e.node {
-            Node::Name(name) => Ok(name.clone()),
-            _ => Err(not_covered("a formula where a name is needed")),
-        };
-        Ok(Some(match (name, arguments) {
-            ("sum", [index, low, high, term]) => {
-                let (index, low, high) = (
-                    named(index)?,
-                    self.integer(low, bound)?,
-                    self.integer(high, bound)?,
-                );
-                if high - low > MAX_COUNT {
-                    return Err(not_covered("a sum this long"));
-                }
-                let mut inner = bound.clone();
-                let zero = Value::Number(Quotient::integer(0));
-                (low..=high).try_fold(zero, |total, i| {
-                    inner.insert(index.clone(), Value::Number(Quotient::integer(i)));
-                    self.sum(total, self.value(term, &inner)?)
-                })?
-            }
-            ("D", [function, rest @ ..]) => {
-                let order = rest
-                    .get(1)
-                    .map_or(Ok(1), |order| self.integer(order, bound))?;
-                let variable = rest.first().map(named).transpose()?;
-                match (value(function)?, variable) {
-                    (
-                        Value::Function {
-                            parameters,
-                            body,
-                            mut derivatives,
-                        },
-                        variable,
-                    ) => {
-                        let by = variable.or_else(|| parameters.first().cloned());
-                        derivatives
-                            .push((by.ok_or_else(|| not_covered("this derivative"))?, order));
-                        Value::Function {
-                            parameters,
-                            body,
-                            derivatives,
-                        }
-                    }
-                    (value, Some(variable)) => self.derived(value, &variable, order)?,
-                    _ => return Err(not_covered("a derivative by nothing")),
-                }
-            }
-            ("at", [inner, variable, point]) => {
-                self.placed(&value(inner)?, &named(variable)?, &value(point)?.number()?)?
-            }
-            ("binom", [n, k]) => {
-                let (n, k) = (self.integer(n, bound)?, self.integer(k, bound)?);
-                if k > n || k < 0 || n > MAX_COUNT {
-                    return if n <= MAX_COUNT && n >= 0 {
-                        Ok(Some(Value::Number(Quotient::integer(0))))
-                    } else {
-                        Err(not_covered("this binomial"))
-                    };
-                }
-                let product = (1..=k).fold(Rational::one(), |p, i| {
-                    p * Rational::new((n - k + i).into(), i.into())
-                });
-                Value::Number(Quotient::number(product))
-            }
-            ("factorial", [n]) => {
-                let n = self.integer(n, bound)?.min(MAX_COUNT);
-                Value::Number(Quotient::number((1..=n).map(rational::integer).product()))
-            }
-            ("sin", [x]) => Value::Number(turn::sine_cosine(&value(x)?.number()?, self.work)?.0),
-            ("cos", [x]) => Value::Number(turn::sine_cosine(&value(x)?.number()?, self.work)?.1),
-            ("sqrt", [x]) => Value::Number(root(&self.resolved(&value(x)?.number()?)?)?),
-            ("norm", [v]) => {
-                let v = value(v)?;
-                Value::Number(root(
-                    &self.resolved(&self.dot(&v.numbers(), &v.numbers())?)?,
-                )?)
-            }
-            ("dot", [a, b]) => Value::Number(self.dot(&value(a)?.numbers(), &value(b)?.numbers())?),
-            ("cross", [a, b]) => {
-                let (a, b) = (value(a)?, value(b)?);
-                let ([a1, a2, a3], [b1, b2, b3]) = (&a.numbers()[..], &b.numbers()[..]) else {
-                    return Err(not_covered("a cross product outside of space"));
-                };
-                let minor = |x: &Quotient, v: &Quotient, y: &Quotient, u: &Quotient| {
-                    let second = y.times(u, self.work)?.negated();
-                    Ok(Value::Number(
-                        x.times(v, self.work)?.plus(&second, self.work)?,
-                    ))
-                };
-                Value::Many(vec![
-                    minor(a2, b3, a3, b2)?,
-                    minor(a3, b1, a1, b3)?,
-                    minor(a1, b2, a2, b1)?,
-                ])
-            }
-            ("det", [m]) => Value::Number(linear::determinant(&value(m)?.rows()?, self.work)?),
-            ("inverse", [m]) => Value::matrix(linear::inverse(&value(m)?.rows()?, self.work)?),
-            ("solve", [m, right]) => {
-                let inverse = Value::matrix(linear::inverse(&value(m)?.rows()?, self.work)?);
-                self.product(inverse, value(right)?)?
-            }
-            ("transpose", [m]) => Value::matrix(transposed(&value(m)?.rows()?)),
-            ("identity", [n]) => {
-                let n = self.integer(n, bound)?.min(MAX_COUNT);
-                let row = |r| {
-                    (0..n)
-                        .map(|c| Quotient::integer(i64::from(r == c)))
-                        .collect()
-                };
-                Value::matrix((0..n).map(row).collect())
-            }
-            ("coefficients", [forms, unknowns]) => {
-                let (forms, unknowns) = (value(forms)?, value(unknowns)?);
-                let row = |form: &&Quotient| {
-                    unknowns
-                        .numbers()
-                        .iter()
-                        .map(|u| self.coefficient(form, u))
-                        .collect()
-                };
-                Value::matrix(forms.numbers().iter().map(row).collect::<Result<_>>()?)
-            }
-            _ => return Ok(None),
-        }))
-    }
-
-    fn coefficient(&self, form: &Quotient, unknown: &Quotient) -> Result<Quotient> {
-        let symbol = unknown
-            .as_symbol()
-            .ok_or_else(|| not_covered("coefficients of a formula"))?;
-        let form = self.resolved(form)?;
-        let below_free = form.below.split(&symbol).is_some_and(|(c, _)| c.is_zero());
-        match form.above.split(&symbol) {
-            Some((c, _)) if below_free => {
-                Quotient::from(c).over(&form.below.clone().into(), self.work)
-            }
-            _ => Err(not_covered("coefficients of what is not linear")),
-        }
-    }
 }
 
-fn transposed(rows: &[Vec<Quotient>]) -> Vec<Vec<Quotient>> {
+pub(super) fn transposed(rows: &[Vec<Quotient>]) -> Vec<Vec<Quotient>> {
     let width = rows.first().map_or(0, Vec::len);
     (0..width)
         .map(|c| rows.iter().filter_map(|row| row.get(c).cloned()).collect())
         .collect()
-}
-
-/// The square root of a positive rational: `sqrt(p/q) = sqrt(p q)/q`, squares pulled out.
-fn root(value: &Quotient) -> Result<Quotient> {
-    let number = value.as_constant().filter(|v| !v.is_negative());
-    let number = number.ok_or_else(|| not_covered("a square root of a formula"))?;
-    let product = i64::try_from(number.numer() * number.denom());
-    let mut rest = product
-        .ok()
-        .filter(|p| *p < 1 << 40)
-        .ok_or_else(|| not_covered("a root this large"))?;
-    let mut sum = Sum::constant(Rational::new(1.into(), number.denom().clone()));
-    if rest == 0 {
-        return Ok(Quotient::integer(0));
-    }
-    let mut prime = 2;
-    while rest > 1 {
-        if prime * prime > rest {
-            prime = rest;
-        }
-        let mut exponent = 0;
-        while rest % prime == 0 {
-            rest /= prime;
-            exponent += 1;
-        }
-        let whole = (0..exponent / 2)
-            .map(|_| rational::integer(prime))
-            .product();
-        sum = sum.scaled(&whole);
-        if exponent % 2 == 1 {
-            let prime = u32::try_from(prime).map_err(|_| not_covered("a root this large"))?;
-            sum = sum.times(&Sum::symbol(Symbol::Root(prime)), &Work::default())?;
-        }
-        prime += 1;
-    }
-    Ok(sum.into())
 }

@@ -29,7 +29,7 @@ pub fn determinant(rows: &[Vec<Quotient>], work: &Work) -> Result<Quotient, Obst
         }
         let minor = determinant(&without_column(rest, column), work)?;
         let term = entry.times(&minor, work)?;
-        let signed = if column % 2 == 0 {
+        let signed = if column.is_multiple_of(2) {
             term
         } else {
             term.negated()
@@ -55,7 +55,7 @@ pub fn inverse(rows: &[Vec<Quotient>], work: &Work) -> Result<Vec<Vec<Quotient>>
         let others = rows.iter().enumerate().filter(|(row, _)| *row != c);
         let others: Vec<Vec<Quotient>> = others.map(|(_, row)| row.clone()).collect();
         let minor = determinant(&without_column(&others, r), work)?;
-        let cofactor = if (r + c) % 2 == 0 {
+        let cofactor = if (r + c).is_multiple_of(2) {
             minor
         } else {
             minor.negated()

@@ -11,6 +11,7 @@
 //! statement again, but an error of the engine would have to be repeated here to pass.
 
 mod evaluate;
+mod functions;
 mod instances;
 mod linear;
 mod number;

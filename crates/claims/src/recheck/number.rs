@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use torse_algebra::{Angle, Rational, Symbol, rational};
 
 /// The terms that replaying one claim may touch.
-const MAX_TERMS: u64 = 400_000;
+const MAX_TERMS: u64 = 250_000;
 
 /// Symbols with their exponents, all positive.
 type Monomial = BTreeMap<Symbol, u32>;
@@ -104,11 +104,11 @@ impl Sum {
     }
 
     pub fn scaled(&self, factor: &Rational) -> Self {
-        let mut sum = Self::default();
-        for (monomial, coefficient) in self.terms() {
-            sum.enter(monomial.clone(), coefficient * factor);
+        if factor.is_zero() {
+            return Self::default();
         }
-        sum
+        let term = |(monomial, value): (&Monomial, &Rational)| (monomial.clone(), value * factor);
+        Self(self.terms().map(term).collect())
     }
 
     pub fn times(&self, other: &Self, work: &Work) -> Result<Self, Obstacle> {
@@ -214,6 +214,12 @@ impl Quotient {
         self.above.is_zero()
     }
 
+    /// Whether the variable `name` occurs.
+    pub fn mentions(&self, name: &str) -> bool {
+        let mut terms = self.above.terms().chain(self.below.terms());
+        terms.any(|(monomial, _)| monomial.keys().any(|symbol| symbol.depends_on(name)))
+    }
+
     /// The number, if there is no symbol.
     pub fn as_constant(&self) -> Option<Rational> {
         let below = self.below.as_constant()?;
@@ -236,6 +242,7 @@ impl Quotient {
     fn tidy(above: Sum, below: Sum) -> Result<Self, Obstacle> {
         match below.as_constant() {
             Some(number) if number.is_zero() => Err(Obstacle::ZeroDivisor),
+            Some(number) if number.is_one() => Ok(above.into()),
             Some(number) => Ok(above.scaled(&number.recip()).into()),
             None if above.is_zero() => Ok(Sum::default().into()),
             None => Ok(Self { above, below }),
