@@ -1,7 +1,7 @@
 //! A second, naive evaluator that replays proofs at small instances.
 //!
 //! The engine decides with packed polynomials, factored denominators and series of symbolic degree.
-//! Here nothing is clever: polynomials are maps from monomials to coefficients ([`number`]), quotients
+//! Here nothing is clever: polynomials are maps from monomials to coefficients (`number`), quotients
 //! are never cancelled, families are built by their recursion, sums term by term, derivatives by the
 //! rules, linear systems by elimination. Nothing but the syntax tree, the declarations, the rational
 //! numbers and the names of symbols is shared with the engine.
