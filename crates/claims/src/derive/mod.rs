@@ -6,7 +6,7 @@
 //! condition `F1^(j) = sum over i of t[j,i] F^(i)` give a triangular system for the next control points
 //! ([`join`]).
 //!
-//! The results are [`Derivation`]s: titled lists of equations that [`print`] writes as text, LaTeX,
+//! The results are [`Derivation`]s: titled lists of equations that [`print()`] writes as text, LaTeX,
 //! Typst, Rust or SymPy.
 //!
 //! **Differences.** Every combination of points is written `w R_0 + sum over i of s_i (R_i - R_(i-1))`
