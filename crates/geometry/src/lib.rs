@@ -16,7 +16,7 @@
 //! | a developable between two planes | [`HermiteCone`], [`developable::oblique_image`] |
 //! | the next piece of a smooth chain | [`Continuity`], [`join::next_curve`], [`join::next_family`], [`join::next_surface`], [`join::chain`] |
 //! | to know how smooth a joint is | [`join::measure_curves`], [`join::measure_families`], [`join::measure_surfaces`] |
-//! | to know whether a patch can be made | [`developable::certify`], [`developable::prove_developable`], [`developable::prove_regular`] |
+//! | to know whether a patch can be made | [`developable::certify`], [`developable::prove_developable`], [`developable::twist_determinant`], [`developable::prove_regular`] |
 //! | the flat pattern | [`developable::unroll`], [`export::dxf`], [`export::svg`] |
 //! | a mesh or a CAD file | [`Mesh`], [`export::stl`], [`export::obj`], [`export::glb`], [`export::step`] |
 //! | a million points | [`batch`] |
@@ -111,8 +111,8 @@
 //!
 //! # Limits
 //!
-//! * [`developable::certify`] samples; the proofs beside it cover polynomial rails over the rationals and
-//!   regularity on balls.
+//! * [`developable::certify`] samples; the proofs beside it cover polynomial rails over the rationals, any
+//!   rails as formal functions (with few symbols: the determinant is expanded) and regularity on balls.
 //! * [`developable::unroll`] estimates its error, it does not enclose it.
 //! * A GBT patch is trigonometric and has no STEP form; only [`export::BezierPatch`] has.
 #![warn(missing_docs)]

@@ -7,7 +7,7 @@ use crate::curve::{Curve, RationalCurve};
 use crate::developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
 use crate::error::Result;
 use crate::planes::PlaneFamily;
-use crate::surface::{RuledSurface, TensorSurface};
+use crate::surface::{RotationSurface, RuledSurface, TensorSurface};
 use torse_algebra::{Ball, Integer, Rational};
 
 /// Carries an object over the scalar `S` to the scalar `T`.
@@ -154,6 +154,23 @@ where
             self.first().over(convert)?,
             self.second().over(convert)?,
         ))
+    }
+}
+
+impl<S, T, B> Over<S, T> for RotationSurface<B, S>
+where
+    S: Coordinate,
+    T: Coordinate,
+    B: crate::Basis<S> + Over<S, T, Object: crate::Basis<T>>,
+{
+    type Object = RotationSurface<B::Object, T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
+        let profile = self.profile().over(convert)?;
+        match self.range() {
+            None => Ok(RotationSurface::half_turn(profile, self.half())),
+            Some(range) => RotationSurface::sector(profile, self.half(), point(range, convert)),
+        }
     }
 }
 

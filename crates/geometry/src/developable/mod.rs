@@ -14,5 +14,5 @@ pub use hermite::{HermiteCone, QuarticData, QuinticData, cone_system};
 pub use linear::solve;
 pub use oblique::{oblique_image, oblique_image_as_printed};
 pub use patch::{Bounds, EnvelopingPatch, TangentPatch};
-pub use proof::{Developability, Regularity, prove_developable, prove_regular};
+pub use proof::{Developability, Regularity, prove_developable, prove_regular, twist_determinant};
 pub use unroll::{FlatPattern, unroll};

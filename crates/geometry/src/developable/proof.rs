@@ -2,11 +2,11 @@
 
 use crate::basis::Bernstein;
 use crate::curve::Curve;
-use crate::error::Result;
+use crate::error::{GeometryError, Result};
 use crate::surface::{Rails, RuledSurface};
 use crate::vector::{cross, det, dot, sub};
 use std::cmp::Ordering;
-use torse_algebra::{Ball, Integer, Jet, Rational};
+use torse_algebra::{Ball, Fraction, Integer, Jet, Rational};
 
 /// The outcome of [`prove_developable`].
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,9 +51,7 @@ pub fn prove_developable(patch: &RuledSurface<Rail, Rail>) -> Result<Developabil
     for i in 0..=bound {
         let x = Rational::new(Integer::from(i), Integer::from(bound.max(1)));
         let [p, q] = patch.rail_jets(&x, 1)?;
-        let (Some([p0, p1]), Some([q0, q1])) = (first_two(&p), first_two(&q)) else {
-            continue;
-        };
+        let ([p0, p1], [q0, q1]) = (first_two(&p)?, first_two(&q)?);
         let determinant = det(&p1, &q1, &sub(&q0, &p0));
         if *determinant.numer() != Integer::ZERO {
             return Ok(Developability::Twisted { x, determinant });
@@ -62,15 +60,49 @@ pub fn prove_developable(patch: &RuledSurface<Rail, Rail>) -> Result<Developabil
     Ok(Developability::Developable)
 }
 
+/// `det(P', Q', Q - P)` as a formal function of `x`: a ruled patch is developable exactly when it is zero,
+/// whatever the basis, rational or not, and for all values of the symbols in the data at once.
+///
+/// # Errors
+/// What the patch refuses at a formal parameter.
+///
+/// ```
+/// use torse_algebra::Fraction;
+/// use torse_geometry::{Coordinate, Curve, Gbt, RuledSurface, developable::twist_determinant};
+/// let one = Fraction::named("x").one();
+/// let number = |n: usize| one.natural(n);
+/// let rail = |lift: Fraction, mu: &str| {
+///     let points = [[0, 0], [1, 3], [4, 1], [6, 2]].map(|[x, y]| [number(x), number(y), lift.clone()]);
+///     Curve::new(Gbt::new(Fraction::named(mu), one.clone())?, points.to_vec())
+/// };
+/// // A cylinder of any height over the curve of any shape parameter mu; not so with two of them.
+/// let cylinder = RuledSurface::new(rail(one.zero(), "mu")?, rail(Fraction::named("h"), "mu")?);
+/// assert!(twist_determinant(&cylinder)?.is_zero());
+/// let twisted = RuledSurface::new(rail(one.zero(), "mu")?, rail(Fraction::named("h"), "lambda")?);
+/// assert!(!twist_determinant(&twisted)?.is_zero());
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+pub fn twist_determinant(patch: &impl Rails<Fraction>) -> Result<Fraction> {
+    let x = Fraction::named("x");
+    let [p, q] = patch.rail_jets(&x, 1)?;
+    let ([p0, p1], [q0, q1]) = (first_two(&p)?, first_two(&q)?);
+    Ok(det(&p1, &q1, &sub(&q0, &p0)))
+}
+
 /// Value and first derivative.
-fn first_two<S: Clone>(jets: &[Jet<S>; 3]) -> Option<[[S; 3]; 2]> {
-    let part = |n: usize| {
-        let [a, b, c] = jets
-            .each_ref()
-            .map(|jet| jet.coefficients().get(n).cloned());
-        Some([a?, b?, c?])
-    };
-    Some([part(0)?, part(1)?])
+fn first_two<S: Clone>(jets: &[Jet<S>; 3]) -> Result<[[S; 3]; 2]> {
+    let [x, y, z] = jets.each_ref().map(Jet::coefficients);
+    match (x, y, z) {
+        ([x, dx, ..], [y, dy, ..], [z, dz, ..]) => {
+            Ok([[x, y, z], [dx, dy, dz]].map(|vector| vector.map(S::clone)))
+        }
+        _ => Err(GeometryError::LengthMismatch {
+            what: "Taylor coefficients of a rail",
+            index: 0,
+            expected: 2,
+            given: x.len().min(y.len()).min(z.len()),
+        }),
+    }
 }
 
 /// The outcome of [`prove_regular`].
@@ -142,7 +174,7 @@ pub fn prove_regular(patch: &impl Rails<Ball>, bits: usize, budget: usize) -> Re
 /// The sign of `N0 . N1` over an interval of parameters, where it is the same for all.
 fn same_side(patch: &impl Rails<Ball>, x: &Ball) -> Option<Ordering> {
     let [p, q] = patch.rail_jets(x, 1).ok()?;
-    let ([p0, p1], [q0, q1]) = (first_two(&p)?, first_two(&q)?);
+    let ([p0, p1], [q0, q1]) = (first_two(&p).ok()?, first_two(&q).ok()?);
     let r = sub(&q0, &p0);
     dot(&cross(&p1, &r), &cross(&q1, &r)).sign()
 }

@@ -78,6 +78,18 @@ impl<S: Coordinate, B: Basis<S>> RotationSurface<B, S> {
     pub fn profile(&self) -> &Curve<B, S, 2> {
         &self.profile
     }
+
+    /// Which half turn it belongs to.
+    #[must_use]
+    pub fn half(&self) -> Half {
+        self.half
+    }
+
+    /// The bounds of the paper's parameter; `None` for the whole half turn.
+    #[must_use]
+    pub fn range(&self) -> Option<&[S; 2]> {
+        self.range.as_ref()
+    }
 }
 
 impl<B: Basis<f64>> RotationSurface<B, f64> {

@@ -3,14 +3,14 @@
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use torse_algebra::rational::{integer, ratio};
-use torse_algebra::{Jet, Rational};
+use torse_algebra::{Fraction, Jet, Rational};
 use torse_geometry::developable::{
-    QuarticData, certify, cone_system, oblique_image, solve, unroll,
+    QuarticData, certify, cone_system, oblique_image, solve, twist_determinant, unroll,
 };
 use torse_geometry::vector::{det, dot, norm, sub};
 use torse_geometry::{
-    Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, HermiteCone, PlaneFamily, Rails, RuledSurface,
-    Surface, TangentPatch, hermite,
+    Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, HermiteCone, Over, PlaneFamily, Rails,
+    RuledSurface, Surface, TangentPatch, hermite,
 };
 
 /// `det(P', Q', Q - P)` at `x`, exactly.
@@ -134,6 +134,32 @@ proptest! {
         let error = (DVector::from_iterator(size, solution.into_iter().flatten()) - &reference).norm();
         prop_assert!(error <= 4.0 * f64::EPSILON * condition * reference.norm(), "{error:e} {condition:e}");
     }
+}
+
+#[test]
+fn enveloping_and_tangent_patches_of_gbt_families_are_developable_as_identities() {
+    let number = |n: i64| Fraction::from(integer(n));
+    let planes = [[7, -7, 5, 125], [-7, -7, 5, 120], [-7, 7, 5, 130]];
+    let planes = planes.map(|plane| plane.map(number)).to_vec();
+    let basis = Gbt::new(number(1), Fraction::from(ratio(1, 2).unwrap())).unwrap();
+    let family = PlaneFamily::new(basis, planes).unwrap();
+    let cut = Bounds::Planes([[0, 0, 1, 0].map(number), [0, 0, 1, 3].map(number)]);
+    let patch = EnvelopingPatch::new(family.clone(), cut).unwrap();
+    assert!(twist_determinant(&patch).unwrap().is_zero());
+    let patch = TangentPatch::new(family, [number(0), number(1)]).unwrap();
+    assert!(twist_determinant(&patch).unwrap().is_zero());
+}
+
+#[test]
+fn the_formal_determinant_has_the_values_of_the_sampled_one() {
+    let v = |x, y, z| [x, y, z].map(integer);
+    let rail = |z| Curve::new(Bernstein, vec![v(0, 0, z), v(1, z, 0), v(2, 0, 1)]).unwrap();
+    let twisted = RuledSurface::new(rail(0), rail(3));
+    let formal = twist_determinant(&twisted.over(&|q| Fraction::from(q.clone())).unwrap()).unwrap();
+    let x = ratio(2, 7).unwrap();
+    let value = formal.at("x", &Fraction::from(x.clone())).unwrap();
+    assert_eq!(value, Fraction::from(determinant(&twisted, &x)));
+    assert!(!value.is_zero());
 }
 
 fn quintic() -> HermiteCone<Rational> {

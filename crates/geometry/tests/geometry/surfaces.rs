@@ -5,8 +5,8 @@ use torse_algebra::rational::{integer, ratio};
 use torse_geometry::batch::GridEvaluator;
 use torse_geometry::curve::{arc_length, curvature, ellipse_arc, torsion};
 use torse_geometry::{
-    Bernstein, Curve, Gbt, Half, Mesh, RationalCurve, RotationSurface, RuledSurface, Surface,
-    TensorSurface,
+    Bernstein, Curve, Gbt, Half, Mesh, Over, RationalCurve, RotationSurface, RuledSurface, Surface,
+    TensorSurface, exact_ball,
 };
 
 fn wavy() -> TensorSurface<Gbt<f64>, Gbt<f64>, f64> {
@@ -146,6 +146,24 @@ fn the_two_halves_of_a_rotation_surface_meet_along_both_seams() {
             lower.point(&0.4, &v).unwrap(),
         );
         assert!(a[0] == b[0] && (a[1] - b[1]).abs() < 1e-15 && a[2] == b[2]);
+    }
+}
+
+#[test]
+fn sectors_over_balls_contain_their_points() {
+    let points = vec![[4.0, 9.0], [1.0, 6.0], [2.0, 0.0]];
+    let profile = Curve::new(Gbt::new(0.1, 0.2).unwrap(), points).unwrap();
+    let ball = |x: &f64| exact_ball(*x, 100);
+    let mut sectors = RotationSurface::turned(&profile, 4.0).unwrap();
+    sectors.push(RotationSurface::half_turn(profile, Half::Lower));
+    for sector in sectors {
+        let point = sector.point(&0.3, &0.8).unwrap();
+        let over = sector.over(&ball).unwrap();
+        let enclosed = over.point(&ball(&0.3), &ball(&0.8)).unwrap();
+        for (value, enclosure) in point.iter().zip(enclosed) {
+            let (low, high) = enclosure.to_f64_bounds();
+            assert!(high - low < 1e-14 && (value - low).abs() < 1e-14);
+        }
     }
 }
 
