@@ -23,7 +23,8 @@ pub(crate) fn set(formulas: &[String]) -> Result<MathMl, ReportError> {
     let kept: Vec<String> = formulas
         .iter()
         .zip(&usable)
-        .filter_map(|(formula, usable)| usable.then(|| formula.clone()))
+        .filter(|(_, usable)| **usable)
+        .map(|(formula, _)| formula.clone())
         .collect();
     let document: HtmlDocument = formula::probe(&kept)?.compile(NAME)?;
     let page = typst_html::html(&document, &HtmlOptions::default())

@@ -1,7 +1,7 @@
 //! The document model: what a report says about one paper, ready to be laid out.
 //!
 //! Every output is laid out from this one model, so PDF and HTML cannot disagree. It holds strings and
-//! indices only. Strings are cleared of characters that act on the text around them ([`visible`]); they
+//! indices only. Strings are cleared of characters that act on the text around them; they
 //! are never read as markup by any output. Formulas are kept in one list and referred to by position,
 //! so that an output can set them all in one go.
 

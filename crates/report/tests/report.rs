@@ -10,8 +10,9 @@ use torse_report::{
     FigureImage, Image, ReportError, Typeset, html_page, model::Report, verdicts_json,
 };
 
-static HTML: LazyLock<String> =
-    LazyLock::new(|| html_page(&paper::sample(), &paper::figures()).unwrap());
+static HTML: LazyLock<String> = LazyLock::new(|| {
+    html_page(&paper::sample(), &paper::figures()).unwrap_or_else(|error| error.to_string())
+});
 
 /// The sample without the claims that take long to lay out.
 fn short() -> PaperOutcome {

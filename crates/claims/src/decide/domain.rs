@@ -181,6 +181,34 @@ impl Domain<'_> {
             && fits(&interval.upper, Relation::AtMost, Relation::Less)
     }
 
+    /// An assumption that no point of the declared ranges satisfies, if one is known.
+    #[must_use]
+    pub fn contradiction(&self) -> Option<String> {
+        use super::sign::{Sign, of};
+        let fails = |c: &Constraint| {
+            if c.value.is_zero() {
+                return matches!(
+                    c.relation,
+                    Relation::Different | Relation::Less | Relation::Greater
+                );
+            }
+            let sign = c.value.as_polynomial().and_then(|p| of(p, self));
+            match c.relation {
+                Relation::Less => matches!(sign, Some(Sign::Positive | Sign::Nonnegative)),
+                Relation::AtMost => sign == Some(Sign::Positive),
+                Relation::Greater => matches!(sign, Some(Sign::Negative | Sign::Nonpositive)),
+                Relation::AtLeast => sign == Some(Sign::Negative),
+                Relation::Equal | Relation::Different => false,
+            }
+        };
+        let failing = self.constraints.iter().find(|c| fails(c))?;
+        Some(format!(
+            "{} {} 0 holds nowhere on the declared ranges",
+            failing.value,
+            failing.relation.sign()
+        ))
+    }
+
     /// Whether the assumptions imply that this polynomial is not zero: it is, up to a constant, a product
     /// of factors of quantities that are assumed to be different from zero.
     #[must_use]

@@ -188,6 +188,7 @@ pub fn combined(
                 conditions.extend(more);
                 tried.push(format!("holds for {label}"));
             }
+            vacuous @ Decision::Vacuous { .. } => return vacuous,
             Decision::Open { reason, .. } => {
                 tried.push(format!("open for {label}: {reason}"));
                 return Decision::Open { reason, tried };

@@ -36,6 +36,11 @@ pub enum Decision {
     },
     /// False, with a point of the domain.
     Refuted(Box<Refutation>),
+    /// No point satisfies the assumptions.
+    Vacuous {
+        /// The assumption that fails everywhere.
+        reason: String,
+    },
     /// Neither.
     Open {
         /// Why.
@@ -189,7 +194,7 @@ fn negation(
                 },
             }
         }
-        open @ Decision::Open { .. } => open,
+        undecided @ (Decision::Open { .. } | Decision::Vacuous { .. }) => undecided,
     })
 }
 
@@ -229,6 +234,6 @@ fn both(first: Decision, second: Decision) -> Decision {
                 steps: [s1, s2].concat(),
             }
         }
-        (open @ Decision::Open { .. }, _) | (_, open) => open,
+        (Decision::Proven { .. }, other) | (other, _) => other,
     }
 }

@@ -10,8 +10,9 @@
 use super::domain::{Domain, truth};
 use super::{Decision, Refutation, witness};
 use crate::evaluate::fault::Fault;
+use crate::evaluate::quantity::Quantity;
 use crate::evaluate::scope::{Bound, Interval};
-use crate::evaluate::value::Value;
+use crate::evaluate::value::{NOWHERE, Value};
 use crate::outcome::Evidence;
 use crate::syntax::Relation;
 use torse_algebra::rational::integer;
@@ -19,6 +20,8 @@ use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
 
 /// The most Bernstein coefficients computed.
 const MAX_PIECES: usize = 20_000;
+/// How often a nonnegative box is halved to prove it positive.
+const STRICT_DEPTH: u32 = 3;
 /// The most boxes examined.
 const MAX_BOXES: usize = 200;
 
@@ -87,7 +90,7 @@ fn one_sided(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<bool> {
             .map(|s| (s.clone(), domain.interval(s))),
     );
     let mut budget = MAX_BOXES;
-    subdivided(&rest, &boxes, &mut budget).map(|positive| strict && positive)
+    subdivided(&rest, &boxes, 0, &mut budget).map(|positive| strict && positive)
 }
 
 /// Writes sine and cosine of a quarter turn as rational functions of the tangent t of half the angle,
@@ -136,11 +139,14 @@ fn half_angles(
 fn subdivided(
     polynomial: &Polynomial,
     boxes: &[(Symbol, Interval)],
+    depth: u32,
     budget: &mut usize,
 ) -> Option<bool> {
     *budget = budget.checked_sub(1)?;
     let whole = on_box(polynomial, boxes);
-    if whole == Some(true) {
+    // A box that is known to be nonnegative is halved a few times only in search of strictness: a zero
+    // of the polynomial would use up all boxes.
+    if whole == Some(true) || (whole == Some(false) && depth >= STRICT_DEPTH) {
         return whole;
     }
     // The symbol of the highest degree that can be halved.
@@ -180,8 +186,8 @@ fn subdivided(
         return whole;
     };
     match (
-        subdivided(polynomial, &left, budget),
-        subdivided(polynomial, &right, budget),
+        subdivided(polynomial, &left, depth + 1, budget),
+        subdivided(polynomial, &right, depth + 1, budget),
     ) {
         (Some(a), Some(b)) => Some(a && b),
         _ => whole,
@@ -366,18 +372,13 @@ pub fn compare(
     right: &Value,
     domain: &Domain<'_>,
 ) -> Result<Decision, Fault> {
-    let (Some([x]), Some([y])) = (
-        left.entries().first_chunk::<1>().copied(),
-        right.entries().first_chunk::<1>().copied(),
-    ) else {
-        return Ok(Decision::Open {
-            reason: "an order of vectors".to_owned(),
-            tried: vec![],
-        });
+    let (lefts, rights) = (left.entries(), right.entries());
+    let ([x], [y]) = (lefts.as_slice(), rights.as_slice()) else {
+        return Ok(different(relation, &lefts, &rights, domain));
     };
     let (Some(x), Some(y)) = (x.as_fraction(), y.as_fraction()) else {
         return Err(Fault::limit(
-            crate::evaluate::value::NOWHERE,
+            NOWHERE,
             "an order relation of symbolic degree",
         ));
     };
@@ -430,6 +431,37 @@ pub fn compare(
             "simple points".to_owned(),
         ],
     })
+}
+
+/// Vectors have no order; they are different wherever one coordinate is.
+fn different(
+    relation: Relation,
+    left: &[&Quantity],
+    right: &[&Quantity],
+    domain: &Domain<'_>,
+) -> Decision {
+    let open = |reason: &str| Decision::Open {
+        reason: reason.to_owned(),
+        tried: vec![],
+    };
+    if relation != Relation::Different {
+        return open("vectors and matrices have no order");
+    }
+    let never_equal = left.iter().zip(right).any(|(x, y)| {
+        let difference = x.minus(y);
+        let sign = difference
+            .as_fraction()
+            .and_then(|d| sign_of_fraction(d, domain));
+        matches!(sign, Some(Sign::Positive | Sign::Negative))
+    });
+    if never_equal {
+        return Decision::Proven {
+            evidence: Evidence::Inequality,
+            conditions: vec![],
+            steps: vec!["one coordinate of the difference never vanishes on the domain".to_owned()],
+        };
+    }
+    open("no coordinate of the difference is known never to vanish")
 }
 
 /// The sign of a fraction from the signs of its parts.

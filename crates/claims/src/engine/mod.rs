@@ -153,6 +153,9 @@ fn symbolic(
     fixed: BTreeMap<String, Fraction>,
 ) -> Result<Decision, Fault> {
     let case = Case::new(claim, statement, fixed)?;
+    if let Some(reason) = case.domain.contradiction() {
+        return Ok(Decision::Vacuous { reason });
+    }
     let decision = decide::decide(&case.statement, &case.domain, &case.evaluator)?;
     Ok(match decision {
         // Conditions that the assumptions state or the domain implies are no conditions.
@@ -200,6 +203,10 @@ fn conclude(outcome: &mut Outcome, claim: &Claim, statement: &Written, decision:
             outcome.verdict = Verdict::False;
             outcome.evidence = Some(Evidence::Witness);
             refute(outcome, claim, statement, *refutation);
+        }
+        Decision::Vacuous { reason } => {
+            outcome.verdict = Verdict::Vacuous;
+            outcome.steps = vec![reason];
         }
         Decision::Open { reason, tried } => {
             outcome.verdict = Verdict::Undecided;

@@ -136,17 +136,28 @@ proptest! {
     }
 }
 
-#[test]
-fn enveloping_and_tangent_patches_of_gbt_families_are_developable_as_identities() {
+/// A family of GBT planes over formal functions.
+fn formal_family(planes: &[[i64; 4]]) -> PlaneFamily<Gbt<Fraction>, Fraction> {
     let number = |n: i64| Fraction::from(integer(n));
-    let planes = [[7, -7, 5, 125], [-7, -7, 5, 120], [-7, 7, 5, 130]];
-    let planes = planes.map(|plane| plane.map(number)).to_vec();
+    let planes = planes.iter().map(|plane| plane.map(number)).collect();
     let basis = Gbt::new(number(1), Fraction::from(ratio(1, 2).unwrap())).unwrap();
-    let family = PlaneFamily::new(basis, planes).unwrap();
-    let cut = Bounds::Planes([[0, 0, 1, 0].map(number), [0, 0, 1, 3].map(number)]);
-    let patch = EnvelopingPatch::new(family.clone(), cut).unwrap();
+    PlaneFamily::new(basis, planes).unwrap()
+}
+
+#[test]
+fn an_enveloping_patch_of_gbt_planes_is_developable_as_an_identity() {
+    let family = formal_family(&[[7, -7, 5, 125], [-7, -7, 5, 120], [-7, 7, 5, 130]]);
+    // Not parallel: on a cone, parallel cuts have parallel tangents, and the determinant is trivially zero.
+    let cut = [[0, 0, 1, 0], [1, 2, 5, 3]].map(|plane| plane.map(|n| Fraction::from(integer(n))));
+    let patch = EnvelopingPatch::new(family, Bounds::Planes(cut)).unwrap();
     assert!(twist_determinant(&patch).unwrap().is_zero());
-    let patch = TangentPatch::new(family, [number(0), number(1)]).unwrap();
+}
+
+#[test]
+fn a_tangent_patch_of_gbt_planes_is_developable_as_an_identity() {
+    let family = formal_family(&[[0, 0, 1, 0], [0, -1, 1, 0], [1, -2, 1, 0], [3, -3, 1, 1]]);
+    let range = [0, 1].map(|n| Fraction::from(integer(n)));
+    let patch = TangentPatch::new(family, range).unwrap();
     assert!(twist_determinant(&patch).unwrap().is_zero());
 }
 

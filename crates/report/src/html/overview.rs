@@ -11,12 +11,12 @@ use crate::{
 
 /// What the report is, the counts, and what was found.
 pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
-    write!(
+    writeln!(
         out,
         "<p>This report says, for each of {} statements taken from the paper, what is true of it as printed (the \
          <em>verdict</em>) and what that answer rests on (the <em>evidence</em>). Verdicts are computed, never typed: \
          equalities are decided by exact algebra, inequalities and decimals by certified enclosures, and a statement is \
-         called false only with an exact counterexample. <a href=\"#words\">What the words mean.</a></p>\n",
+         called false only with an exact counterexample. <a href=\"#words\">What the words mean.</a></p>",
         report.tally.total
     )?;
     if report.unexpected > 0 {

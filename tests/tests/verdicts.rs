@@ -1,0 +1,133 @@
+//! The claims of the papers, as a whole: complete, as expected, reviewed as a diff when a verdict changes.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+use torse_claims::derivation::load;
+use torse_claims::outcome::{Evidence, Kind, PaperOutcome, Verdict};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+static PAPERS: LazyLock<Vec<PaperOutcome>> = LazyLock::new(|| {
+    let papers = load(&root().join("derivations")).expect("the derivations load");
+    papers
+        .iter()
+        .map(|paper| torse_claims::engine::run(paper, &|| ()).expect("every formula makes sense"))
+        .collect()
+});
+
+#[test]
+fn every_statement_of_the_inventory_is_stated_and_nothing_else() {
+    for slug in ["gbt-developable", "gbt-surfaces", "hermite-developable"] {
+        let inventory =
+            std::fs::read_to_string(root().join(format!("tests/inventory/{slug}.txt"))).unwrap();
+        let mut wanted: Vec<&str> = inventory.lines().collect();
+        let paper = PAPERS.iter().find(|p| p.slug == slug).unwrap();
+        let mut found: Vec<&str> = paper.claims.iter().map(|c| c.id.as_str()).collect();
+        wanted.sort_unstable();
+        found.sort_unstable();
+        assert_eq!(found, wanted, "{slug}");
+    }
+}
+
+#[test]
+fn every_verdict_is_the_expected_one() {
+    let unexpected: Vec<String> = PAPERS
+        .iter()
+        .flat_map(|p| &p.claims)
+        .filter(|c| !c.as_expected())
+        .map(|c| {
+            format!(
+                "{}: expected {:?}, computed {:?}",
+                c.id, c.expect, c.verdict
+            )
+        })
+        .collect();
+    assert_eq!(unexpected, Vec::<String>::new());
+}
+
+#[test]
+fn at_most_eight_per_cent_of_the_statements_stay_open() {
+    let statements: Vec<_> = PAPERS
+        .iter()
+        .flat_map(|p| &p.claims)
+        .filter(|c| c.kind != Kind::Figure)
+        .collect();
+    let open = statements
+        .iter()
+        .filter(|c| matches!(c.verdict, Verdict::Undecided | Verdict::OutOfScope))
+        .count();
+    assert!(
+        open * 100 <= statements.len() * 8,
+        "{open} of {}",
+        statements.len()
+    );
+}
+
+#[test]
+fn what_holds_rests_on_a_proof_and_what_is_refuted_shows_a_witness() {
+    for claim in PAPERS.iter().flat_map(|p| &p.claims) {
+        match claim.verdict {
+            Verdict::Holds | Verdict::Conditional => assert!(
+                matches!(
+                    claim.evidence,
+                    Some(
+                        Evidence::Identity
+                            | Evidence::Induction
+                            | Evidence::Inequality
+                            | Evidence::Enclosure
+                            | Evidence::Witness
+                    )
+                ),
+                "{}",
+                claim.id
+            ),
+            Verdict::Misprint => {
+                assert!(
+                    claim.witness.is_some() && claim.correction.is_some(),
+                    "{}",
+                    claim.id
+                );
+            }
+            Verdict::False => assert!(claim.witness.is_some(), "{}", claim.id),
+            Verdict::Undecided | Verdict::OutOfScope | Verdict::Underspecified => {
+                assert!(!claim.steps.is_empty(), "{} says no reason", claim.id);
+            }
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn claims_rest_on_claims_that_exist() {
+    let ids: Vec<&str> = PAPERS
+        .iter()
+        .flat_map(|p| &p.claims)
+        .map(|c| c.id.as_str())
+        .collect();
+    for claim in PAPERS.iter().flat_map(|p| &p.claims) {
+        for used in &claim.uses {
+            assert!(ids.contains(&used.as_str()), "{} uses {used}", claim.id);
+        }
+    }
+}
+
+#[test]
+fn the_verdicts_are_these() {
+    let mut lines = BTreeMap::new();
+    for claim in PAPERS.iter().flat_map(|p| &p.claims) {
+        let word = |text: String| text.to_lowercase();
+        let evidence = claim
+            .evidence
+            .map_or_else(|| "-".to_owned(), |e| word(format!("{e:?}")));
+        lines.insert(
+            claim.id.clone(),
+            format!("{} ({evidence})", word(format!("{:?}", claim.verdict))),
+        );
+    }
+    insta::assert_json_snapshot!(lines);
+}
