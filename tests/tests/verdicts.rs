@@ -131,3 +131,52 @@ fn the_verdicts_are_these() {
     }
     insta::assert_json_snapshot!(lines);
 }
+
+/// The rows of the status table of the README, from the computed verdicts.
+fn status_table() -> String {
+    const ORDER: [(Verdict, &str); 11] = [
+        (Verdict::Holds, "holds"),
+        (Verdict::Conditional, "conditional"),
+        (Verdict::Misprint, "misprint"),
+        (Verdict::False, "false"),
+        (Verdict::Undecided, "undecided"),
+        (Verdict::Definition, "definition"),
+        (Verdict::Underspecified, "underspecified"),
+        (Verdict::OutOfScope, "out-of-scope"),
+        (Verdict::Vacuous, "vacuous"),
+        (Verdict::Reproduced, "reproduced"),
+        (Verdict::Partial, "partial"),
+    ];
+    let papers = ["gbt-developable", "gbt-surfaces", "hermite-developable"];
+    let count = |slug: &str, verdict: Verdict| {
+        let paper = PAPERS.iter().find(|p| p.slug == slug).unwrap();
+        paper.claims.iter().filter(|c| c.verdict == verdict).count()
+    };
+    let mut lines = vec![
+        format!(
+            "| verdict | {} |",
+            papers.map(|p| format!("`{p}`")).join(" | ")
+        ),
+        format!("|---|{}", "---:|".repeat(papers.len())),
+    ];
+    for (verdict, word) in ORDER {
+        let counts = papers.map(|slug| count(slug, verdict));
+        if counts.iter().any(|n| *n > 0) {
+            lines.push(format!(
+                "| `{word}` | {} |",
+                counts.map(|n| n.to_string()).join(" | ")
+            ));
+        }
+    }
+    lines.join("\n")
+}
+
+#[test]
+fn the_status_table_of_the_readme_is_the_computed_one() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    assert!(
+        readme.contains(&status_table()),
+        "write this into README.md:\n{}",
+        status_table()
+    );
+}
