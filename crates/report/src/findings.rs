@@ -4,24 +4,34 @@ use serde::Serialize;
 use torse_claims::outcome::{Correction, Formula, Outcome, Verdict, Witness};
 
 use crate::{
-    text::visible,
+    text::{beginning, name, visible},
     words::{self, Term},
 };
 
-/// Exact values longer than this are told by their decimals.
+/// Exact values of more characters than this are told by their decimals.
 const LONGEST_EXACT_VALUE: usize = 24;
+
+/// Points and conditions of more characters than this are left to the claim's own section.
+const LONGEST_LIST: usize = 90;
+
+/// Of what is printed, no more than this many characters is quoted.
+const LONGEST_QUOTATION: usize = 110;
 
 /// One finding.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Finding {
     /// The claim's id.
     pub id: String,
+    /// The id without the paper's slug.
+    pub name: String,
     /// The claim's identifier for links.
     pub anchor: String,
     /// Where the paper says it.
     pub at: String,
     /// The verdict.
     pub verdict: Term,
+    /// The statement as printed, or its beginning.
+    pub printed: String,
     /// What was found, in words.
     pub text: String,
 }
@@ -43,9 +53,11 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
             if claim.verdict == verdict {
                 findings.push(Finding {
                     id: visible(&claim.id),
+                    name: visible(name(&claim.id)),
                     anchor: anchor.clone(),
                     at: visible(&claim.at),
                     verdict: words::verdict(verdict),
+                    printed: visible(&beginning(&claim.printed, LONGEST_QUOTATION)),
                     text: visible(&sentence(claim)),
                 });
             }
@@ -66,7 +78,7 @@ fn sentence(claim: &Outcome) -> String {
         },
         Verdict::Conditional => match conjunction(&claim.conditions) {
             Some(conditions) => format!("True only under a condition: {conditions}."),
-            None => "True only under a condition.".to_owned(),
+            None => "True only under a condition, which is stated with the claim.".to_owned(),
         },
         Verdict::Vacuous => "No point satisfies the assumptions.".to_owned(),
         _ => match &claim.note {
@@ -92,14 +104,18 @@ fn fails_at(witness: &Witness) -> String {
         .iter()
         .map(|(name, value)| format!("{name} = {value}"))
         .collect();
-    let place = if values.is_empty() {
-        String::new()
-    } else {
-        format!("at {} ", values.join(", "))
+    let place = match short(values.join(", ")) {
+        Some(values) if values.is_empty() => String::new(),
+        Some(values) => format!("at {values} "),
+        None => "at the point stated with the claim ".to_owned(),
     };
     let left = told(&witness.left, &witness.left_decimal);
     let right = told(&witness.right, &witness.right_decimal);
-    format!("{place}the left side is {left}, the right side {right}")
+    if witness.left == witness.right {
+        format!("{place}both sides are {left}")
+    } else {
+        format!("{place}the left side is {left}, the right side {right}")
+    }
 }
 
 fn told<'a>(exact: &'a str, decimal: &'a str) -> &'a str {
@@ -110,10 +126,15 @@ fn told<'a>(exact: &'a str, decimal: &'a str) -> &'a str {
     }
 }
 
+/// The conditions joined, unless there are none or they are long.
 fn conjunction(formulas: &[Formula]) -> Option<String> {
     let texts: Vec<&str> = formulas
         .iter()
         .map(|formula| formula.text.as_str())
         .collect();
-    (!texts.is_empty()).then(|| texts.join(" and "))
+    short(texts.join(" and ")).filter(|text| !text.is_empty())
+}
+
+fn short(list: String) -> Option<String> {
+    (list.chars().count() <= LONGEST_LIST).then_some(list)
 }

@@ -14,7 +14,7 @@ use crate::{
     FigureImage,
     findings::{self, Finding},
     tally::Tally,
-    text::{anchor, section_title, visible},
+    text::{anchor, counted, name, section_title, visible},
     words::{self, Term},
 };
 
@@ -93,7 +93,7 @@ pub struct ClaimView {
     pub difference: Option<FormulaView>,
     /// A counterexample.
     pub witness: Option<Witness>,
-    /// The steps of the decision.
+    /// The steps of the decision; equal ones in a row are counted.
     pub steps: Vec<String>,
     /// Anything a reader should know.
     pub note: Option<String>,
@@ -134,6 +134,8 @@ pub struct CorrectionView {
 pub struct Reference {
     /// The claim's id.
     pub id: String,
+    /// What a reader sees: the name without the slug for a claim of the same paper.
+    pub shown: String,
     /// Its identifier for links, if this report has it.
     pub anchor: Option<String>,
 }
@@ -281,7 +283,10 @@ impl<'a> Builder<'a> {
                 .as_ref()
                 .map(|formula| self.formula(formula)),
             witness: outcome.witness.as_ref().map(witness),
-            steps: outcome.steps.iter().map(|step| visible(step)).collect(),
+            steps: counted(&outcome.steps)
+                .iter()
+                .map(|step| visible(step))
+                .collect(),
             note: outcome.note.as_deref().map(visible),
             uses: outcome.uses.iter().map(|id| self.reference(id)).collect(),
             used_by: self.used_by(&outcome.id),
@@ -313,8 +318,10 @@ impl<'a> Builder<'a> {
             .get(id)
             .and_then(|position| self.anchors.get(*position))
             .cloned();
+        let shown = if anchor.is_some() { name(id) } else { id };
         Reference {
             id: visible(id),
+            shown: visible(shown),
             anchor,
         }
     }
@@ -351,10 +358,6 @@ impl<'a> Builder<'a> {
             .filter(|figure| self.shown_at(*figure).is_none())
             .collect()
     }
-}
-
-fn name(id: &str) -> &str {
-    id.split_once('/').map_or(id, |(_, name)| name)
 }
 
 fn witness(of: &Witness) -> Witness {

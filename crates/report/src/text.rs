@@ -40,6 +40,33 @@ pub(crate) fn anchor(text: &str) -> String {
     text.chars().map(plain).collect()
 }
 
+/// The name of a claim: its id without the paper's slug.
+pub(crate) fn name(id: &str) -> &str {
+    id.split_once('/').map_or(id, |(_, name)| name)
+}
+
+/// The text if it has at most `length` characters, or else that many of it, up to a whole word, and an
+/// ellipsis.
+pub(crate) fn beginning(text: &str, length: usize) -> String {
+    let Some((cut, _)) = text.char_indices().nth(length) else {
+        return text.to_owned();
+    };
+    let (start, _) = text.split_at(cut);
+    let words = start.rsplit_once(' ').map_or(start, |(words, _)| words);
+    format!("{words} …")
+}
+
+/// The steps with each run of equal ones as one, followed by how often it was taken.
+pub(crate) fn counted(steps: &[String]) -> Vec<String> {
+    let runs = steps.chunk_by(|one, other| one == other);
+    runs.filter_map(|run| match run {
+        [] => None,
+        [step] => Some(step.clone()),
+        [step, ..] => Some(format!("{step} ({} times)", run.len())),
+    })
+    .collect()
+}
+
 /// The heading under which a claim is listed, from where the paper says it.
 ///
 /// `Sect. 3.2, eq. (3.7)` is in `Section 3`; tables and figures have headings of their own; anything else
@@ -85,6 +112,20 @@ mod tests {
         assert_eq!(section_title("Table 1, row 2"), "Tables");
         assert_eq!(section_title("Abstract; second sentence"), "Abstract");
         assert_eq!(section_title(""), "Elsewhere");
+    }
+
+    #[test]
+    fn a_beginning_ends_with_a_whole_word_and_short_texts_stay_whole() {
+        assert_eq!(beginning("one two three", 13), "one two three");
+        assert_eq!(beginning("one two three", 12), "one two …");
+        assert_eq!(beginning("πππππ", 3), "πππ …");
+    }
+
+    #[test]
+    fn equal_steps_in_a_row_are_counted() {
+        let steps = ["a", "a", "a", "b", "a"].map(str::to_owned);
+        assert_eq!(counted(&steps), ["a (3 times)", "b", "a"]);
+        assert!(counted(&[]).is_empty());
     }
 
     #[test]

@@ -169,9 +169,9 @@ fn references(out: &mut String, name: &str, references: &[Reference]) -> fmt::Re
             Some(anchor) => write!(
                 out,
                 "{comma}<a href=\"#{anchor}\"><code>{}</code></a>",
-                Text(&reference.id)
+                Text(&reference.shown)
             )?,
-            None => write!(out, "{comma}<code>{}</code>", Text(&reference.id))?,
+            None => write!(out, "{comma}<code>{}</code>", Text(&reference.shown))?,
         }
     }
     out.push_str("</dd>\n");

@@ -36,11 +36,12 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
     for finding in &report.findings {
         writeln!(
             out,
-            "<li>{}<div><a href=\"#{}\"><code>{}</code></a> <span class=\"meta\">{}</span><br>{}</div></li>",
+            "<li>{}<div><a href=\"#{}\"><code>{}</code></a> <span class=\"meta\">{}</span><br><q>{}</q><br>{}</div></li>",
             badge(finding.verdict),
             finding.anchor,
-            Text(&finding.id),
+            Text(&finding.name),
             Text(&finding.at),
+            Text(&finding.printed),
             Text(&finding.text),
         )?;
     }
