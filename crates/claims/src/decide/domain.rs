@@ -29,7 +29,7 @@ pub struct Domain<'a> {
 
 impl Domain<'_> {
     /// The interval in which a symbol lives; integers from their bounds, functions of angles from -1
-    /// to 1 or, for a variable of [0,1], from 0 to 1.
+    /// to 1 or, for a variable of `[0, 1]`, from 0 to 1.
     #[must_use]
     pub fn interval(&self, symbol: &Symbol) -> Interval {
         let closed = |n: i64| {

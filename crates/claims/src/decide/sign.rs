@@ -1,6 +1,6 @@
 //! Signs of polynomials on the declared domain.
 //!
-//! A bounded symbol is written v = a + (b - a) t with t in [0,1] and the polynomial in Bernstein form in
+//! A bounded symbol is written v = a + (b - a) t with t in `[0, 1]` and the polynomial in Bernstein form in
 //! t; a symbol with one bound is written v = a + t with t >= 0; pi stays and is enclosed. **Theorem.**
 //! Bernstein polynomials and powers of t are nonnegative and the Bernstein polynomials sum to one, so if
 //! all coefficients are nonnegative the polynomial is, and if moreover every Bernstein coefficient has a
@@ -95,7 +95,7 @@ fn one_sided(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<bool> {
 
 /// Writes sine and cosine of a quarter turn as rational functions of the tangent t of half the angle,
 /// s = 2t/(1 + t^2), c = (1 - t^2)/(1 + t^2), and multiplies by the positive denominator: the same sign,
-/// with t in [0,1] for a variable of [0,1]. A variable that also stands outside keeps its own range.
+/// with t in `[0, 1]` for a variable of `[0, 1]`. A variable that also stands outside keeps its own range.
 fn half_angles(
     polynomial: &Polynomial,
     domain: &Domain<'_>,

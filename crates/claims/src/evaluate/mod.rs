@@ -1,7 +1,7 @@
 //! From syntax to exact values.
 //!
 //! One walk over the tree: [`scope`] says what names mean, [`value`] what comes out, [`series`] carries
-//! symbolic degrees, [`sum`] and [`basis`] make them, [`functions`] holds the built-in functions.
+//! symbolic degrees, `sum` and [`basis`] make them, `functions` holds the built-in functions.
 
 mod apply;
 mod arithmetic;
