@@ -106,7 +106,7 @@ impl Naive {
                 } else if *symbol == sine() {
                     *rest.entry(cosine()).or_insert(0) += 1;
                     *rest.entry(Symbol::Pi).or_insert(0) += 1;
-                    factor = factor * half;
+                    factor *= half;
                 } else if *symbol == cosine() {
                     *rest.entry(sine()).or_insert(0) += 1;
                     *rest.entry(Symbol::Pi).or_insert(0) += 1;
