@@ -147,12 +147,12 @@ fn pixmap(pixels: &Pixels) -> Option<Pixmap> {
     Some(map)
 }
 
-/// The image with its PNG file, coarsened to colour steps of at most 4/255 as far as the file would otherwise be larger
+/// The image with its PNG file, coarsened to colour steps of at most 6/255 as far as the file would otherwise be larger
 /// than `budget` bytes. Smooth shading costs most of a file; a step of 2 saves a quarter and nobody sees it.
 pub(crate) fn compress(pixels: Pixels, budget: usize) -> Result<(Pixels, Vec<u8>), FigureError> {
     let file = |p: &Pixels| encode(p.width, p.height, png::ColorType::Rgba, &p.rgba);
     let mut coarse = (file(&pixels)?, None);
-    for step in 2..=4u8 {
+    for step in 2..=6u8 {
         if coarse.0.len() <= budget {
             break;
         }

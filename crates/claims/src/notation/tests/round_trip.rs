@@ -115,7 +115,7 @@ fn no_bracket_is_written_that_is_not_needed() {
 #[test]
 fn a_made_number_that_is_no_decimal_is_written_as_a_quotient() {
     let made = |value, decimals| text(&Expr::made(Node::Number { value, decimals }));
-    assert_eq!(made(ratio(-1, 3).unwrap(), None), "-(1/3)");
+    assert_eq!(made(ratio(-1, 3).unwrap(), None), "-1/3");
     assert_eq!(made(ratio(1, 3).unwrap(), Some(2)), "1/3");
     assert_eq!(made(ratio(1, 20).unwrap(), Some(3)), "0.050");
 }
