@@ -9,6 +9,7 @@
 //! | curves, control polygons, points on axes | [`Plot`] |
 //! | surfaces, nets, space curves, tangent planes | [`View`] |
 //! | panels (a), (b), ... with captions | [`Figure`] |
+//! | data for a viewer with sliders | [`Interactive`] |
 //!
 //! How it works: charts are laid out by plotters (axes of the plane, projection of space) on a drawing backend
 //! that records vectors; solids are rasterised by a z-buffer of our own in linear light and laid between the axes
@@ -28,6 +29,7 @@ mod colour;
 mod error;
 mod flat;
 mod ink;
+mod interactive;
 mod legend;
 mod picture;
 mod space;
@@ -37,6 +39,10 @@ pub use colour::{Colour, DASHES, Dash, Line, PALETTE, palette};
 pub use error::{FigureError, LabelProblem};
 pub use flat::{Aspect, Axis, Frame, GuideAxis, Layer, Plot};
 pub use ink::scene::Place;
+pub use interactive::{
+    Ambient, HIGHEST_EXPONENT, Interactive, InteractiveError, MOST_POINTS, MOST_SLIDERS, Part,
+    Shape, Slider,
+};
 pub use legend::{Legend, Marker};
 pub use picture::{Content, Figure, Panel, Picture, Size};
 pub use space::{
