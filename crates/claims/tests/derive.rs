@@ -47,7 +47,7 @@ fn results(declarations: &Declarations, derivation: &Derivation) -> Vec<Fraction
     for line in &derivation.lines {
         let value = value(&evaluator, &line.right);
         if line.is_abbreviation() {
-            evaluator.fixed.insert(line.left.names().concat(), value);
+            evaluator.fix(line.left.names().concat(), value);
         } else {
             all.push(value);
         }

@@ -244,8 +244,8 @@ fn add_definitions(
                     Node::Name(parameter) => Ok(parameter),
                     _ => Err(bad_head()),
                 });
-                match function.node {
-                    Node::Name(name) => (name, parameters.collect::<Result<_, _>>()?),
+                match &function.node {
+                    Node::Name(name) => (name.clone(), parameters.collect::<Result<_, _>>()?),
                     _ => return Err(bad_head()),
                 }
             }

@@ -331,7 +331,7 @@ impl Curve {
 fn compared(name: &str, relation: Relation, number: usize) -> Expr {
     let number = rational::integer(i64::try_from(number).unwrap_or(i64::MAX));
     Expr::made(Node::Compare(
-        Box::new(Expr::name(name)),
+        Arc::new(Expr::name(name)),
         vec![(relation, Expr::number(&number))],
     ))
 }
@@ -345,7 +345,7 @@ pub(super) fn nonzero(polynomial: &Polynomial) -> Expr {
 pub(super) fn different_from_zero(formula: Expr) -> Expr {
     let zero = Expr::number(&rational::integer(0));
     Expr::made(Node::Compare(
-        Box::new(formula),
+        Arc::new(formula),
         vec![(Relation::Different, zero)],
     ))
 }
@@ -399,7 +399,7 @@ pub fn end_derivatives(
             let place = notation::expression(curve.value(end));
             lines.push(Line {
                 label,
-                left: Expr::made(Node::Call(Box::new(function), vec![place])),
+                left: Expr::made(Node::Call(Arc::new(function), vec![place])),
                 right,
             });
         }

@@ -19,6 +19,7 @@ use super::{Derivation, DeriveError, Line};
 use crate::evaluate::scope::Declarations;
 use crate::notation;
 use crate::syntax::{Expr, Operator};
+use std::sync::Arc;
 use torse_algebra::{Fraction, Polynomial};
 
 /// A solution is written out if no point takes more nodes than this.
@@ -368,7 +369,7 @@ fn over(above: Expr, below: Option<Expr>) -> Expr {
 fn total(terms: impl Iterator<Item = (Operator, Expr)>) -> Option<Expr> {
     terms.fold(None, |sum, (operator, term)| {
         Some(match (sum, operator) {
-            (None, Operator::Subtract) => Expr::made(crate::syntax::Node::Negative(Box::new(term))),
+            (None, Operator::Subtract) => Expr::made(crate::syntax::Node::Negative(Arc::new(term))),
             (None, _) => term,
             (Some(sum), operator) => sum.with(operator, term),
         })

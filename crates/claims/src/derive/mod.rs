@@ -25,6 +25,7 @@ pub use print::{Language, print};
 
 use crate::evaluate::fault::Fault;
 use crate::syntax::{Expr, Node, Relation};
+use std::sync::Arc;
 use torse_algebra::ExactError;
 
 /// The highest order of derivatives that is derived.
@@ -46,7 +47,7 @@ impl Line {
     #[must_use]
     pub fn formula(&self) -> Expr {
         Expr::made(Node::Compare(
-            Box::new(self.left.clone()),
+            Arc::new(self.left.clone()),
             vec![(Relation::Equal, self.right.clone())],
         ))
     }

@@ -99,10 +99,10 @@ fn assume_entry(
     }
     let mut fix = |symbol: Symbol, value: &Fraction| match symbol {
         Symbol::Named(name) => {
-            evaluator.fixed.insert(name.to_string(), value.clone());
+            evaluator.fix(name.to_string(), value.clone());
         }
         other => {
-            evaluator.solved.insert(other, value.clone());
+            evaluator.determine([(other, value.clone())]);
         }
     };
     if let Some(symbol) = single_symbol(x) {
@@ -164,7 +164,7 @@ fn solve_given(claim: &Claim, evaluator: &mut Evaluator<'_>) -> Result<(), Fault
         equations(&statement, &mut forms).map_err(|f| f.within(&equation.origin))?;
     }
     let solution = solve_for(&forms, &symbols, NOWHERE).map_err(|f| f.within(&first.origin))?;
-    evaluator.solved.extend(solution);
+    evaluator.determine(solution);
     Ok(())
 }
 

@@ -11,6 +11,7 @@ use crate::repair;
 use case::Case;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use torse_algebra::{Fraction, Polynomial};
 
 /// Formulas with more terms than this are not shown.
@@ -253,7 +254,7 @@ fn nonzero(polynomial: &Polynomial) -> Formula {
     let left = notation::expression(&polynomial.clone().into());
     let zero = Expr::number(&torse_algebra::rational::integer(0));
     notation::formula(&Expr::made(Node::Compare(
-        Box::new(left),
+        Arc::new(left),
         vec![(Relation::Different, zero)],
     )))
 }

@@ -353,7 +353,7 @@ impl Evaluator<'_> {
         let made = Expr::made;
         let n = Rational::from_integer(order.into());
         let body = made(Node::Call(
-            Box::new(Expr::name("D")),
+            Arc::new(Expr::name("D")),
             vec![function.body.clone(), Expr::name(&symbol), Expr::number(&n)],
         ));
         Ok(Value::Function(Box::new(Function {

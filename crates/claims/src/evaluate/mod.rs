@@ -38,9 +38,9 @@ pub struct Evaluator<'a> {
     /// What names mean.
     pub declarations: &'a Declarations,
     /// Symbols with a value: instantiated integers, assumed equalities, witness points.
-    pub fixed: BTreeMap<String, Fraction>,
+    fixed: BTreeMap<String, Fraction>,
     /// Unknowns that the given equations determine.
-    pub solved: BTreeMap<Symbol, Fraction>,
+    solved: BTreeMap<Symbol, Fraction>,
     /// Whether leaves are replaced by the numbers of the sample point.
     sampled: bool,
     /// Whether the argument of a sine or cosine is being evaluated: there symbols stay symbols.
@@ -51,6 +51,8 @@ pub struct Evaluator<'a> {
     nodes: Cell<u64>,
     work: Cell<u64>,
     members: RefCell<BTreeMap<String, Vec<Fraction>>>,
+    /// Values of definitions without parameters, in and outside of angles.
+    named: RefCell<BTreeMap<(String, bool), Value>>,
 }
 
 use arithmetic::{fitted, matrix_product, multiplied, numeric, refilled};
@@ -72,7 +74,20 @@ impl<'a> Evaluator<'a> {
             nodes: Cell::new(0),
             work: Cell::new(0),
             members: RefCell::new(BTreeMap::new()),
+            named: RefCell::new(BTreeMap::new()),
         }
+    }
+
+    /// Gives a symbol a value from here on.
+    pub fn fix(&mut self, name: String, value: Fraction) {
+        self.named.borrow_mut().clear();
+        self.fixed.insert(name, value);
+    }
+
+    /// Gives unknowns their values from here on.
+    pub fn determine(&mut self, solution: impl IntoIterator<Item = (Symbol, Fraction)>) {
+        self.named.borrow_mut().clear();
+        self.solved.extend(solution);
     }
 
     /// The same with more symbols fixed.
@@ -272,10 +287,16 @@ impl<'a> Evaluator<'a> {
         if let Some(definition) = self.declarations.definition(name) {
             let body = &definition.body;
             if definition.parameters.is_empty() {
-                return self.deeper(place, || {
+                let key = (name.to_owned(), self.in_angle.get());
+                if let Some(value) = self.named.borrow().get(&key) {
+                    return Ok(value.clone());
+                }
+                let value = self.deeper(place, || {
                     self.value(&body.expr, &Bindings::new())
                         .map_err(|f| f.within(&body.origin))
-                });
+                })?;
+                self.named.borrow_mut().insert(key, value.clone());
+                return Ok(value);
             }
             return Ok(Value::Function(Box::new(Function {
                 name: name.to_owned(),

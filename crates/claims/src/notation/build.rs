@@ -3,6 +3,7 @@
 
 use crate::syntax::{Expr, Node, Operator};
 use num_traits::{One, Signed};
+use std::sync::Arc;
 use torse_algebra::{Affine, Angle, Rational, Symbol, rational};
 
 /// A summand with its sign apart.
@@ -57,9 +58,9 @@ pub(super) fn product(factors: Vec<Expr>) -> Expr {
 pub(super) fn negated(expr: Expr) -> Expr {
     match expr.node {
         Node::Binary(operator @ (Operator::Multiply | Operator::Divide), a, b) => {
-            negated(*a).with(operator, *b)
+            negated(Arc::unwrap_or_clone(a)).with(operator, Arc::unwrap_or_clone(b))
         }
-        node => Expr::made(Node::Negative(Box::new(Expr::made(node)))),
+        node => Expr::made(Node::Negative(Arc::new(Expr::made(node)))),
     }
 }
 
@@ -88,7 +89,7 @@ pub(super) fn coefficient(value: &Rational) -> Vec<Expr> {
 /// A symbol of the algebra.
 pub(super) fn symbol(symbol: &Symbol) -> Expr {
     let applied =
-        |name: &str, argument| Expr::made(Node::Call(Box::new(Expr::name(name)), vec![argument]));
+        |name: &str, argument| Expr::made(Node::Call(Arc::new(Expr::name(name)), vec![argument]));
     let angle = |variable: &str, angle: &Angle| match angle {
         Angle::Radian => Expr::name(variable),
         Angle::QuarterTurn => {
@@ -104,7 +105,7 @@ pub(super) fn symbol(symbol: &Symbol) -> Expr {
         Symbol::Cos(name, a) => applied("cos", angle(name, a)),
         Symbol::Indexed(name, index) => {
             let index = index.iter().map(affine).collect();
-            Expr::made(Node::Index(Box::new(Expr::name(name)), index))
+            Expr::made(Node::Index(Arc::new(Expr::name(name)), index))
         }
     }
 }

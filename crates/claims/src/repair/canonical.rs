@@ -2,6 +2,7 @@
 //! factors and terms, and in where a sign stands.
 
 use crate::syntax::{Expr, Node, Operator};
+use std::sync::Arc;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 
@@ -66,7 +67,7 @@ fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mu
         Node::Binary(Operator::Add | Operator::Subtract, ..) => {
             // A sum as a factor: its sign is pulled out so that a - b and -(b - a) agree.
             let text = canonical(expr);
-            let negated = canonical(&Expr::made(Node::Negative(Box::new(expr.clone()))));
+            let negated = canonical(&Expr::made(Node::Negative(Arc::new(expr.clone()))));
             if negated < text {
                 *number = -number.clone();
                 into.push(format!("{mark}({negated})"));

@@ -4,6 +4,7 @@
 //! factor or term, a prime more or less, a bracket moved.
 
 use crate::syntax::{Expr, Node, Operator};
+use std::sync::Arc;
 use torse_algebra::Rational;
 use torse_algebra::rational::{integer, ratio};
 
@@ -283,7 +284,7 @@ fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
                     _ => None,
                 };
                 if let Some(other) = other {
-                    let call = Node::Call(Box::new(Expr::name(other)), vec![argument.clone()]);
+                    let call = Node::Call(Arc::new(Expr::name(other)), vec![argument.clone()]);
                     result.push(replaced(Expr::made(call)));
                     for variable in argument.names().into_iter().filter(|n| *n != "pi") {
                         result.push(replaced(Expr::name(variable)));
@@ -313,7 +314,7 @@ fn binary(expr: &Expr, operator: Operator, a: &Expr, b: &Expr, result: &mut Vec<
             let rest = if operator == Operator::Add {
                 b.clone()
             } else {
-                Expr::made(Node::Negative(Box::new(b.clone())))
+                Expr::made(Node::Negative(Arc::new(b.clone())))
             };
             push(rest, format!("the term `{}` removed", text(a)));
             // a*b + c -> a*(b + c)
@@ -395,7 +396,7 @@ fn scaled(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     if !matches!(expr.node, Node::Negative(_)) {
         let change = format!("the sign of `{}` changed", text(expr));
         edits.push(Edit {
-            expr: Expr::made(Node::Negative(Box::new(expr.clone()))),
+            expr: Expr::made(Node::Negative(Arc::new(expr.clone()))),
             change,
         });
     }

@@ -1,6 +1,7 @@
 //! The syntax tree of formulas. Every node knows its place in the text, so that every later stage can
 //! point at what it complains about.
 
+use std::sync::Arc;
 use torse_algebra::Rational;
 
 /// A range of bytes in the text of a formula.
@@ -117,6 +118,8 @@ pub struct Expr {
 }
 
 /// The kinds of formulas.
+///
+/// Parts are shared, so that a copy with a small change costs the way to the change and no more.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Node {
     /// A number; `decimals` counts the printed digits after the point, if there is a point.
@@ -129,21 +132,21 @@ pub enum Node {
     /// A name, primes included: `mu`, `H''`.
     Name(String),
     /// `f(x, y)`.
-    Call(Box<Expr>, Vec<Expr>),
+    Call(Arc<Expr>, Vec<Expr>),
     /// `R[i]`, `g[i,k]`, or the entry of a vector or matrix.
-    Index(Box<Expr>, Vec<Expr>),
+    Index(Arc<Expr>, Vec<Expr>),
     /// `-x`.
-    Negative(Box<Expr>),
+    Negative(Arc<Expr>),
     /// `a + b`.
-    Binary(Operator, Box<Expr>, Box<Expr>),
+    Binary(Operator, Arc<Expr>, Arc<Expr>),
     /// `[a, b, c]`: a vector, or a matrix as a list of rows.
     List(Vec<Expr>),
     /// `a == b`, `a < b <= c`: a chain of comparisons, all of which are meant.
-    Compare(Box<Expr>, Vec<(Relation, Expr)>),
+    Compare(Arc<Expr>, Vec<(Relation, Expr)>),
     /// `p and q`.
-    Join(Connective, Box<Expr>, Box<Expr>),
+    Join(Connective, Arc<Expr>, Arc<Expr>),
     /// `not p`.
-    Not(Box<Expr>),
+    Not(Arc<Expr>),
 }
 
 impl Expr {
@@ -167,7 +170,7 @@ impl Expr {
     pub fn number(value: &Rational) -> Self {
         use num_traits::Signed;
         if value.is_negative() && value.is_integer() {
-            return Self::made(Node::Negative(Box::new(Self::number(&-value.clone()))));
+            return Self::made(Node::Negative(Arc::new(Self::number(&-value.clone()))));
         }
         let whole = |n: &torse_algebra::Integer| {
             Self::made(Node::Number {
@@ -180,15 +183,15 @@ impl Expr {
         }
         Self::made(Node::Binary(
             Operator::Divide,
-            Box::new(Self::number(&Rational::from_integer(value.numer().clone()))),
-            Box::new(whole(value.denom())),
+            Arc::new(Self::number(&Rational::from_integer(value.numer().clone()))),
+            Arc::new(whole(value.denom())),
         ))
     }
 
     /// `self operator other`, made.
     #[must_use]
     pub fn with(self, operator: Operator, other: Self) -> Self {
-        Self::made(Node::Binary(operator, Box::new(self), Box::new(other)))
+        Self::made(Node::Binary(operator, Arc::new(self), Arc::new(other)))
     }
 
     /// The direct parts, in the order of the text.
@@ -212,13 +215,15 @@ impl Expr {
     pub fn parts_mut(&mut self) -> Vec<&mut Expr> {
         match &mut self.node {
             Node::Number { .. } | Node::Name(_) => vec![],
-            Node::Call(head, rest) | Node::Index(head, rest) => std::iter::once(&mut **head)
-                .chain(rest.iter_mut())
-                .collect(),
-            Node::Negative(inner) | Node::Not(inner) => vec![inner],
-            Node::Binary(_, a, b) | Node::Join(_, a, b) => vec![a, b],
+            Node::Call(head, rest) | Node::Index(head, rest) => {
+                std::iter::once(Arc::make_mut(head))
+                    .chain(rest.iter_mut())
+                    .collect()
+            }
+            Node::Negative(inner) | Node::Not(inner) => vec![Arc::make_mut(inner)],
+            Node::Binary(_, a, b) | Node::Join(_, a, b) => vec![Arc::make_mut(a), Arc::make_mut(b)],
             Node::List(items) => items.iter_mut().collect(),
-            Node::Compare(first, rest) => std::iter::once(&mut **first)
+            Node::Compare(first, rest) => std::iter::once(Arc::make_mut(first))
                 .chain(rest.iter_mut().map(|(_, e)| e))
                 .collect(),
         }

@@ -3,6 +3,7 @@
 use super::SyntaxError;
 use super::ast::{Connective, Expr, Node, Operator, Place, Relation};
 use super::token::{Placed, Token, tokens};
+use std::sync::Arc;
 use torse_algebra::{Integer, Rational};
 
 /// How deep brackets and prefixes may nest.
@@ -133,7 +134,7 @@ impl Parser {
             let inner = self.deeper(Self::negation)?;
             let place = start.to(inner.place);
             return Ok(Expr {
-                node: Node::Not(Box::new(inner)),
+                node: Node::Not(Arc::new(inner)),
                 place,
             });
         }
@@ -151,7 +152,7 @@ impl Parser {
             Some((_, last)) => {
                 let place = first.place.to(last.place);
                 Ok(Expr {
-                    node: Node::Compare(Box::new(first), rest),
+                    node: Node::Compare(Arc::new(first), rest),
                     place,
                 })
             }
@@ -206,7 +207,7 @@ impl Parser {
             let inner = self.deeper(Self::prefixed)?;
             let place = start.to(inner.place);
             return Ok(Expr {
-                node: Node::Negative(Box::new(inner)),
+                node: Node::Negative(Arc::new(inner)),
                 place,
             });
         }
@@ -226,14 +227,14 @@ impl Parser {
                 let arguments = self.listed("(", ")", open)?;
                 let place = head.place.to(self.previous());
                 head = Expr {
-                    node: Node::Call(Box::new(head), arguments),
+                    node: Node::Call(Arc::new(head), arguments),
                     place,
                 };
             } else if self.sign("[") {
                 let indices = self.listed("[", "]", open)?;
                 let place = head.place.to(self.previous());
                 head = Expr {
-                    node: Node::Index(Box::new(head), indices),
+                    node: Node::Index(Arc::new(head), indices),
                     place,
                 };
             } else {
@@ -336,7 +337,7 @@ impl Parser {
 fn join(connective: Connective, a: Expr, b: Expr) -> Expr {
     let place = a.place.to(b.place);
     Expr {
-        node: Node::Join(connective, Box::new(a), Box::new(b)),
+        node: Node::Join(connective, Arc::new(a), Arc::new(b)),
         place,
     }
 }
@@ -344,7 +345,7 @@ fn join(connective: Connective, a: Expr, b: Expr) -> Expr {
 fn binary(operator: Operator, a: Expr, b: Expr) -> Expr {
     let place = a.place.to(b.place);
     Expr {
-        node: Node::Binary(operator, Box::new(a), Box::new(b)),
+        node: Node::Binary(operator, Arc::new(a), Arc::new(b)),
         place,
     }
 }

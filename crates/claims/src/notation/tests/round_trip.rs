@@ -3,6 +3,7 @@
 use crate::notation::{formula, rust, sympy, text};
 use crate::syntax::{Connective, Expr, Node, Operator, Place, Relation, parse};
 use proptest::prelude::*;
+use std::sync::Arc;
 use torse_algebra::rational::{integer, ratio};
 
 /// The tree with every place forgotten.
@@ -42,7 +43,7 @@ fn any_expr() -> impl Strategy<Value = Expr> {
         .prop_map(Expr::made)
         .prop_recursive(5, 40, 4, move |inner| {
             let some = prop::collection::vec(inner.clone(), 1..4);
-            let boxed = inner.clone().prop_map(Box::new);
+            let boxed = inner.clone().prop_map(Arc::new);
             prop_oneof![
                 2 => (boxed.clone(), some.clone()).prop_map(|(f, x)| Node::Call(f, x)),
                 1 => (boxed.clone(), some.clone()).prop_map(|(f, i)| Node::Index(f, i)),
@@ -133,6 +134,6 @@ fn a_sum_of_many_thousand_terms_is_written() {
     assert_eq!(text(&sum), long);
     // Dropping boxes recurses; take the tree apart instead.
     while let Node::Binary(_, a, _) = sum.node {
-        sum = *a;
+        sum = Arc::unwrap_or_clone(a);
     }
 }
