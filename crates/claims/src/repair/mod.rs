@@ -28,7 +28,7 @@ const MAX_FIRST: usize = 150;
 /// The most candidates evaluated with two edits.
 const MAX_DOUBLE: usize = 12_000;
 /// The work one search may do, in units of a visited node of a formula.
-const MAX_WORK: u64 = 1_200_000;
+const MAX_WORK: u64 = 400_000;
 /// How many survivors of the sample point are proved before the search ends.
 const MAX_PROOFS: usize = 8;
 /// A comparison whose left side has at most so many nodes is a tautology when both sides are equal.
