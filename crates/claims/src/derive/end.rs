@@ -5,7 +5,7 @@ use super::{Derivation, DeriveError, Line, MAX_ORDER};
 use crate::evaluate::Evaluator;
 use crate::evaluate::quantity::Quantity;
 use crate::evaluate::scope::{Basis, Declarations, SymbolKind};
-use crate::evaluate::series::{HERE, Series, Target};
+use crate::evaluate::series::{Axis, Series, Target, here};
 use crate::notation;
 use crate::syntax::{Expr, Node, Operator, Relation};
 use num_traits::{Signed, Zero};
@@ -126,7 +126,7 @@ impl<'a> Family<'a> {
         parameters: &[String],
     ) -> Result<Curve, DeriveError> {
         let (operator, seeds) = self.formulas(parameters)?;
-        let here = Symbol::indexed(points, vec![Affine::symbol(HERE)]);
+        let point = Symbol::indexed(points, vec![Affine::symbol(&here(0))]);
         Ok(Curve {
             basis_name: self.name.clone(),
             variable: self.basis.variable.clone(),
@@ -135,12 +135,15 @@ impl<'a> Family<'a> {
             points: points.to_owned(),
             least_degree: self.basis.degree,
             series: Series {
-                operator,
-                power: Affine::symbol(degree) - Affine::number(i64::from(self.basis.degree)),
-                seeds,
-                lowest: 0,
+                axes: vec![Axis {
+                    operator,
+                    power: Affine::symbol(degree) - Affine::number(i64::from(self.basis.degree)),
+                    seeds,
+                    lowest: 0,
+                    target: Target::Sum,
+                }],
                 factor: Fraction::integer(1),
-                target: Target::Sum(Fraction::symbol(here)),
+                points: Fraction::symbol(point),
             },
         })
     }
@@ -184,13 +187,15 @@ impl Curve {
                 .map_err(exact)?;
             let mut total = at_end.plain;
             for series in at_end.series {
-                let value = series.value(|_| None, |_| None).map_err(exact)?;
-                total = total
-                    + value.ok_or_else(|| DeriveError::NoCollapse {
+                let (value, left) = series.settled(&|_| None, &|_| None).map_err(exact)?;
+                if !left.is_empty() {
+                    return Err(DeriveError::NoCollapse {
                         name: self.basis_name.clone(),
                         variable: self.variable.clone(),
                         value: self.value(end).to_string(),
-                    })?;
+                    });
+                }
+                total = total + value;
             }
             all.push(total);
             derivative = derivative.derivative(&self.variable);

@@ -80,21 +80,19 @@ impl Evaluator<'_> {
         })
     }
 
-    /// The quantity with every series that has a plain value replaced by it.
+    /// The quantity with every power that collapses multiplied out.
     pub(super) fn settled(&self, quantity: Quantity, place: Place) -> Outcome<Quantity> {
         let mut plain = quantity.plain;
         let mut series = vec![];
         for part in quantity.series {
-            let value = part
-                .value(
-                    |form| self.declarations.least(form),
-                    |form| self.declarations.greatest(form),
+            let (value, rest) = part
+                .settled(
+                    &|form| self.declarations.least(form),
+                    &|form| self.declarations.greatest(form),
                 )
                 .map_err(|e| Fault::exact(place, e))?;
-            match value {
-                Some(value) => plain = plain + self.resolved(&value, place)?,
-                None => series.push(part),
-            }
+            plain = plain + self.resolved(&value, place)?;
+            series.extend(rest);
         }
         Ok(Quantity { plain, series })
     }

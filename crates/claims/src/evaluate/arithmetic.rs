@@ -188,16 +188,16 @@ pub(super) fn refilled(shape: &Value, entries: Vec<Quantity>) -> Outcome<Value> 
     })
 }
 
-/// The product of two quantities, at most one of which has series.
+/// The product of two quantities, within bounds of work.
 pub(super) fn multiplied(x: &Quantity, y: &Quantity, place: Place) -> Outcome<Quantity> {
     match (x.as_fraction(), y.as_fraction()) {
         (Some(a), Some(b)) => Ok(bounded_product(a, b, place)?.into()),
         (Some(a), None) => Ok(y.times(a)),
         (None, Some(b)) => Ok(x.times(b)),
-        (None, None) => Err(Fault::limit(
-            place,
-            "a product of two sums of symbolic degree",
-        )),
+        (None, None) => x
+            .product(y)
+            .map_err(|e| Fault::exact(place, e))?
+            .ok_or_else(|| Fault::limit(place, "a product of many sums of symbolic degree")),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::fault::{Fault, Problem};
 use super::quantity::Quantity;
 use super::scope::Basis;
-use super::series::{Series, Target};
+use super::series::{Axis, Series, Target};
 use super::value::Value;
 use super::{Bindings, Evaluator, wrong_type};
 use crate::syntax::{Expr, Place};
@@ -91,14 +91,13 @@ impl Evaluator<'_> {
             return Ok(self.at_sample(entry.unwrap_or_else(Fraction::zero)).into());
         }
         self.symbolic_degree.set(true);
-        let series = Series {
+        let series = Series::entry(Axis {
             operator,
             power,
             seeds,
             lowest: 0,
-            factor: Fraction::integer(1),
             target: Target::Entry(index),
-        };
+        });
         Ok(Value::Scalar(self.settled(Quantity::from(series), place)?))
     }
 

@@ -3,6 +3,9 @@
 use super::series::{self, Series};
 use torse_algebra::{ExactError, Fraction, Polynomial};
 
+/// The most products of series in one multiplication.
+const MAX_PRODUCTS: usize = 64;
+
 /// `plain + sum of series`.
 #[derive(Debug, Clone)]
 pub struct Quantity {
@@ -67,6 +70,30 @@ impl Quantity {
         }
     }
 
+    /// The product; `None` if it has too many sums of symbolic degree.
+    ///
+    /// # Errors
+    /// [`ExactError`] when a denominator vanishes.
+    pub fn product(&self, other: &Self) -> Result<Option<Self>, ExactError> {
+        if self.series.len() * other.series.len() > MAX_PRODUCTS {
+            return Ok(None);
+        }
+        let own = Self {
+            plain: Fraction::zero(),
+            series: self.series.clone(),
+        };
+        let mut result = other.times(&self.plain).plus(&own.times(&other.plain));
+        for a in &self.series {
+            for b in &other.series {
+                match a.product(b)? {
+                    Some(series) => result.series.push(series),
+                    None => return Ok(None),
+                }
+            }
+        }
+        Ok(Some(result))
+    }
+
     /// The negative.
     #[must_use]
     pub fn negated(&self) -> Self {
@@ -121,16 +148,7 @@ impl Quantity {
     /// Everything that was divided by on the way here.
     #[must_use]
     pub fn conditions(&self) -> Vec<Polynomial> {
-        let series = self.series.iter().flat_map(|s| {
-            let points = match &s.target {
-                series::Target::Sum(term) => Some(term),
-                series::Target::Entry(_) => None,
-            };
-            [&s.operator.0, &s.operator.1, &s.factor]
-                .into_iter()
-                .chain(&s.seeds)
-                .chain(points)
-        });
+        let series = self.series.iter().flat_map(Series::parts);
         let mut all: Vec<Polynomial> = std::iter::once(&self.plain)
             .chain(series)
             .flat_map(|f| f.conditions().iter().cloned())

@@ -6,11 +6,11 @@
 
 use super::fault::Fault;
 use super::quantity::Quantity;
-use super::series::{HERE, Series, Target, with_index};
+use super::series::{Axis, Series, Target, here, split, with_index};
 use super::value::{Value, Vector};
 use super::{Bindings, Evaluator, fitted, refilled, wrong_type};
 use crate::syntax::{Expr, Node, Operator, Place};
-use torse_algebra::{Affine, Fraction, Symbol};
+use torse_algebra::{Affine, Fraction};
 
 /// The most terms that are added one by one.
 const MAX_TERMS: i64 = 400;
@@ -87,40 +87,58 @@ impl Evaluator<'_> {
         }
         let mut result = Quantity::from(Fraction::zero());
         for series in &term.series {
-            let Target::Entry(entry) = &series.target else {
-                return Err(refused());
-            };
-            let here = Affine::symbol(index);
-            let offset = (entry.clone() - here.clone())
-                .as_number()
-                .ok_or_else(refused)?;
-            // All coefficients must be inside the range: the sum is over the whole series.
-            let top = series.power.clone()
-                + Affine::number(
-                    series.lowest + i64::try_from(series.seeds.len()).unwrap_or(i64::MAX) - 1,
-                );
-            let starts = (low.clone() + Affine::number(offset - series.lowest))
-                .as_number()
-                .is_some_and(|n| n <= 0);
-            let ends = self
-                .declarations
-                .least(&(high.clone() + Affine::number(offset) - top))
-                .is_some_and(|n| n >= 0);
-            if !starts || !ends {
-                return Err(refused());
-            }
-            // [E^(i + offset)] F applied to term(i) is [E^j] F applied to term(j - offset).
-            let shifted = Affine::symbol(HERE) - Affine::number(offset);
-            for (factor, points) in split(&series.factor, index).ok_or_else(refused)? {
-                let points =
-                    with_index(&points, index, &shifted).map_err(|e| Fault::exact(place, e))?;
-                let part = Series {
-                    factor,
-                    target: Target::Sum(points),
-                    ..series.clone()
-                };
+            for part in self.summed_series(series, index, low, high, place)? {
                 result = result.plus(&self.settled(Quantity::from(part), place)?);
             }
+        }
+        Ok(result)
+    }
+
+    /// The sum over all values of `index` of a series with one entry that counts with the index.
+    fn summed_series(
+        &self,
+        series: &Series,
+        index: &str,
+        low: &Affine,
+        high: &Affine,
+        place: Place,
+    ) -> Result<Vec<Series>, Fault> {
+        let refused = || Fault::limit(place, "this sum of symbolic length has no closed form here");
+        let (position, axis) = bearer(&series.axes, index).ok_or_else(refused)?;
+        let Target::Entry(entry) = &axis.target else {
+            return Err(refused());
+        };
+        let offset = (entry.clone() - Affine::symbol(index))
+            .as_number()
+            .ok_or_else(refused)?;
+        // All coefficients must be inside the range: the sum is over the whole series.
+        let starts = (low.clone() + Affine::number(offset - axis.lowest))
+            .as_number()
+            .is_some_and(|n| n <= 0);
+        let ends = self
+            .declarations
+            .least(&(high.clone() + Affine::number(offset) - axis.top()))
+            .is_some_and(|n| n >= 0);
+        if !starts || !ends {
+            return Err(refused());
+        }
+        // [E^(i + offset)] F applied to term(i) is [E^j] F applied to term(j - offset).
+        let shifted = Affine::symbol(&here(position)) - Affine::number(offset);
+        let moved = |points: &Fraction| {
+            with_index(points, index, &shifted).map_err(|e| Fault::exact(place, e))
+        };
+        let whole = Axis {
+            target: Target::Sum,
+            ..axis.clone()
+        };
+        let mut result = vec![];
+        for part in split(&series.factor, index).ok_or_else(refused)? {
+            let summed = Series {
+                factor: part.free,
+                points: moved(&(series.points.clone() * part.points))?,
+                ..series.with_axis(position, whole.clone())
+            };
+            result.extend(summed.weighted(position, offset, part.exponent));
         }
         Ok(result)
     }
@@ -193,14 +211,13 @@ impl Evaluator<'_> {
         let operator = (falling.unwrap_or_else(one), rising.unwrap_or_else(one));
         let index = here + Affine::number(shift);
         self.symbolic_degree.set(true);
-        let series = Series {
+        let series = Series::entry(Axis {
             operator,
             power,
             seeds: vec![one()],
             lowest: 0,
-            factor: one(),
             target: Target::Entry(index),
-        };
+        });
         Ok(Some(self.product(
             &rest,
             &Value::Scalar(series.into()),
@@ -220,44 +237,17 @@ fn flatten<'e>(expr: &'e Expr, into: &mut Vec<&'e Expr>) {
     }
 }
 
-/// Writes a factor as a sum of (free of the index) * (points at the index).
-fn split(factor: &Fraction, index: &str) -> Option<Vec<(Fraction, Fraction)>> {
-    use torse_algebra::Polynomial;
-    let denominator_free = factor
-        .denominator_factors()
-        .all(|(p, _)| !p.symbols().iter().any(|s| s.depends_on(index)));
-    if !denominator_free {
-        return None;
-    }
-    let mut groups: std::collections::BTreeMap<Polynomial, Polynomial> =
-        std::collections::BTreeMap::new();
-    for term in factor.numerator().terms() {
-        let (mut free, mut points) = (
-            Polynomial::constant(&term.coefficient),
-            Polynomial::integer(1),
-        );
-        for (symbol, exponent) in term.powers {
-            let power = Polynomial::symbol(symbol.clone()).power(u32::from(exponent));
-            match symbol {
-                Symbol::Indexed(..) if symbol.depends_on(index) => points = &points * &power,
-                _ if symbol.depends_on(index) => return None,
-                _ => free = &free * &power,
-            }
-        }
-        let entry = groups.entry(points).or_insert_with(Polynomial::zero);
-        *entry = &*entry + &free;
-    }
-    let denominator: Fraction = factor.denominator().into();
-    groups
-        .into_iter()
-        .map(|(points, free)| {
-            let free = Fraction::from(free)
-                .over(&denominator)
-                .ok()?
-                .under(factor.conditions());
-            Some((free, Fraction::from(points)))
-        })
-        .collect()
+/// The one axis whose entry depends on the index, read so that it counts up with the index; `None` if
+/// there is no such axis or more than one.
+fn bearer(axes: &[Axis], index: &str) -> Option<(usize, Axis)> {
+    let multiple = |axis: &Axis| match &axis.target {
+        Target::Entry(entry) => entry.multiple_of(index),
+        Target::Sum => 0,
+    };
+    let mut bearers = axes.iter().enumerate().filter(|(_, a)| multiple(a) != 0);
+    let (position, axis) = bearers.next().filter(|_| bearers.next().is_none())?;
+    let counts_down = multiple(axis) < 0;
+    Some((position, if counts_down { axis.reversed() } else { axis.clone() }))
 }
 
 fn added(a: &Value, b: &Value, place: Place) -> Result<Value, Fault> {
