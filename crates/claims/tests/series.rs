@@ -40,9 +40,16 @@ fn all_hold_by_induction(name: &str, statements: &[&str]) {
         .map(|s| format!("states = \"{s}\""))
         .collect();
     let claims: Vec<&str> = claims.iter().map(String::as_str).collect();
-    for (outcome, statement) in common::outcomes(name, CURVES, &claims).iter().zip(statements) {
+    for (outcome, statement) in common::outcomes(name, CURVES, &claims)
+        .iter()
+        .zip(statements)
+    {
         let found = (outcome.verdict, outcome.evidence);
-        assert_eq!(found, (Verdict::Holds, Some(Evidence::Induction)), "{statement}: {outcome:?}");
+        assert_eq!(
+            found,
+            (Verdict::Holds, Some(Evidence::Induction)),
+            "{statement}: {outcome:?}"
+        );
     }
 }
 

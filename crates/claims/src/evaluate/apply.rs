@@ -86,10 +86,9 @@ impl Evaluator<'_> {
         let mut series = vec![];
         for part in quantity.series {
             let (value, rest) = part
-                .settled(
-                    &|form| self.declarations.least(form),
-                    &|form| self.declarations.greatest(form),
-                )
+                .settled(&|form| self.declarations.least(form), &|form| {
+                    self.declarations.greatest(form)
+                })
                 .map_err(|e| Fault::exact(place, e))?;
             plain = plain + self.resolved(&value, place)?;
             series.extend(rest);

@@ -247,7 +247,14 @@ fn bearer(axes: &[Axis], index: &str) -> Option<(usize, Axis)> {
     let mut bearers = axes.iter().enumerate().filter(|(_, a)| multiple(a) != 0);
     let (position, axis) = bearers.next().filter(|_| bearers.next().is_none())?;
     let counts_down = multiple(axis) < 0;
-    Some((position, if counts_down { axis.reversed() } else { axis.clone() }))
+    Some((
+        position,
+        if counts_down {
+            axis.reversed()
+        } else {
+            axis.clone()
+        },
+    ))
 }
 
 fn added(a: &Value, b: &Value, place: Place) -> Result<Value, Fault> {

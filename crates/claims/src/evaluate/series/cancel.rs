@@ -53,10 +53,13 @@ fn cancels(group: &[Series]) -> bool {
             terms = terms
                 .iter()
                 .flat_map(|(exponents, factor)| {
-                    seeds.iter().zip(axis.lowest..).map(move |(seed, exponent)| {
-                        let exponents = exponents.iter().copied().chain([exponent]).collect();
-                        (exponents, factor.clone() * seed.clone())
-                    })
+                    seeds
+                        .iter()
+                        .zip(axis.lowest..)
+                        .map(move |(seed, exponent)| {
+                            let exponents = exponents.iter().copied().chain([exponent]).collect();
+                            (exponents, factor.clone() * seed.clone())
+                        })
                 })
                 .collect();
         }
@@ -168,7 +171,10 @@ fn aligned(series: &Series, position: usize, axis: &Axis) -> Result<Series, Exac
 }
 
 /// What the order of axes is decided by: steps, powers up to a number, and entries.
-type Rank = (Vec<(Vec<Polynomial>, Affine, Option<Affine>)>, Vec<Polynomial>);
+type Rank = (
+    Vec<(Vec<Polynomial>, Affine, Option<Affine>)>,
+    Vec<Polynomial>,
+);
 
 /// The axes in the order of least rank. Several axes of one rank stay as they are.
 fn in_order(series: Series) -> Result<Series, ExactError> {

@@ -22,9 +22,9 @@ mod weight;
 
 pub use axis::{Axis, Target};
 pub use cancel::vanishes;
-pub(super) use weight::split;
 use std::collections::BTreeMap;
 use torse_algebra::{Affine, ExactError, Fraction, Polynomial, Symbol};
+pub(super) use weight::split;
 
 /// The most axes of one series.
 const MAX_AXES: usize = 3;
@@ -258,12 +258,7 @@ impl Series {
     }
 
     /// The axis replaced by a factor, its index by a form.
-    fn cut(
-        &self,
-        position: usize,
-        factor: Fraction,
-        index: &Affine,
-    ) -> Result<Self, ExactError> {
+    fn cut(&self, position: usize, factor: Fraction, index: &Affine) -> Result<Self, ExactError> {
         let mut axes = self.axes.clone();
         axes.remove(position);
         let mut forms = BTreeMap::from([(here(position), index.clone())]);

@@ -40,7 +40,9 @@ pub fn split(factor: &Fraction, index: &str) -> Option<Vec<Part>> {
         if degree > MAX_EXPONENT {
             return None;
         }
-        let slot = groups.entry((points, degree)).or_insert_with(Polynomial::zero);
+        let slot = groups
+            .entry((points, degree))
+            .or_insert_with(Polynomial::zero);
         *slot = &*slot + &free;
     }
     let denominator: Fraction = factor.denominator().into();
