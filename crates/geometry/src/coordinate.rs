@@ -47,8 +47,8 @@ pub trait Coordinate: Scalar {
     }
 
     /// `(sin(pi/2 * self), cos(pi/2 * self))`, exact at the ends 0 and 1 of the unit interval on every
-    /// scalar; f64 reflects the upper half, where `1 - x` is exact, so that curves end in their last
-    /// control point.
+    /// scalar, so that curves end in their last control point. On f64 the unit interval has a kernel of
+    /// its own, with the same bits on every machine.
     ///
     /// # Errors
     /// As [`Scalar::quarter_turn`].
@@ -99,12 +99,10 @@ impl Coordinate for f64 {
     }
 
     fn turn(&self) -> Result<(Self, Self), ExactError> {
-        let half_pi = std::f64::consts::FRAC_PI_2;
-        if (0.5..=2.0).contains(self) {
-            let (cosine, sine) = (half_pi * (1.0 - self)).sin_cos();
-            return Ok((sine, cosine));
+        if (0.0..=1.0).contains(self) {
+            return Ok(crate::turn::of_unit(*self));
         }
-        Ok((half_pi * self).sin_cos())
+        Ok((std::f64::consts::FRAC_PI_2 * self).sin_cos())
     }
 
     fn zero(&self) -> Self {

@@ -129,6 +129,7 @@ pub mod mesh;
 pub mod planes;
 mod scalars;
 pub mod surface;
+mod turn;
 pub mod vector;
 
 pub use basis::{Basis, Bernstein, Gbt, hermite};

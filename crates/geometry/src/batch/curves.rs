@@ -1,73 +1,154 @@
 //! Curves, plane families and rulings at many parameters.
 
 use super::check_length;
+use super::wide::widest;
 use crate::basis::Basis;
+use crate::coordinate::{Coordinate, text};
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
 use crate::planes::{PlaneFamily, Ruling, ruling_of};
+use rayon::prelude::*;
+use std::ops::Range;
+use torse_algebra::ExactError;
 
 /// Parameters evaluated at a time on a curve: one column of values is half a kilobyte.
 const BLOCK: usize = 64;
 
-/// The basis functions at a block of parameters, one column for each function: the degree-raising
-/// recursion then runs along the columns, over all parameters at once.
+/// Parameters that one thread takes at a time; below this starting threads costs more than it gains.
+const SHARE: usize = 128 * BLOCK;
+
+/// The basis functions (or their slopes) at a block of parameters, one column for each function: the
+/// degree-raising recursion then runs along the columns, over all parameters at once.
 struct Columns {
     columns: Vec<[f64; BLOCK]>,
 }
 
 impl Columns {
+    fn new(degree: usize) -> Self {
+        Self {
+            columns: vec![[0.0; BLOCK]; degree + 1],
+        }
+    }
+
+    /// The basis functions at `xs`.
     fn fill<B: Basis<f64>>(&mut self, basis: &B, xs: &[f64; BLOCK]) -> Result<()> {
-        let [first, second, rest @ ..] = self.columns.as_mut_slice() else {
-            return Ok(());
-        };
-        let Some((third, _)) = rest.split_first_mut() else {
+        if let [first, second] = self.columns.as_mut_slice() {
             for (p, x) in xs.iter().enumerate() {
                 (first[p], second[p]) = (1.0 - x, *x);
             }
             return Ok(());
-        };
-        for (p, x) in xs.iter().enumerate() {
-            [first[p], second[p], third[p]] = basis.seeds(x)?;
         }
-        for degree in 3..self.columns.len() {
-            let Some(active) = self.columns.get_mut(..=degree) else {
-                break;
-            };
-            if let [.., below, last] = active {
+        self.start(xs, |x| basis.seeds(x))?;
+        self.raise(3..self.columns.len(), xs);
+        Ok(())
+    }
+
+    /// The basis functions at `xs`, and their slopes into `slopes`; for the formula see
+    /// [`Basis::row_and_slope_into`].
+    fn fill_with_slopes<B: Basis<f64>>(
+        &mut self,
+        slopes: &mut Self,
+        basis: &B,
+        xs: &[f64; BLOCK],
+    ) -> Result<()> {
+        let degree = self.columns.len() - 1;
+        slopes.start(xs, |x| basis.seed_slopes(x))?;
+        slopes.raise(3..degree + 1, xs);
+        self.start(xs, |x| basis.seeds(x))?;
+        self.raise(3..degree, xs);
+        if degree > 2 {
+            let factor = 0.0.natural(degree - 2);
+            let mut below = [0.0; BLOCK];
+            for (i, (slope, entry)) in slopes.columns.iter_mut().zip(&self.columns).enumerate() {
+                let entry = if i < degree { *entry } else { [0.0; BLOCK] };
                 for p in 0..BLOCK {
-                    last[p] = xs[p] * below[p];
+                    slope[p] += factor * (below[p] - entry[p]);
                 }
+                below = entry;
             }
-            for i in (1..degree).rev() {
-                let Some([lower, entry]) = active.get_mut(i - 1..=i) else {
-                    break;
-                };
-                for p in 0..BLOCK {
-                    entry[p] = (1.0 - xs[p]) * entry[p] + xs[p] * lower[p];
-                }
-            }
-            if let Some(entry) = active.first_mut() {
-                for p in 0..BLOCK {
-                    entry[p] *= 1.0 - xs[p];
-                }
+            self.raise(degree..degree + 1, xs);
+        }
+        Ok(())
+    }
+
+    /// The three seeds into the first columns.
+    fn start(
+        &mut self,
+        xs: &[f64; BLOCK],
+        seeds: impl Fn(&f64) -> Result<[f64; 3], ExactError>,
+    ) -> Result<()> {
+        if let [first, second, third, ..] = self.columns.as_mut_slice() {
+            for (p, x) in xs.iter().enumerate() {
+                [first[p], second[p], third[p]] = seeds(x)?;
             }
         }
         Ok(())
     }
 
-    fn combine_into<const D: usize>(&self, points: &[[f64; D]], out: &mut [[f64; D]]) {
-        let mut sums = [[0.0; BLOCK]; D];
-        for (column, point) in self.columns.iter().zip(points) {
-            for (sum, coordinate) in sums.iter_mut().zip(point) {
-                for (s, weight) in sum.iter_mut().zip(column) {
-                    *s += weight * coordinate;
+    /// From the basis of degree `degrees.start - 1` to that of the last of `degrees`.
+    fn raise(&mut self, degrees: Range<usize>, xs: &[f64; BLOCK]) {
+        widest(
+            #[inline(always)]
+            || {
+                for degree in degrees {
+                    let Some(active) = self.columns.get_mut(..=degree) else {
+                        break;
+                    };
+                    raise_once(active, xs);
                 }
-            }
-        }
-        for (p, slot) in out.iter_mut().enumerate().take(BLOCK) {
-            *slot = std::array::from_fn(|axis| sums[axis][p]);
+            },
+        );
+    }
+
+    /// The sums of `points` weighted by the columns, one column for each coordinate.
+    fn combined<const D: usize>(&self, points: &[[f64; D]]) -> [[f64; BLOCK]; D] {
+        let mut sums = [[0.0; BLOCK]; D];
+        widest(
+            #[inline(always)]
+            || {
+                for (column, point) in self.columns.iter().zip(points) {
+                    for (sum, coordinate) in sums.iter_mut().zip(point) {
+                        for (s, weight) in sum.iter_mut().zip(column) {
+                            *s += weight * coordinate;
+                        }
+                    }
+                }
+            },
+        );
+        sums
+    }
+}
+
+/// From the basis of one degree less, in all but the last column, to the basis of all columns.
+#[inline(always)]
+fn raise_once(columns: &mut [[f64; BLOCK]], xs: &[f64; BLOCK]) {
+    if let [.., below, last] = columns {
+        for p in 0..BLOCK {
+            last[p] = xs[p] * below[p];
         }
     }
+    for i in (1..columns.len().saturating_sub(1)).rev() {
+        let Some([lower, entry]) = columns.get_mut(i - 1..=i) else {
+            break;
+        };
+        for p in 0..BLOCK {
+            entry[p] = (1.0 - xs[p]) * entry[p] + xs[p] * lower[p];
+        }
+    }
+    if let Some(entry) = columns.first_mut() {
+        for p in 0..BLOCK {
+            entry[p] *= 1.0 - xs[p];
+        }
+    }
+}
+
+/// A whole block of parameters, the last one filled up with zeros.
+fn block(xs: &[f64]) -> [f64; BLOCK] {
+    let mut block = [0.0; BLOCK];
+    for (slot, x) in block.iter_mut().zip(xs) {
+        *slot = *x;
+    }
+    block
 }
 
 impl<B: Basis<f64>, const D: usize> Curve<B, f64, D> {
@@ -87,18 +168,37 @@ impl<B: Basis<f64>, const D: usize> Curve<B, f64, D> {
     /// ```
     pub fn points_into(&self, xs: &[f64], out: &mut [[f64; D]]) -> Result<()> {
         check_length("output buffer", xs.len(), out.len())?;
-        let mut basis = Columns {
-            columns: vec![[0.0; BLOCK]; self.degree() + 1],
-        };
+        let mut basis = Columns::new(self.degree());
         for (xs, out) in xs.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-            let mut block = [0.0; BLOCK];
-            for (slot, x) in block.iter_mut().zip(xs) {
-                *slot = *x;
+            basis.fill(self.basis(), &block(xs))?;
+            let sums = basis.combined(self.points());
+            for (p, slot) in out.iter_mut().enumerate() {
+                *slot = std::array::from_fn(|axis| sums[axis][p]);
             }
-            basis.fill(self.basis(), &block)?;
-            basis.combine_into(self.points(), out);
         }
         Ok(())
+    }
+
+    /// [`Curve::points_into`] with the parameters shared among threads; the same values.
+    ///
+    /// # Errors
+    /// As [`Curve::points_into`].
+    ///
+    /// ```
+    /// use torse_geometry::{Curve, Gbt};
+    /// let curve = Curve::new(Gbt::new(0.3, 0.9)?, vec![[0.0, 1.0], [2.0, 3.0], [5.0, 1.0], [6.0, 0.0]])?;
+    /// let xs: Vec<f64> = (0..20_000).map(|i| f64::from(i) / 19_999.0).collect();
+    /// let (mut one, mut many) = (vec![[0.0; 2]; xs.len()], vec![[1.0; 2]; xs.len()]);
+    /// curve.points_into(&xs, &mut one)?;
+    /// curve.par_points_into(&xs, &mut many)?;
+    /// assert_eq!(one, many);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn par_points_into(&self, xs: &[f64], out: &mut [[f64; D]]) -> Result<()>
+    where
+        B: Sync,
+    {
+        shared(xs, out, |xs, out| self.points_into(xs, out))
     }
 }
 
@@ -123,23 +223,45 @@ impl<B: Basis<f64>> PlaneFamily<B, f64> {
     /// ```
     pub fn rulings_into(&self, xs: &[f64], out: &mut [Ruling<f64>]) -> Result<()> {
         check_length("output buffer", xs.len(), out.len())?;
-        let points = self.curve().points();
-        let (mut row, mut slope) = (vec![0.0; points.len()], vec![0.0; points.len()]);
-        for (x, slot) in xs.iter().zip(out) {
-            self.curve()
-                .basis()
-                .row_and_slope_into(x, &mut row, &mut slope)?;
-            let (mut plane, mut change) = ([0.0; 4], [0.0; 4]);
-            for ((w, d), q) in row.iter().zip(&slope).zip(points) {
-                for axis in 0..4 {
-                    plane[axis] += w * q[axis];
-                    change[axis] += d * q[axis];
-                }
+        let curve = self.curve();
+        let (mut basis, mut slopes) = (Columns::new(self.degree()), Columns::new(self.degree()));
+        for (xs, out) in xs.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+            basis.fill_with_slopes(&mut slopes, curve.basis(), &block(xs))?;
+            let planes = basis.combined(curve.points());
+            let changes = slopes.combined(curve.points());
+            for (p, (x, slot)) in xs.iter().zip(out).enumerate() {
+                let at = |columns: &[[f64; BLOCK]; 4]| [0, 1, 2, 3].map(|axis| columns[axis][p]);
+                *slot = ruling_of(&at(&planes), &at(&changes)).map_err(|_| GeometryError::NoRuling {
+                    parameter: text(x),
+                })?;
             }
-            *slot = ruling_of(&plane, &change).map_err(|_| GeometryError::NoRuling {
-                parameter: x.to_string(),
-            })?;
         }
         Ok(())
+    }
+
+    /// [`PlaneFamily::rulings_into`] with the parameters shared among threads; the same values.
+    ///
+    /// # Errors
+    /// As [`PlaneFamily::rulings_into`], and the same error on every run.
+    pub fn par_rulings_into(&self, xs: &[f64], out: &mut [Ruling<f64>]) -> Result<()>
+    where
+        B: Sync,
+    {
+        shared(xs, out, |xs, out| self.rulings_into(xs, out))
+    }
+}
+
+/// Runs `fill` on shares of the parameters, on all threads.
+fn shared<T: Send>(
+    xs: &[f64],
+    out: &mut [T],
+    fill: impl Fn(&[f64], &mut [T]) -> Result<()> + Sync,
+) -> Result<()> {
+    check_length("output buffer", xs.len(), out.len())?;
+    let shares = xs.par_chunks(SHARE).zip(out.par_chunks_mut(SHARE));
+    match shares.try_for_each(|(xs, out)| fill(xs, out)) {
+        Ok(()) => Ok(()),
+        // Whichever thread failed first: the serial run names the first place.
+        Err(_) => fill(xs, out),
     }
 }

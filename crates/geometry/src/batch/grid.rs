@@ -68,10 +68,10 @@ impl GridEvaluator {
     /// [`GeometryError::LengthMismatch`](crate::GeometryError::LengthMismatch) when `out` has another length.
     pub fn fill(&self, out: &mut [[f64; 3]]) -> Result<()> {
         check_length("output buffer", self.len(), out.len())?;
-        let mut curve = vec![[0.0; 3]; self.v.width];
-        let rows = self.u.values.chunks_exact(self.u.width);
-        for (row, out) in rows.zip(out.chunks_mut(self.v.len().max(1))) {
-            self.fill_row(row, &mut curve, out);
+        let mut curves = self.four_curves();
+        let groups = self.u.values.chunks(4 * self.u.width);
+        for (rows, out) in groups.zip(out.chunks_mut(4 * self.v.len().max(1))) {
+            self.fill_rows(rows, &mut curves, out);
         }
         Ok(())
     }
@@ -85,10 +85,13 @@ impl GridEvaluator {
             return self.fill(out);
         }
         check_length("output buffer", self.len(), out.len())?;
-        let rows = self.u.values.par_chunks_exact(self.u.width);
-        let buffer = || vec![[0.0; 3]; self.v.width];
-        rows.zip(out.par_chunks_mut(self.v.len().max(1)))
-            .for_each_init(buffer, |curve, (row, out)| self.fill_row(row, curve, out));
+        let groups = self.u.values.par_chunks(4 * self.u.width);
+        groups
+            .zip(out.par_chunks_mut(4 * self.v.len().max(1)))
+            .for_each_init(
+                || self.four_curves(),
+                |curves, (rows, out)| self.fill_rows(rows, curves, out),
+            );
         Ok(())
     }
 
@@ -107,24 +110,55 @@ impl GridEvaluator {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn rows(&self, mut consume: impl FnMut(usize, &[[f64; 3]])) {
-        let mut curve = vec![[0.0; 3]; self.v.width];
-        let mut points = vec![[0.0; 3]; self.v.len()];
-        for (i, row) in self.u.values.chunks_exact(self.u.width).enumerate() {
-            self.fill_row(row, &mut curve, &mut points);
-            consume(i, &points);
+        let mut curves = self.four_curves();
+        let mut points = vec![[0.0; 3]; 4 * self.v.len()];
+        for (group, rows) in self.u.values.chunks(4 * self.u.width).enumerate() {
+            let count = rows.len() / self.u.width;
+            self.fill_rows(rows, &mut curves, &mut points);
+            let rows = points.chunks(self.v.len().max(1)).take(count);
+            for (i, row) in rows.enumerate() {
+                consume(4 * group + i, row);
+            }
         }
     }
 
-    fn fill_row(&self, row: &[f64], curve: &mut [[f64; 3]], out: &mut [[f64; 3]]) {
-        curve.fill([0.0; 3]);
-        for (weight, points) in row.iter().zip(self.net.chunks_exact(self.v.width)) {
-            for (sum, point) in curve.iter_mut().zip(points) {
-                for axis in 0..3 {
-                    sum[axis] += weight * point[axis];
+    /// Room for the control points of four curves `T(u, .)`.
+    fn four_curves(&self) -> [Vec<[f64; 3]>; 4] {
+        [(); 4].map(|()| vec![[0.0; 3]; self.v.width])
+    }
+
+    /// Up to four rows of the grid.
+    fn fill_rows(&self, rows: &[f64], curves: &mut [Vec<[f64; 3]>; 4], out: &mut [[f64; 3]]) {
+        let mut count = 0;
+        for (row, curve) in rows.chunks_exact(self.u.width).zip(curves.iter_mut()) {
+            count += 1;
+            curve.fill([0.0; 3]);
+            for (weight, points) in row.iter().zip(self.net.chunks_exact(self.v.width)) {
+                for (sum, point) in curve.iter_mut().zip(points) {
+                    for axis in 0..3 {
+                        sum[axis] += weight * point[axis];
+                    }
                 }
             }
         }
-        self.v.combine_into(curve, out);
+        combine_rows(&self.v, curves, count, out);
+    }
+}
+
+/// The rows of points of the first `count` lists of control points.
+fn combine_rows<L: AsRef<[[f64; 3]]>>(
+    table: &BasisTable,
+    lists: &[L; 4],
+    count: usize,
+    out: &mut [[f64; 3]],
+) {
+    if count == lists.len() {
+        table.combine_four_into(lists.each_ref().map(AsRef::as_ref), out);
+        return;
+    }
+    let rows = out.chunks_mut(table.len().max(1));
+    for (points, row) in lists.iter().take(count).zip(rows) {
+        table.combine_into(points.as_ref(), row);
     }
 }
 
@@ -150,10 +184,66 @@ pub fn ruled_grid_into(
     vs: &[f64],
     out: &mut [[f64; 3]],
 ) -> Result<()> {
-    check_length("output buffer", us.len() * vs.len(), out.len())?;
-    let across = BasisTable::new(&Bernstein, 1, vs)?;
-    for (u, row) in us.iter().zip(out.chunks_mut(vs.len().max(1))) {
-        across.combine_into(&patch.ruling_ends(u)?, row);
+    let across = across(us, vs, out)?;
+    for (us, rows) in us.chunks(4).zip(out.chunks_mut(4 * vs.len().max(1))) {
+        fill_rulings(patch, us, &across, rows)?;
     }
+    Ok(())
+}
+
+/// [`ruled_grid_into`] with the rulings of large grids shared among threads; the same values.
+///
+/// # Errors
+/// As [`ruled_grid_into`], and the same error on every run.
+///
+/// ```
+/// use torse_geometry::{Bernstein, Curve, RuledSurface, batch};
+/// let rail = |z: f64| Curve::new(Bernstein, vec![[0.0, z, 0.0], [1.0, 0.0, z], [2.0, z, z]]);
+/// let patch = RuledSurface::new(rail(0.5)?, rail(2.0)?);
+/// let xs: Vec<f64> = (0..201).map(|i| f64::from(i) / 200.0).collect();
+/// let (mut one, mut many) = (vec![[0.0; 3]; 201 * 201], vec![[1.0; 3]; 201 * 201]);
+/// batch::ruled_grid_into(&patch, &xs, &xs, &mut one)?;
+/// batch::par_ruled_grid_into(&patch, &xs, &xs, &mut many)?;
+/// assert_eq!(one, many);
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+pub fn par_ruled_grid_into(
+    patch: &(impl Rails<f64> + Sync),
+    us: &[f64],
+    vs: &[f64],
+    out: &mut [[f64; 3]],
+) -> Result<()> {
+    if out.len() < PARALLEL_FROM {
+        return ruled_grid_into(patch, us, vs, out);
+    }
+    let across = across(us, vs, out)?;
+    let groups = us
+        .par_chunks(4)
+        .zip(out.par_chunks_mut(4 * vs.len().max(1)));
+    match groups.try_for_each(|(us, rows)| fill_rulings(patch, us, &across, rows)) {
+        Ok(()) => Ok(()),
+        // Whichever thread failed first: the serial run names the first place.
+        Err(_) => ruled_grid_into(patch, us, vs, out),
+    }
+}
+
+/// The weights across the rulings, after a look at the buffer.
+fn across(us: &[f64], vs: &[f64], out: &[[f64; 3]]) -> Result<BasisTable> {
+    check_length("output buffer", us.len() * vs.len(), out.len())?;
+    BasisTable::new(&Bernstein, 1, vs)
+}
+
+/// The points of up to four rulings.
+fn fill_rulings(
+    patch: &impl Rails<f64>,
+    us: &[f64],
+    across: &BasisTable,
+    out: &mut [[f64; 3]],
+) -> Result<()> {
+    let mut ends = [[[0.0; 3]; 2]; 4];
+    for (u, slot) in us.iter().zip(&mut ends) {
+        *slot = patch.ruling_ends(u)?;
+    }
+    combine_rows(across, &ends, us.len(), out);
     Ok(())
 }

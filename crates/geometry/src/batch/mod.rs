@@ -9,8 +9,9 @@
 mod curves;
 mod grid;
 mod table;
+mod wide;
 
-pub use grid::{GridEvaluator, ruled_grid_into};
+pub use grid::{GridEvaluator, par_ruled_grid_into, ruled_grid_into};
 pub use table::BasisTable;
 
 use crate::error::{GeometryError, Result};

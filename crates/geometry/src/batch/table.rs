@@ -1,8 +1,8 @@
 //! Basis rows at many parameters.
 
+use super::wide::widest;
 use crate::basis::Basis;
 use crate::error::Result;
-use crate::vector::combine;
 
 /// The basis functions of one degree at many parameters, row by row.
 ///
@@ -57,19 +57,28 @@ impl BasisTable {
         self.values.chunks_exact(self.width.max(1)).nth(index)
     }
 
-    /// `out[j] = sum_i row_j[i] points[i]` for all rows.
-    pub(super) fn combine_into<const D: usize>(&self, points: &[[f64; D]], out: &mut [[f64; D]]) {
-        match points.len() {
-            2 => combine_rows::<2, D>(&self.values, points, out),
-            3 => combine_rows::<3, D>(&self.values, points, out),
-            4 => combine_rows::<4, D>(&self.values, points, out),
-            5 => combine_rows::<5, D>(&self.values, points, out),
-            6 => combine_rows::<6, D>(&self.values, points, out),
-            7 => combine_rows::<7, D>(&self.values, points, out),
-            8 => combine_rows::<8, D>(&self.values, points, out),
+    /// The points `out[j] = sum_i row_j[i] points[i]`.
+    pub(super) fn combine_into(&self, points: &[[f64; 3]], out: &mut [[f64; 3]]) {
+        for (row, slot) in self.values.chunks_exact(self.width.max(1)).zip(out) {
+            *slot = crate::vector::combine(row, points).unwrap_or([0.0; 3]);
+        }
+    }
+
+    /// [`BasisTable::combine_into`] for four lists of points, into the four equal parts of `out`, with the
+    /// same values: each weight is fetched once, and the twelve coordinates of the four sums fill whole
+    /// vector registers.
+    pub(super) fn combine_four_into(&self, lists: [&[[f64; 3]]; 4], out: &mut [[f64; 3]]) {
+        match self.width {
+            2 => combine_four::<2>(&self.values, lists, out),
+            3 => combine_four::<3>(&self.values, lists, out),
+            4 => combine_four::<4>(&self.values, lists, out),
+            5 => combine_four::<5>(&self.values, lists, out),
+            6 => combine_four::<6>(&self.values, lists, out),
+            7 => combine_four::<7>(&self.values, lists, out),
+            8 => combine_four::<8>(&self.values, lists, out),
             _ => {
-                for (row, slot) in self.values.chunks_exact(self.width.max(1)).zip(out) {
-                    *slot = combine(row, points).unwrap_or([0.0; D]);
+                for (points, part) in lists.iter().zip(out.chunks_mut(self.len().max(1))) {
+                    self.combine_into(points, part);
                 }
             }
         }
@@ -77,22 +86,41 @@ impl BasisTable {
 }
 
 /// The inner loop with `N` control points known at compile time.
-fn combine_rows<const N: usize, const D: usize>(
-    rows: &[f64],
-    points: &[[f64; D]],
-    out: &mut [[f64; D]],
-) {
-    let Some((points, _)) = points.split_first_chunk::<N>() else {
+fn combine_four<const N: usize>(rows: &[f64], lists: [&[[f64; 3]]; 4], out: &mut [[f64; 3]]) {
+    let [Some((a, _)), Some((b, _)), Some((c, _)), Some((d, _))] =
+        lists.map(<[[f64; 3]]>::split_first_chunk::<N>)
+    else {
         return;
     };
+    // Odd points turned by one coordinate: then pairs that are stored together lie together.
+    let points: [[f64; 12]; N] = std::array::from_fn(|j| {
+        let ([ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]) = (a[j], b[j], c[j], d[j]);
+        [ax, ay, az, bz, bx, by, cx, cy, cz, dz, dx, dy]
+    });
     let (rows, _) = rows.as_chunks::<N>();
-    for (slot, row) in out.iter_mut().zip(rows) {
-        let mut sum = [0.0; D];
-        for (weight, point) in row.iter().zip(points) {
-            for (s, p) in sum.iter_mut().zip(point) {
-                *s += weight * p;
+    let (a, rest) = out.split_at_mut(rows.len().min(out.len()));
+    let (b, rest) = rest.split_at_mut(rows.len().min(rest.len()));
+    let (c, d) = rest.split_at_mut(rows.len().min(rest.len()));
+    widest(
+        #[inline(always)]
+        || {
+            for ((((a, b), c), d), row) in a.iter_mut().zip(b).zip(c).zip(d).zip(rows) {
+                let [ax, ay, az, bz, bx, by, cx, cy, cz, dz, dx, dy] = weighted(row, &points);
+                (*a, *b, *c, *d) = ([ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]);
             }
+        },
+    );
+}
+
+/// `sum_j weights[j] points[j]`, added up in the order of the points like [`crate::vector::combine`].
+#[inline(always)]
+fn weighted<const N: usize, const D: usize>(weights: &[f64; N], points: &[[f64; D]; N]) -> [f64; D] {
+    let mut sum = [0.0; D];
+    for j in 0..N {
+        for axis in 0..D {
+            let term = weights[j] * points[j][axis];
+            sum[axis] = if j == 0 { term } else { sum[axis] + term };
         }
-        *slot = sum;
     }
+    sum
 }

@@ -21,7 +21,7 @@ use crate::basis::Basis;
 use crate::coordinate::{Coordinate, is_zero, text};
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
-use crate::vector::{add, cross, dot, scale, sub};
+use crate::vector::{add, combine, cross, dot, scale, sub};
 use torse_algebra::{ExactError, Jet, Scalar};
 
 /// A plane `[p, q, r, s]`: the points with `p X + q Y + r Z = s`.
@@ -170,11 +170,15 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     /// # Ok::<(), GeometryError>(())
     /// ```
     pub fn ruling(&self, x: &S) -> Result<Ruling<S>> {
-        let jet = self.planes.derivatives(x, 1)?;
-        let [plane, slope] = jet.as_slice() else {
+        let mut row = vec![x.zero(); self.degree() + 1];
+        let mut slope = row.clone();
+        let basis = self.planes.basis();
+        basis.row_and_slope_into(x, &mut row, &mut slope)?;
+        let points = self.planes.points();
+        let (Some(plane), Some(slope)) = (combine(&row, points), combine(&slope, points)) else {
             return Err(no_ruling(x));
         };
-        ruling_of(plane, slope).map_err(|_| no_ruling(x))
+        ruling_of(&plane, &slope).map_err(|_| no_ruling(x))
     }
 
     /// The point `S(x)` of the edge of regression (spine curve), gbt-developable eq. (3.9).
