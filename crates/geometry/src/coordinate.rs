@@ -98,6 +98,7 @@ impl Coordinate for f64 {
         self.abs() <= 8.0 * f64::EPSILON * magnitude
     }
 
+    #[inline]
     fn turn(&self) -> Result<(Self, Self), ExactError> {
         if (0.0..=1.0).contains(self) {
             return Ok(crate::turn::of_unit(*self));

@@ -46,7 +46,11 @@ pub(crate) fn of_unit(x: f64) -> (f64, f64) {
     let [_, cosine_rest @ ..] = &COSINE;
     let sine = y * first + y * (SINE_TAIL + square * horner(sine_rest, square));
     let cosine = 1.0 + square * horner(cosine_rest, square);
-    if upper { (cosine, sine) } else { (sine, cosine) }
+    if upper {
+        (cosine, sine)
+    } else {
+        (sine, cosine)
+    }
 }
 
 #[inline]
@@ -69,7 +73,9 @@ mod tests {
             let sign = if n / 2 % 2 == 0 { 1.0 } else { -1.0 };
             let table: &[f64] = if n % 2 == 0 { &COSINE } else { &SINE };
             assert_eq!(table[n / 2], sign * to_f64(&term.midpoint()), "order {n}");
-            term = term * half_pi.clone() * Ball::from_rational(&Rational::new(1.into(), (n + 1).into()), 300);
+            term = term
+                * half_pi.clone()
+                * Ball::from_rational(&Rational::new(1.into(), (n + 1).into()), 300);
         }
         let tail = half_pi - exact_ball(SINE[0], 300);
         assert_eq!(SINE_TAIL, to_f64(&tail.midpoint()));

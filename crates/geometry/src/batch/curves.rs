@@ -231,9 +231,8 @@ impl<B: Basis<f64>> PlaneFamily<B, f64> {
             let changes = slopes.combined(curve.points());
             for (p, (x, slot)) in xs.iter().zip(out).enumerate() {
                 let at = |columns: &[[f64; BLOCK]; 4]| [0, 1, 2, 3].map(|axis| columns[axis][p]);
-                *slot = ruling_of(&at(&planes), &at(&changes)).map_err(|_| GeometryError::NoRuling {
-                    parameter: text(x),
-                })?;
+                *slot = ruling_of(&at(&planes), &at(&changes))
+                    .map_err(|_| GeometryError::NoRuling { parameter: text(x) })?;
             }
         }
         Ok(())

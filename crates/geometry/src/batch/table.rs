@@ -114,7 +114,10 @@ fn combine_four<const N: usize>(rows: &[f64], lists: [&[[f64; 3]]; 4], out: &mut
 
 /// `sum_j weights[j] points[j]`, added up in the order of the points like [`crate::vector::combine`].
 #[inline(always)]
-fn weighted<const N: usize, const D: usize>(weights: &[f64; N], points: &[[f64; D]; N]) -> [f64; D] {
+fn weighted<const N: usize, const D: usize>(
+    weights: &[f64; N],
+    points: &[[f64; D]; N],
+) -> [f64; D] {
     let mut sum = [0.0; D];
     for j in 0..N {
         for axis in 0..D {
