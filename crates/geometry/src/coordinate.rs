@@ -56,6 +56,14 @@ pub trait Coordinate: Scalar {
         self.quarter_turn()
     }
 
+    /// For an enclosure much wider than rounding, its centre and what is left, `self = centre + rest`: curves
+    /// then expand about the centre, because the width of their direct evaluation would count `x` and
+    /// `1 - x` as if they were independent. `None` for a number.
+    #[must_use]
+    fn centred(&self) -> Option<(Self, Self)> {
+        None
+    }
+
     /// Zero like `self`; the same as [`Scalar::zero_like`], without the detour through rationals
     /// where speed matters.
     #[must_use]
@@ -143,6 +151,13 @@ impl Coordinate for Fraction {
 impl Coordinate for Ball {
     fn sign(&self) -> Option<Ordering> {
         Ball::sign(self)
+    }
+
+    fn centred(&self) -> Option<(Self, Self)> {
+        let rounding = Rational::new(Integer::ONE, Integer::ONE << (self.bits() / 2));
+        let wide = torse_algebra::order::compare(&self.width(), &rounding) == Ordering::Greater;
+        let centre = Self::from_rational(&self.midpoint(), self.bits());
+        wide.then(|| (centre.clone(), self - &centre))
     }
 }
 

@@ -16,7 +16,7 @@
 //! | a developable between two planes | [`HermiteCone`], [`developable::oblique_image`] |
 //! | the next piece of a smooth chain | [`Continuity`], [`join::next_curve`], [`join::next_family`], [`join::next_surface`], [`join::chain`] |
 //! | to know how smooth a joint is | [`join::measure_curves`], [`join::measure_families`], [`join::measure_surfaces`] |
-//! | to know whether a patch can be made | [`developable::certify`], [`developable::prove_developable`], [`developable::twist_determinant`], [`developable::prove_regular`] |
+//! | to know whether a patch can be made | [`developable::certify`] (estimates), [`developable::enclose`] (bounds), [`developable::prove_developable`], [`developable::twist_determinant`], [`developable::prove_regular`] |
 //! | the flat pattern | [`developable::unroll`], [`export::dxf`], [`export::svg`] |
 //! | a mesh or a CAD file | [`Mesh`], [`export::stl`], [`export::obj`], [`export::glb`], [`export::step`] |
 //! | a million points | [`batch`] |
@@ -100,7 +100,7 @@
 //! | item | implemented by |
 //! |---|---|
 //! | eqs. (2.1), (2.2) to (2.3), (2.4) | [`hermite::cubic`], [`hermite::quartic`], [`hermite::quintic`], [`hermite::functions`] |
-//! | Definitions 3.1, 3.2, eq. (3.1) | [`RuledSurface`], [`developable::certify`], [`developable::prove_developable`] |
+//! | Definitions 3.1, 3.2, eq. (3.1) | [`RuledSurface`], [`developable::certify`], [`developable::enclose`], [`developable::prove_developable`] |
 //! | eqs. (3.2) to (3.4) | [`HermiteCone`], [`HermiteCone::patch`] |
 //! | matrices and determinants of eqs. (3.5), (3.6), (3.7) | [`developable::cone_system`] |
 //! | eq. (3.5), Sect. 3.1 | [`HermiteCone::cubic`] |
@@ -111,9 +111,12 @@
 //!
 //! # Limits
 //!
-//! * [`developable::certify`] samples; the proofs beside it cover polynomial rails over the rationals, any
-//!   rails as formal functions (with few symbols: the determinant is expanded) and regularity on balls.
-//! * [`developable::unroll`] estimates its error, it does not enclose it.
+//! * Bounds and estimates: [`developable::enclose`] bounds what [`developable::certify`] estimates; values on
+//!   balls are enclosures; [`curve::arc_length`] and [`developable::unroll`] estimate their errors from two
+//!   step sizes and enclose nothing.
+//! * A determinant that vanishes, but not by construction, is enclosed within a gap that falls with the
+//!   budget; that it is zero is proved for polynomial rails over the rationals and for formal functions
+//!   (with few symbols: the determinant is expanded).
 //! * A GBT patch is trigonometric and has no STEP form; only [`export::BezierPatch`] has.
 #![warn(missing_docs)]
 

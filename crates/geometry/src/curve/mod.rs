@@ -13,7 +13,7 @@ pub use rational::RationalCurve;
 use crate::basis::{Basis, Gbt};
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result};
-use crate::vector::{combine, scale, sub};
+use crate::vector::{add, combine, scale, sub};
 use torse_algebra::Jet;
 
 /// A curve `G(x) = sum_i g[i,k](x) R[i]`, `x` in [0, 1] (gbt-developable eq. (2.2), gbt-surfaces eq. (3)).
@@ -34,6 +34,10 @@ pub struct Curve<B, S, const D: usize> {
     basis: B,
     points: Vec<[S; D]>,
 }
+
+/// Terms of the expansion about the centre of a wide enclosure: what is left falls with this power of its
+/// width.
+const DEPTH: usize = 3;
 
 impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
     /// The curve with these control points.
@@ -128,18 +132,62 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
         }
     }
 
-    /// The Taylor series of each coordinate at `x`.
+    /// The Taylor series of each coordinate at `x`; of a wide ball, enclosures of the coefficients at all
+    /// its points.
     ///
     /// # Errors
     /// As [`Curve::point`].
+    ///
+    /// ```
+    /// use torse_algebra::{Ball, rational::{integer, ratio}};
+    /// use torse_geometry::{Bernstein, Curve, exact_ball};
+    /// // x^2 - x + 1 from the Bernstein coefficients 1, 1/2, 1: between 3/4 and 1 on the interval.
+    /// let ball = |x: f64| exact_ball(x, 64);
+    /// let curve = Curve::new(Bernstein, vec![[ball(1.0)], [ball(0.5)], [ball(1.0)]])?;
+    /// let [series] = curve.jet(&Ball::from_bounds(&integer(0), &integer(1), 64), 0)?;
+    /// assert!(series.value().contains(&ratio(3, 4).unwrap()) && series.value().contains(&integer(1)));
+    /// let (low, high) = series.value().to_f64_bounds();
+    /// assert_eq!((low, high), (0.5, 1.0));
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
     pub fn jet(&self, x: &S, order: usize) -> Result<[Jet<S>; D]> {
-        let rows = self.basis.series_rows(self.degree(), x, order)?;
-        let points: Vec<[S; D]> = rows.iter().map(|row| self.combined(row, x)).collect();
+        let points = match x.centred() {
+            None => self.series(x, order)?,
+            Some((centre, rest)) => self.series_about(&centre, &rest, x, order)?,
+        };
         Ok(std::array::from_fn(|axis| {
             let mut list = points.iter().map(|p| p[axis].clone());
             let value = list.next().unwrap_or_else(|| x.zero());
             Jet::from_coefficients(value, list)
         }))
+    }
+
+    /// The Taylor coefficients at `x`.
+    fn series(&self, x: &S, order: usize) -> Result<Vec<[S; D]>> {
+        let rows = self.basis.series_rows(self.degree(), x, order)?;
+        Ok(rows.iter().map(|row| self.combined(row, x)).collect())
+    }
+
+    /// The Taylor coefficients at the points `x = centre + rest` from those at the centre: with `n = DEPTH`,
+    ///
+    /// ```text
+    /// c[k](x) = sum_(i < n) C(k+i, k) c[k+i](centre) rest^i + C(k+n, k) c[k+n](some point) rest^n.
+    /// ```
+    fn series_about(&self, centre: &S, rest: &S, x: &S, order: usize) -> Result<Vec<[S; D]>> {
+        let deepest = order.saturating_add(DEPTH);
+        let (at, over) = (self.series(centre, deepest)?, self.series(x, deepest)?);
+        let binomial = |k: usize, i: usize| (1..=i).fold(1, |c: usize, n| c * (k + n) / n);
+        let entry = |list: &[[S; D]], k: usize, i: usize| -> [S; D] {
+            let zero = || std::array::from_fn(|_| x.zero());
+            let point = list.get(k + i).cloned().unwrap_or_else(zero);
+            scale(&x.natural(binomial(k, i)), &point)
+        };
+        let coefficient = |k: usize| {
+            (0..DEPTH).rev().fold(entry(&over, k, DEPTH), |sum, i| {
+                add(&entry(&at, k, i), &scale(rest, &sum))
+            })
+        };
+        Ok((0..=order).map(coefficient).collect())
     }
 
     /// The same curve traversed backwards: `x -> G(1 - x)`.

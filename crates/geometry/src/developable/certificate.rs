@@ -9,13 +9,15 @@
 //!   inside, at the edge of regression (of a cone: the apex), where neighbouring rulings cross. In
 //!   general the rulings come closest at `v* = (P' x R) . (R x R') / |R x R'|^2`.
 //!
-//! [`certify`] measures on f64: samples, then a local search for each worst place. What it finds bad is
-//! bad; that nothing worse lies between the samples is proved by
-//! [`prove_regular`](super::prove_regular) and [`prove_developable`](super::prove_developable).
+//! Along a ruling the worst place is known in closed form; from ruling to ruling [`certify`] measures on
+//! f64: samples, then a local search. Its numbers are estimates: what it finds bad is bad, and that nothing
+//! worse lies between the samples is proved by [`enclose`](super::enclose), which gives bounds for the same
+//! quantities, and by [`prove_developable`](super::prove_developable) and
+//! [`prove_regular`](super::prove_regular).
 
-use crate::error::{GeometryError, Result};
-use crate::surface::{Rails, Surface};
-use crate::vector::{cross, det, dot, norm, sub};
+use crate::error::Result;
+use crate::surface::Rails;
+use crate::vector::{cross, det, dot, lerp, norm, sub};
 use torse_algebra::Jet;
 
 /// The worst value of a quantity and where it is taken.
@@ -29,7 +31,7 @@ pub struct Worst {
     pub v: f64,
 }
 
-/// What [`certify`] measured.
+/// What [`certify`] measured: estimates, for bounds see [`enclose`](super::enclose).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
     /// The largest `|det(P', Q', R)| / (|P'| |Q'| |R|)`.
@@ -37,7 +39,8 @@ pub struct Certificate {
     /// The largest angle between the tangent planes at the ends of a ruling, in radians (0 to pi/2:
     /// planes, not normals).
     pub twist: Worst,
-    /// The largest absolute Gaussian curvature on the sampled grid; infinite at a singular point.
+    /// The largest absolute Gaussian curvature `det(P', Q', R)^2 / |N(v)|^4`, on each ruling where `N(v)` is
+    /// shortest; infinite at a singular point.
     pub gaussian: Worst,
     /// The smallest distance, along a ruling and in units of length, from the patch to the point where
     /// the ruling meets its neighbours (the edge of regression, the apex): negative when that point is
@@ -53,18 +56,17 @@ impl Certificate {
     }
 }
 
-/// Rulings sampled by [`certify`] at least, and positions along each for the curvature.
+/// Rulings sampled by [`certify`] at least.
 const LEAST_RULINGS: usize = 8;
 /// Rulings sampled at most.
 const MOST_RULINGS: usize = 1 << 16;
-const POSITIONS: usize = 5;
 /// Golden-section steps in the local search: the bracket shrinks by `0.618^40 < 1e-8`.
 const SEARCH_STEPS: usize = 40;
 
 /// Measures a ruled patch on `rulings` rulings (8 at least, 65536 at most) and refines every worst place locally.
 ///
 /// # Errors
-/// [`GeometryError`] when a ruling of the patch does not exist.
+/// [`GeometryError`](crate::GeometryError) when a ruling of the patch does not exist.
 ///
 /// ```
 /// use torse_geometry::developable::certify;
@@ -84,14 +86,14 @@ const SEARCH_STEPS: usize = 40;
 /// assert!(!certificate.is_regular() && (certificate.clearance.v - 0.5).abs() < 1e-9);
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
-pub fn certify(patch: &(impl Rails<f64> + Surface<f64>), rulings: usize) -> Result<Certificate> {
+pub fn certify(patch: &impl Rails<f64>, rulings: usize) -> Result<Certificate> {
     let xs = samples(rulings.clamp(LEAST_RULINGS, MOST_RULINGS));
     Ok(Certificate {
         determinant: search(&xs, |x| {
             Ok(Place::whole(Ruling::at(patch, x)?.determinant()))
         })?,
         twist: search(&xs, |x| Ok(Place::whole(Ruling::at(patch, x)?.twist())))?,
-        gaussian: worst_curvature(patch, &xs)?,
+        gaussian: search(&xs, |x| Ok(Ruling::at(patch, x)?.curvature()))?,
         clearance: {
             let worst = search(&xs, |x| {
                 let Place { value, v } = Ruling::at(patch, x)?.clearance();
@@ -161,27 +163,6 @@ fn search(xs: &[f64], f: impl Fn(f64) -> Result<Place>) -> Result<Worst> {
     Ok(best)
 }
 
-fn worst_curvature(patch: &impl Surface<f64>, xs: &[f64]) -> Result<Worst> {
-    let mut worst = Worst {
-        value: 0.0,
-        x: 0.0,
-        v: 0.0,
-    };
-    for &x in xs {
-        for v in samples(POSITIONS) {
-            let value = match patch.gaussian_curvature(&x, &v) {
-                Ok(k) => k.abs(),
-                Err(GeometryError::Degenerate { .. }) => f64::INFINITY,
-                Err(other) => return Err(other),
-            };
-            if value > worst.value {
-                worst = Worst { value, x, v };
-            }
-        }
-    }
-    Ok(worst)
-}
-
 /// One ruling with the first derivatives of the rails.
 struct Ruling {
     p: [f64; 3],
@@ -214,6 +195,22 @@ impl Ruling {
     fn twist(&self) -> f64 {
         let (n0, n1) = (cross(&self.p, &self.r), cross(&self.q, &self.r));
         norm(&cross(&n0, &n1)).atan2(dot(&n0, &n1).abs())
+    }
+
+    /// The largest absolute Gaussian curvature of the ruling, where `N(v)` is shortest.
+    fn curvature(&self) -> Place {
+        let (n0, n1) = (cross(&self.p, &self.r), cross(&self.q, &self.r));
+        let change = sub(&n0, &n1);
+        let v = (dot(&n0, &change) / dot(&change, &change)).clamp(0.0, 1.0);
+        let v = if v.is_nan() { 0.0 } else { v };
+        let normal = lerp(&n0, &n1, &v);
+        let (square, volume) = (dot(&normal, &normal), det(&self.p, &self.q, &self.r));
+        let value = if square > 0.0 {
+            (volume / square).powi(2)
+        } else {
+            f64::INFINITY
+        };
+        Place { value, v }
     }
 
     /// Signed distance from [0, 1] to the closest approach `v*` of the neighbouring ruling.

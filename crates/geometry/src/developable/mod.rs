@@ -2,6 +2,7 @@
 //! and flat patterns.
 
 mod certificate;
+mod enclosure;
 mod hermite;
 mod linear;
 mod oblique;
@@ -10,6 +11,7 @@ mod proof;
 mod unroll;
 
 pub use certificate::{Certificate, Worst, certify};
+pub use enclosure::{Enclosed, EnclosedCertificate, enclose};
 pub use hermite::{HermiteCone, QuarticData, QuinticData, cone_system};
 pub use linear::solve;
 pub use oblique::{oblique_image, oblique_image_as_printed};

@@ -131,6 +131,11 @@ impl<S: Coordinate, B: Basis<S>> Rails<S> for EnvelopingPatch<B, S> {
         };
         Ok([ruling.point(&first), ruling.point(&second)])
     }
+
+    /// The plane `H(x)` touches along the ruling of `x`.
+    fn is_developable_by_construction(&self) -> bool {
+        true
+    }
 }
 
 impl<S: Coordinate, B: Basis<S>> Surface<S> for EnvelopingPatch<B, S> {
@@ -210,6 +215,11 @@ impl<S: Coordinate, B: Basis<S>> Rails<S> for TangentPatch<B, S> {
             let x2 = tangent[0].constant_like(x2.clone());
             std::array::from_fn(|axis| spine[axis].clone() + x2.clone() * tangent[axis].clone())
         }))
+    }
+
+    /// The osculating plane of the spine curve touches along its tangent.
+    fn is_developable_by_construction(&self) -> bool {
+        true
     }
 }
 

@@ -46,6 +46,12 @@ pub trait Rails<S: Coordinate> {
         let rails = self.rail_jets(x, 0)?;
         Ok(rails.map(|rail| rail.map(|s| s.value().clone())))
     }
+
+    /// Whether one plane touches the surface along each ruling by the way it is made, so that
+    /// `det(P', Q', Q - P)` vanishes identically. Other developables have to be measured, or proved.
+    fn is_developable_by_construction(&self) -> bool {
+        false
+    }
 }
 
 /// The partial derivatives of the surface between two rails, for implementing [`Surface`].

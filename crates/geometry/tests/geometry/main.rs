@@ -7,6 +7,7 @@
 
 mod agreement;
 mod developables;
+mod enclosures;
 mod files;
 mod hostile;
 mod identities;
