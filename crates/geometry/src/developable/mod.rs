@@ -1,6 +1,7 @@
 //! Developable surfaces: patches of enveloped surfaces, tangent surfaces, Hermite cones, certificates
 //! and flat patterns.
 
+mod bounds;
 mod certificate;
 mod enclosure;
 mod hermite;
