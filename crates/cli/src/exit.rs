@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use thiserror::Error;
 use torse_claims::derivation::{DerivationError, LoadError};
+use torse_claims::derive::DeriveError;
 use torse_claims::{Outcome, Verdict};
 use torse_figures::FigureError;
 use torse_geometry::GeometryError;
@@ -96,6 +97,20 @@ pub enum Failure {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Derivation(#[from] Box<DerivationError>),
+    /// A basis that the paper does not declare.
+    #[error("`{paper}` declares no basis `{basis}`")]
+    #[diagnostic(help("its bases are: {}", known.join(", ")))]
+    UnknownBasis {
+        /// The paper.
+        paper: String,
+        /// The name as given.
+        basis: String,
+        /// The bases that it has.
+        known: Vec<String>,
+    },
+    /// Nothing can be derived.
+    #[error("nothing can be derived: {0}")]
+    Derive(Box<DeriveError>),
     /// The id of a paper would lead a file astray.
     #[error("the paper's id `{slug}` cannot be the name of a report")]
     #[diagnostic(help("an id is made of letters, digits and hyphens, and is not `summary`"))]
@@ -134,7 +149,12 @@ impl Failure {
             Failure::NoDerivations
             | Failure::NotAFolder { .. }
             | Failure::UnknownName { .. }
+            | Failure::UnknownBasis { .. }
             | Failure::Ambiguous { .. } => Exit::Usage,
+            Failure::Derive(error) => match **error {
+                DeriveError::UnknownBasis { .. } | DeriveError::Order { .. } => Exit::Usage,
+                _ => Exit::BadData,
+            },
             Failure::Load(_) | Failure::Derivation(_) | Failure::Slug { .. } => Exit::BadData,
             Failure::Report(_)
             | Failure::Geometry { .. }

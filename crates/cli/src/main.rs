@@ -4,9 +4,11 @@
 //! the user names from [`selection`], outcomes from [`run`]; [`exit`] says which exit code means what.
 
 mod derivations;
+mod derive;
 mod exit;
 mod explain;
 mod figures;
+mod recheck;
 mod report;
 mod run;
 mod selection;
@@ -35,6 +37,8 @@ Examples:
   torse verify gbt-developable/thm-4     the claims of one theorem
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
   torse report                           verdicts, PDF, HTML and figures into reports/
+  torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
+  torse recheck                          every proof again, by a second evaluator
 
 `torse help COMMAND` says more, `torse --help` lists the exit codes.";
 
@@ -45,10 +49,12 @@ Examples:
   torse verify --format json             the same for programs, byte-identical on every run
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
   torse report                           verdicts, PDF, HTML and figures into reports/
+  torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
+  torse recheck                          every proof again, by a second evaluator
 
 Exit codes:
   0  every verdict is as expected (or nothing is said about it)
-  1  a verdict differs from what its derivation file expects
+  1  a verdict differs from what its derivation file expects, or a replay from the verdict
   2  the command line cannot be followed: an unknown name, a missing folder
   3  a claim named by its full id is undecided
   4  a derivation file is wrong; the message shows file, line and column
@@ -61,6 +67,8 @@ enum Command {
     Verify(verify::Verify),
     Explain(explain::Explain),
     Report(report::Report),
+    Derive(derive::Derive),
+    Recheck(recheck::Replay),
 }
 
 impl Command {
@@ -69,6 +77,8 @@ impl Command {
             Command::Verify(command) => command.run(),
             Command::Explain(command) => command.run(),
             Command::Report(command) => command.run(),
+            Command::Derive(command) => command.run(),
+            Command::Recheck(command) => command.run(),
         }
     }
 }

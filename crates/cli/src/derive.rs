@@ -1,0 +1,132 @@
+//! `torse derive`: end point derivatives and join conditions of a basis family.
+
+use crate::derivations::Derivations;
+use crate::exit::{Exit, Failure};
+use crate::{selection, terminal};
+use clap::{Args, ValueEnum};
+use torse_claims::derivation::Paper;
+use torse_claims::derive::{
+    Derivation, DeriveError, Geometric, Language, continuity, end_derivatives, geometric, print,
+};
+use torse_claims::evaluate::scope::Declarations;
+
+/// Derive formulas of a basis family for every degree at once.
+///
+/// The family is any `[basis.NAME]` of a derivation file. Without `--join`, the derivatives at both ends
+/// of a curve; with it, the control points of the next curve or plane family that make the join. Degrees
+/// and shape parameters stay symbols. What must not vanish is said with the result.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Derive {
+    /// The paper whose file declares the basis
+    #[arg(value_name = "PAPER")]
+    paper: String,
+    /// The basis: NAME of `[basis.NAME]`
+    #[arg(value_name = "BASIS")]
+    basis: String,
+    /// The highest derivative; with `--join c` the order of continuity
+    #[arg(long, value_name = "N", default_value_t = 3)]
+    order: u8,
+    /// Solve for the next control points of a join instead
+    #[arg(long, value_enum, value_name = "CONDITION")]
+    join: Option<Join>,
+    /// How to write the result
+    #[arg(long, value_enum, default_value_t = Output::Text)]
+    language: Output,
+    #[command(flatten)]
+    derivations: Derivations,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  torse derive gbt-developable g --order 2
+  torse derive gbt-surfaces f --join c --order 3
+  torse derive gbt-developable g --join beta --language latex
+  torse derive bezier B --join c --language sympy > join.py";
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Join {
+    /// Equal derivatives up to the order (at most 3)
+    C,
+    /// A common tangent: F1' = gamma F'
+    G1,
+    /// Farin-Boehm G2: equal first and second derivatives in homogeneous coordinates
+    FarinBoehm,
+    /// G2 beta constraints: F1' = gamma F', F1'' = gamma^2 F'' + lambda F'
+    Beta,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Output {
+    /// The language of derivation files
+    Text,
+    /// An align* environment
+    Latex,
+    /// An aligned equation of Typst
+    Typst,
+    /// A function on doubles
+    Rust,
+    /// A module for SymPy
+    Sympy,
+}
+
+impl Derive {
+    /// Derives and prints.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let papers = self.derivations.load()?;
+        selection::check_papers(&papers, std::slice::from_ref(&self.paper))?;
+        let mut papers = papers.iter().filter(|paper| paper.head.id == self.paper);
+        let derivation = match papers.next() {
+            Some(paper) => self.derive(paper)?,
+            None => return Ok(Exit::AsExpected),
+        };
+        terminal::print(&print(&derivation, self.language.into()))?;
+        Ok(Exit::AsExpected)
+    }
+
+    fn derive(&self, paper: &Paper) -> Result<Derivation, Failure> {
+        let declarations = declaring(paper, &self.basis).ok_or_else(|| Failure::UnknownBasis {
+            paper: self.paper.clone(),
+            basis: self.basis.clone(),
+            known: bases(paper),
+        })?;
+        let derived = match self.join {
+            None => end_derivatives(declarations, &self.basis, self.order),
+            Some(Join::C) => continuity(declarations, &self.basis, self.order),
+            Some(Join::G1) => geometric(declarations, &self.basis, Geometric::G1),
+            Some(Join::FarinBoehm) => geometric(declarations, &self.basis, Geometric::FarinBoehm),
+            Some(Join::Beta) => geometric(declarations, &self.basis, Geometric::Beta),
+        };
+        derived.map_err(|error: DeriveError| Failure::Derive(Box::new(error)))
+    }
+}
+
+/// The declarations of the paper, or of a file of its claims, that know the basis.
+fn declaring<'p>(paper: &'p Paper, basis: &str) -> Option<&'p Declarations> {
+    scopes(paper).find(|scope| scope.basis(basis).is_some())
+}
+
+fn bases(paper: &Paper) -> Vec<String> {
+    let names = scopes(paper).flat_map(|scope| scope.bases().map(|(name, _)| name.to_owned()));
+    let mut names: Vec<String> = names.collect();
+    names.sort();
+    names.dedup();
+    names
+}
+
+fn scopes(paper: &Paper) -> impl Iterator<Item = &Declarations> {
+    let own = paper.claims.iter().map(|claim| &*claim.declarations);
+    std::iter::once(&*paper.declarations).chain(own)
+}
+
+impl From<Output> for Language {
+    fn from(output: Output) -> Self {
+        match output {
+            Output::Text => Language::Text,
+            Output::Latex => Language::Latex,
+            Output::Typst => Language::Typst,
+            Output::Rust => Language::Rust,
+            Output::Sympy => Language::Sympy,
+        }
+    }
+}
