@@ -4,6 +4,7 @@
 //! [`evaluate`] turns trees into exact values, [`decide`] turns statements into decisions,
 //! [`engine`] runs all claims of a paper and writes [`outcome`]s.
 
+pub mod consequences;
 pub mod decide;
 pub mod derivation;
 pub mod derive;

@@ -6,8 +6,9 @@ use crate::run::Run;
 use crate::{selection, terminal};
 use clap::Args;
 use comfy_table::ColumnConstraint;
+use torse_claims::consequences::{consequences, resting, users};
 use torse_claims::derivation::Paper;
-use torse_claims::{Correction, Formula, Outcome, PaperOutcome, Witness};
+use torse_claims::{Correction, Formula, Outcome, PaperOutcome, Verdict, Witness};
 use torse_report::words;
 
 /// Explain one claim: what is printed, how it was understood, what is true, and why.
@@ -37,18 +38,18 @@ impl Explain {
     /// Decides the claim and prints the note.
     pub fn run(&self) -> Result<Exit, Failure> {
         let papers = self.derivations.load()?;
-        let users = Users::of(&papers);
-        let paper = selection::select_one(papers, &self.name)?;
+        let paper = selection::select_one(papers.clone(), &self.name)?;
         let run = Run::of(std::slice::from_ref(&paper))?;
         for paper in &run.papers {
             for outcome in &paper.claims {
-                terminal::print(&self.note(paper, outcome, &users))?;
+                let resting = Resting::on(outcome, &papers)?;
+                terminal::print(&self.note(paper, outcome, resting))?;
             }
         }
         Ok(Exit::AsExpected)
     }
 
-    fn note(&self, paper: &PaperOutcome, outcome: &Outcome, users: &Users) -> String {
+    fn note(&self, paper: &PaperOutcome, outcome: &Outcome, resting: Resting) -> String {
         let mut note = Note::default();
         note.add("paper", &format!("{}, {}", paper.title, paper.venue));
         note.add("where", &outcome.at);
@@ -85,7 +86,7 @@ impl Explain {
         note.gap();
         note.option("note", outcome.note.as_deref());
         note.list("uses", outcome.uses.iter().cloned());
-        note.list("used by", users.of_claim(&outcome.id));
+        note.list(resting.label, resting.rows.into_iter());
         format!("{}\n\n{}", terminal::heading(&outcome.id), note.text())
     }
 
@@ -151,22 +152,49 @@ fn edits(correction: &Correction) -> impl Iterator<Item = String> {
     correction.edits.iter().cloned().chain([unique.to_owned()])
 }
 
-/// Which claims rest on which, over all papers.
-struct Users(Vec<(String, Vec<String>)>);
+/// The claims that rest on the explained one, as rows of the note.
+struct Resting {
+    label: &'static str,
+    rows: Vec<String>,
+}
 
-impl Users {
-    fn of(papers: &[Paper]) -> Self {
+impl Resting {
+    /// For a refuted claim, all that rests on it, each decided to see whether it survives; for any other
+    /// the claims that use it.
+    fn on(outcome: &Outcome, papers: &[Paper]) -> Result<Self, Failure> {
         let claims = papers.iter().flat_map(|paper| &paper.claims);
-        let uses = claims.map(|claim| (claim.entry.id.get_ref().clone(), claim.entry.uses.clone()));
-        Users(uses.collect())
-    }
-
-    fn of_claim(&self, id: &str) -> impl Iterator<Item = String> {
-        let users = self
-            .0
-            .iter()
-            .filter(move |(_, uses)| uses.iter().any(|used| used == id));
-        users.map(|(user, _)| user.clone())
+        let uses: Vec<(&str, Vec<String>)> = claims
+            .map(|claim| (claim.entry.id.get_ref().as_str(), claim.uses()))
+            .collect();
+        let users = users(uses.iter().map(|(id, uses)| (*id, uses.as_slice())));
+        if !matches!(outcome.verdict, Verdict::False | Verdict::Misprint) {
+            let direct = users.get(outcome.id.as_str());
+            return Ok(Self {
+                label: "used by",
+                rows: direct
+                    .into_iter()
+                    .flatten()
+                    .map(|id| (*id).to_owned())
+                    .collect(),
+            });
+        }
+        let ids = resting(&outcome.id, &users);
+        let ids: Vec<&str> = ids.into_iter().map(|(id, _)| id).collect();
+        let run = Run::of(&selection::only(papers, &ids))?;
+        let all: Vec<&Outcome> = std::iter::once(outcome).chain(run.outcomes()).collect();
+        let rows = consequences(&outcome.id, &all)
+            .into_iter()
+            .map(|consequence| {
+                let fate = words::fate(consequence.fate);
+                match consequence.through.last() {
+                    Some(nearest) => format!("{}: {fate} (rests on {nearest})", consequence.id),
+                    None => format!("{}: {fate}", consequence.id),
+                }
+            });
+        Ok(Self {
+            label: "rests on it",
+            rows: rows.collect(),
+        })
     }
 }
 

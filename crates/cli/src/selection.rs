@@ -31,6 +31,19 @@ pub fn select(papers: Vec<Paper>, names: &[String]) -> Result<Vec<Paper>, Failur
     Ok(kept.filter(|paper| !paper.claims.is_empty()).collect())
 }
 
+/// The papers with just the claims of these ids.
+pub fn only(papers: &[Paper], ids: &[&str]) -> Vec<Paper> {
+    let kept = papers.iter().map(|paper| {
+        let wanted = |claim: &&Claim| ids.contains(&claim.entry.id.get_ref().as_str());
+        Paper {
+            head: paper.head.clone(),
+            declarations: paper.declarations.clone(),
+            claims: paper.claims.iter().filter(wanted).cloned().collect(),
+        }
+    });
+    kept.filter(|paper| !paper.claims.is_empty()).collect()
+}
+
 /// The one claim that `name` means, with its paper's other claims left out.
 pub fn select_one(papers: Vec<Paper>, name: &str) -> Result<Paper, Failure> {
     let exact = ids(&papers).any(|id| id == name);

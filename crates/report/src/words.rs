@@ -4,6 +4,7 @@
 //! and the label, the meaning and the colour class follow from that.
 
 use serde::Serialize;
+use torse_claims::consequences::Fate;
 use torse_claims::outcome::{Evidence, Kind, Verdict};
 
 /// A key with its label and its meaning in one sentence.
@@ -54,6 +55,17 @@ pub const KINDS: [Kind; 8] = [
     Kind::Figure,
     Kind::Prose,
 ];
+
+/// What becomes of a claim that rests on a refuted one, in words.
+#[must_use]
+pub const fn fate(of: Fate) -> &'static str {
+    match of {
+        Fate::Survives => "survives: true as printed all the same",
+        Fate::Corrected => "survives with a correction of its own",
+        Fate::Falls => "falls: false as printed",
+        Fate::Open => "open",
+    }
+}
 
 /// The words for a verdict.
 #[must_use]

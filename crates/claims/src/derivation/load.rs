@@ -5,7 +5,7 @@ use super::schema::{ClaimEntry, ClaimsFile, PaperFile, PaperHead};
 use super::source::{Origin, Source};
 use crate::evaluate::scope::{Declarations, Definition};
 use crate::syntax::{Expr, parse};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
 use toml::Spanned;
@@ -36,6 +36,15 @@ pub struct Claim {
     pub assumptions: Vec<Written>,
     /// The statement, if it has one.
     pub statement: Option<Written>,
+}
+
+impl Claim {
+    /// The ids of the claims that this one rests on.
+    #[must_use]
+    pub fn uses(&self) -> Vec<String> {
+        let ids = self.entry.uses.iter();
+        ids.map(|id| id.get_ref().clone()).collect()
+    }
 }
 
 /// A paper with its claims in order.
@@ -74,7 +83,7 @@ pub fn load(folder: &Path) -> Result<Vec<Paper>, LoadError> {
             path: folder.display().to_string(),
         });
     }
-    slugs
+    let papers: Vec<Paper> = slugs
         .iter()
         .map(|slug| {
             let read = |name: &str| -> Result<Arc<Source>, LoadError> {
@@ -87,7 +96,30 @@ pub fn load(folder: &Path) -> Result<Vec<Paper>, LoadError> {
             };
             paper(read)
         })
-        .collect()
+        .collect::<Result<_, _>>()?;
+    check_uses(&papers)?;
+    Ok(papers)
+}
+
+/// Fails when a claim rests on one that no paper of the folder states.
+fn check_uses(papers: &[Paper]) -> Result<(), LoadError> {
+    let claims = || papers.iter().flat_map(|paper| &paper.claims);
+    let ids: BTreeSet<&str> = claims()
+        .map(|claim| claim.entry.id.get_ref().as_str())
+        .collect();
+    for claim in claims() {
+        for used in &claim.entry.uses {
+            if !ids.contains(used.get_ref().as_str()) {
+                let message = format!("no claim has the id `{}`", used.get_ref());
+                let help = "`uses` takes full ids, such as `gbt-developable/eq-2.2`";
+                let origin = Origin::of(&claim.origin.source, used);
+                return Err(LoadError::Derivation(Box::new(
+                    DerivationError::at(&origin, whole(used), message).with_help(help),
+                )));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Loads one paper through `read`, which returns a file of its folder.

@@ -151,7 +151,7 @@ pub struct ClaimEntry {
     pub out_of_scope: Option<String>,
     /// Claims this one rests on.
     #[serde(default)]
-    pub uses: Vec<String>,
+    pub uses: Vec<Text>,
     /// The verdict that this claim is known to get; a run that differs fails.
     pub expect: Option<Verdict>,
     /// Anything a reader should know.

@@ -69,7 +69,7 @@ pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<Derivatio
         witness: None,
         steps: vec![],
         note: entry.note.clone(),
-        uses: entry.uses.clone(),
+        uses: claim.uses(),
         expect: entry.expect,
     };
     if let Some(missing) = &entry.underspecified {

@@ -79,3 +79,33 @@ fn a_long_formula_is_cut_where_asked() {
     );
     assert!(!whole.out.contains("--longest"), "{}", whole.out);
 }
+
+#[test]
+fn what_rests_on_a_refuted_claim_is_told_with_its_fate() {
+    let claims = [
+        claim("wrong", "x^2 == 2*x", ""),
+        claim("survivor", "x + x == 2*x", "uses = [\"mini/wrong\"]"),
+        claim("fallen", "x^3 == 8*x", "uses = [\"mini/survivor\"]"),
+    ];
+    let folder = mini(&claims.concat());
+    let ran = on(folder.path(), &["explain", "mini/wrong"]);
+    for row in [
+        "mini/survivor: survives",
+        "mini/fallen: falls: false as printed (rests on mini/survivor)",
+    ] {
+        assert!(ran.out.contains(row), "{row}: {}", ran.out);
+    }
+}
+
+#[test]
+fn a_claim_that_rests_on_nothing_stated_is_refused_at_its_place() {
+    let folder = mini(&claim("right", "x == x", "uses = [\"mini/wrnog\"]"));
+    let ran = on(folder.path(), &["explain", "mini/right"]);
+    assert_eq!(ran.code, Some(4), "{}", ran.err);
+    assert!(
+        ran.err.contains("no claim has the id `mini/wrnog`"),
+        "{}",
+        ran.err
+    );
+    assert!(ran.err.contains("mini/claims.toml:"), "{}", ran.err);
+}
