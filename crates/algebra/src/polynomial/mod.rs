@@ -13,6 +13,7 @@
 
 pub mod add;
 pub mod calculus;
+mod dense;
 pub mod divide;
 pub mod evaluate;
 pub mod gcd;
@@ -285,6 +286,9 @@ impl Polynomial {
         let width = self.symbols.len();
         let mut occurs = vec![false; width];
         for row in self.rows() {
+            if occurs.iter().all(|seen| *seen) {
+                return;
+            }
             for (seen, exponent) in occurs.iter_mut().zip(row) {
                 *seen |= *exponent > 0;
             }

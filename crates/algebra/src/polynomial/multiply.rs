@@ -4,10 +4,12 @@
 //! fit, so that comparing and adding rows is one instruction; coefficients run in `i128` where a bound
 //! from the factors proves that no sum can overflow, in big integers otherwise. The rows `a_i * b` are
 //! sorted already, so a run-detecting merge sort of their concatenation combines them in
-//! O(n m log n) word operations.
+//! O(n m log n) word operations. Products that fill their box of exponents well go by a table instead
+//! (`dense`).
 
 use super::Polynomial;
 use super::add::{common_symbols, widened};
+use super::dense;
 use crate::rational::Integer;
 use crate::symbol::Symbol;
 use std::ops::Mul;
@@ -51,7 +53,7 @@ fn column_width(a: &[u16], b: &[u16]) -> u32 {
 }
 
 /// Every coefficient as `i128`, if all products and their sums stay below 2^127.
-fn small(a: &[Integer], b: &[Integer]) -> Option<(Vec<i128>, Vec<i128>)> {
+pub(super) fn small(a: &[Integer], b: &[Integer]) -> Option<(Vec<i128>, Vec<i128>)> {
     let convert = |c: &[Integer]| {
         c.iter()
             .map(|c| i128::try_from(c.clone()).ok())
@@ -190,9 +192,12 @@ impl Mul for &Polynomial {
         }
         let symbols = common_symbols(self, other);
         let (rows_a, rows_b) = (widened(self, &symbols), widened(other, &symbols));
+        let (a, b) = ((rows_a.as_slice(), self), (rows_b.as_slice(), other));
+        if let Some(product) = dense::product(&symbols, a, b) {
+            return product.reduced();
+        }
         let width = column_width(&rows_a, &rows_b);
         let needed = width.saturating_mul(u32::try_from(symbols.len()).unwrap_or(u32::MAX));
-        let (a, b) = ((rows_a.as_slice(), self), (rows_b.as_slice(), other));
         let product = if needed <= u64::BITS {
             packed_product::<u64>(&symbols, width, a, b)
         } else if needed <= u128::BITS {

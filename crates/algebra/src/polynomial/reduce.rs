@@ -27,10 +27,13 @@ impl Polynomial {
             .filter(|(column, s)| matches!(s, Symbol::Sin(..) | Symbol::Root(_)) && over(*column))
             .map(|(column, _)| column)
             .collect();
-        rules
+        let rewritten: Vec<Symbol> = rules
             .into_iter()
             .filter_map(|column| self.symbols.get(column).cloned())
-            .fold(self.clone(), |p, symbol| p.reduced_in(&symbol))
+            .collect();
+        rewritten
+            .iter()
+            .fold(self, |polynomial, symbol| polynomial.reduced_in(symbol))
     }
 
     fn reduced_in(self, symbol: &Symbol) -> Self {

@@ -7,12 +7,18 @@ fn the_c3_join_of_symbolic_degrees_is_printed_in_every_language() {
     for (language, mark) in [
         ("text", "Q1[3]"),
         ("latex", "\\begin{align*}"),
-        ("typst", "Q_1"),
+        ("typst", "frac("),
         ("rust", "fn "),
         ("sympy", "import"),
     ] {
         let command = [
-            "derive", "gbt-surfaces", "f", "--join", "c", "--language", language,
+            "derive",
+            "gbt-surfaces",
+            "f",
+            "--join",
+            "c",
+            "--language",
+            language,
         ];
         let ran = on(&repository(), &command);
         assert_eq!(ran.code, Some(0), "{}", ran.err);
@@ -61,7 +67,8 @@ fn outcomes_are_replayed_and_counted() {
     let ran = on(folder.path(), &["recheck", "--verbose"]);
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     assert!(
-        ran.out.contains("2 confirmed, 0 contradicted, 1 not of a kind"),
+        ran.out
+            .contains("2 confirmed, 0 contradicted, 1 not of a kind"),
         "{}",
         ran.out
     );
