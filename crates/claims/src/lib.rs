@@ -16,4 +16,7 @@ pub mod recheck;
 pub mod repair;
 pub mod syntax;
 
-pub use outcome::{Correction, Evidence, Formula, Kind, Outcome, PaperOutcome, Verdict, Witness};
+pub use outcome::{
+    Correction, DataChange, DataCorrection, Evidence, Formula, Kind, Outcome, PaperOutcome,
+    Verdict, Witness,
+};

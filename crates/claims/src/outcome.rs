@@ -118,6 +118,67 @@ pub struct Correction {
     pub unique: bool,
 }
 
+/// A change of printed data that explains a printed value: the value is wrong for the data as printed and
+/// right for the changed ones.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct DataCorrection {
+    /// The changed data.
+    pub changes: Vec<DataChange>,
+    /// How the printed value agrees then, in words.
+    pub steps: Vec<String>,
+    /// Whether no other change of as few numbers, as near to the print, was found that explains as much.
+    pub unique: bool,
+    /// The ids of the refuted values of the same example that this change explains, this one included.
+    pub explains: Vec<String>,
+    /// The ids of the values of the same example that hold for the data as printed and no longer do.
+    pub contradicts: Vec<String>,
+    /// Whether all refuted values of the example are explained, and none contradicted.
+    pub explains_example: bool,
+}
+
+impl DataCorrection {
+    /// What to change and what it explains, a line each.
+    #[must_use]
+    pub fn in_words(&self) -> Vec<String> {
+        let change = |c: &DataChange| {
+            format!(
+                "`{}` reads `{}` instead of `{}`",
+                c.name, c.new.text, c.old.text
+            )
+        };
+        let mut lines: Vec<String> = self.changes.iter().map(change).collect();
+        lines.extend(self.steps.iter().cloned());
+        lines.push(match (self.explains_example, self.explains.as_slice()) {
+            (true, [_, _, ..]) => {
+                "this one change explains every wrong value of the example".to_owned()
+            }
+            (_, [_, _, ..]) => format!("it explains {}", self.explains.join(", ")),
+            _ => "it explains this value alone".to_owned(),
+        });
+        if !self.contradicts.is_empty() {
+            lines.push(format!("it contradicts {}", self.contradicts.join(", ")));
+        }
+        lines.push(match self.unique {
+            true => "no other change of as few numbers, as near to the print, was found".to_owned(),
+            false => {
+                "other changes of as few numbers, as near to the print, explain it too".to_owned()
+            }
+        });
+        lines
+    }
+}
+
+/// One datum as printed and as it should read.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct DataChange {
+    /// The name of the datum.
+    pub name: String,
+    /// As printed.
+    pub old: Formula,
+    /// As it should read.
+    pub new: Formula,
+}
+
 /// Everything known about one claim after a run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Outcome {
@@ -143,6 +204,8 @@ pub struct Outcome {
     pub assumed: Vec<Formula>,
     /// A proved correction, for a refuted claim.
     pub correction: Option<Correction>,
+    /// A change of the data that explains a refuted value.
+    pub data: Option<DataCorrection>,
     /// The derived right side in the paper's own shape, for a refuted claim.
     pub derived: Option<Formula>,
     /// Left side minus right side in normal form, for a refuted claim.

@@ -32,6 +32,7 @@ fn with(outcome: &Outcome, verdict: Verdict, evidence: Evidence) -> Outcome {
         verdict,
         evidence: Some(evidence),
         correction: None,
+        data: None,
         witness: None,
         ..outcome.clone()
     }

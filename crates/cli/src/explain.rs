@@ -83,6 +83,10 @@ impl Explain {
             note.add("corrected", &self.cut(&correction.statement.text));
             note.list("by", edits(correction));
         }
+        if let Some(data) = &outcome.data {
+            note.gap();
+            note.list("right if", data.in_words().into_iter());
+        }
         note.gap();
         note.option("note", outcome.note.as_deref());
         note.list("uses", outcome.uses.iter().cloned());

@@ -36,6 +36,9 @@ pub struct Claim {
     pub assumptions: Vec<Written>,
     /// The statement, if it has one.
     pub statement: Option<Written>,
+    /// The printed values of the same example, this one included: the values of the file whose ids agree
+    /// up to the first point. Empty in the members themselves.
+    pub example: Arc<[Claim]>,
 }
 
 impl Claim {
@@ -166,10 +169,30 @@ fn claims_of(
     shared.add_bases(source, &file.basis)?;
     add_definitions(&mut shared, source, &file.define)?;
     let shared = Arc::new(shared);
-    file.claim
+    let mut claims: Vec<Claim> = file
+        .claim
         .iter()
         .map(|entry| claim(source, &shared, slug, entry))
-        .collect()
+        .collect::<Result<_, _>>()?;
+    let mut examples: BTreeMap<String, Vec<Claim>> = BTreeMap::new();
+    for value in claims.iter().filter(|c| c.entry.kind == crate::Kind::Value) {
+        let values = examples.entry(example(value).to_owned()).or_default();
+        values.push(value.clone());
+    }
+    for (name, values) in examples {
+        let values: Arc<[Claim]> = values.into();
+        for value in claims.iter_mut().filter(|c| example(c) == name) {
+            value.example = Arc::clone(&values);
+        }
+    }
+    Ok(claims)
+}
+
+/// The id up to the first point: `hermite-developable/ex-4` for `hermite-developable/ex-4.r0u`.
+fn example(claim: &Claim) -> &str {
+    let id = claim.entry.id.get_ref();
+    id.split_once('.')
+        .map_or(id.as_str(), |(example, _)| example)
 }
 
 fn claim(
@@ -228,6 +251,7 @@ fn claim(
         declarations,
         origin,
         entry,
+        example: Arc::new([]),
     })
 }
 

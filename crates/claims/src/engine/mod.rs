@@ -63,6 +63,7 @@ pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<Derivatio
             .map(|a| notation::formula(&a.expr))
             .collect(),
         correction: None,
+        data: None,
         derived: None,
         difference: None,
         conditions: vec![],
@@ -230,6 +231,9 @@ fn refute(outcome: &mut Outcome, claim: &Claim, statement: &Written, refutation:
     };
     if outcome.correction.is_some() {
         outcome.verdict = Verdict::Misprint;
+    }
+    if outcome.kind == Kind::Value && outcome.correction.is_none() {
+        outcome.data = repair::data::search(claim, statement);
     }
     outcome.steps = refutation.steps;
     outcome.witness = Some(refutation.witness);

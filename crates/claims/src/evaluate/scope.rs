@@ -122,6 +122,13 @@ impl Declarations {
         self.definitions.insert(name, definition);
     }
 
+    /// Declares a number or replaces what the name meant; it may have any real value.
+    pub fn declare_number(&mut self, name: String) {
+        self.definitions.remove(&name);
+        let anywhere = SymbolKind::Real(Box::default());
+        self.symbols.insert(name, anywhere);
+    }
+
     /// All declared names.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.symbols

@@ -3,6 +3,7 @@
 //! A sign, a coefficient, an exponent, an index shifted by one, one name for another, a missing or extra
 //! factor or term, a prime more or less, a bracket moved.
 
+use super::throughout;
 use crate::syntax::{Expr, Node, Operator};
 use std::sync::Arc;
 use torse_algebra::Rational;
@@ -24,128 +25,32 @@ pub struct Alphabet {
     pub names: Vec<String>,
     /// Families of points or scalars that occur in the claim.
     pub families: Vec<String>,
+    /// Members of these families with indices as they occur in the formula, for a zero.
+    pub members: Vec<Expr>,
+    /// Neighbouring names in the arguments of some call of the claim, such as two shape parameters.
+    pub pairs: Vec<[String; 2]>,
+    /// Basis families: name, lowest degree, number of arguments.
+    pub bases: Vec<(String, u8, usize)>,
+}
+
+impl Alphabet {
+    /// Without the numbers and vectors: what a second edit may put in.
+    #[must_use]
+    pub fn without_names(&self) -> Self {
+        Self {
+            names: vec![],
+            ..self.clone()
+        }
+    }
 }
 
 /// All formulas one edit away.
 #[must_use]
 pub fn single(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
-    let mut result = renamed(expr);
-    result.extend(functions_dropped(expr));
+    let mut result = throughout::edits(expr, alphabet);
     result.extend(local(expr, alphabet));
     result.extend(scaled(expr, alphabet));
     inside(expr, alphabet, &mut result);
-    result
-}
-
-/// One name taken for another throughout a bracket, primes kept: the slip of copying a bracket.
-fn renamed(expr: &Expr) -> Vec<Edit> {
-    let mut result = vec![];
-    let bases = |expr: &Expr| {
-        let names: Vec<String> = expr
-            .names()
-            .into_iter()
-            .map(|n| n.trim_end_matches('\'').to_owned())
-            .collect();
-        names
-    };
-    let mut all = bases(expr);
-    all.sort();
-    all.dedup();
-    let mut pending: Vec<(Vec<usize>, &Expr)> = vec![(vec![], expr)];
-    while let Some((path, part)) = pending.pop() {
-        let own = bases(part);
-        let sum = matches!(
-            &part.node,
-            Node::Binary(Operator::Add | Operator::Subtract, ..)
-        );
-        if sum && part.size() <= MAX_RENAMED {
-            let mut repeated: Vec<&String> = own
-                .iter()
-                .filter(|n| own.iter().filter(|o| o == n).count() > 1)
-                .collect();
-            repeated.sort();
-            repeated.dedup();
-            for old in repeated {
-                for new in all.iter().filter(|n| *n != old) {
-                    let changed = with_name(part, old, new);
-                    let change = format!("`{old}` replaced by `{new}` in `{}`", text(part));
-                    result.push(Edit {
-                        expr: placed(expr, &path, changed),
-                        change,
-                    });
-                }
-            }
-        }
-        for (position, inner) in part.parts().into_iter().enumerate() {
-            let mut deeper = path.clone();
-            deeper.push(position);
-            pending.push((deeper, inner));
-        }
-    }
-    result
-}
-
-/// A sine or cosine that occurs more than once taken for its variable, throughout.
-fn functions_dropped(expr: &Expr) -> Vec<Edit> {
-    let mut calls: Vec<&Expr> = vec![];
-    let mut pending = vec![expr];
-    while let Some(part) = pending.pop() {
-        if let Node::Call(head, _) = &part.node
-            && matches!(&head.node, Node::Name(name) if name == "sin" || name == "cos")
-        {
-            calls.push(part);
-        }
-        pending.extend(part.parts());
-    }
-    let mut result = vec![];
-    let mut seen: Vec<String> = vec![];
-    for call in &calls {
-        let old = text(call);
-        let repeated = calls.iter().filter(|other| text(other) == old).count() > 1;
-        if !repeated || seen.contains(&old) {
-            continue;
-        }
-        for variable in call
-            .names()
-            .into_iter()
-            .filter(|n| !["sin", "cos", "pi"].contains(n))
-        {
-            let change = format!("`{old}` replaced by `{variable}` throughout");
-            result.push(Edit {
-                expr: with_part(expr, &old, &Expr::name(variable)),
-                change,
-            });
-        }
-        seen.push(old);
-    }
-    result
-}
-
-fn with_part(expr: &Expr, old: &str, new: &Expr) -> Expr {
-    if matches!(expr.node, Node::Call(..)) && text(expr) == old {
-        return new.clone();
-    }
-    let mut result = expr.clone();
-    for part in result.parts_mut() {
-        *part = with_part(part, old, new);
-    }
-    result
-}
-
-/// The largest bracket in which names are replaced throughout.
-const MAX_RENAMED: usize = 15;
-
-fn with_name(expr: &Expr, old: &str, new: &str) -> Expr {
-    let mut result = expr.clone();
-    if let Node::Name(name) = &mut result.node {
-        let base = name.trim_end_matches('\'');
-        if base == old {
-            *name = format!("{new}{}", name.get(base.len()..).unwrap_or(""));
-        }
-    }
-    for part in result.parts_mut() {
-        *part = with_name(part, old, new);
-    }
     result
 }
 
@@ -201,7 +106,7 @@ fn inside(expr: &Expr, alphabet: &Alphabet, into: &mut Vec<Edit>) {
     }
 }
 
-fn text(expr: &Expr) -> String {
+pub(super) fn text(expr: &Expr) -> String {
     crate::notation::text(expr)
 }
 
@@ -216,11 +121,13 @@ fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
         Node::Number {
             value,
             decimals: None,
-        } => result.extend(
-            numbers(value)
-                .into_iter()
-                .map(|n| replaced(Expr::number(&n))),
-        ),
+        } => {
+            let near = numbers(value);
+            result.extend(near.iter().map(|n| replaced(Expr::number(n))));
+            if num_traits::Zero::is_zero(value) {
+                result.extend(alphabet.members.iter().cloned().map(replaced));
+            }
+        }
         Node::Number { .. } => {}
         Node::Name(name) => {
             result.extend(
@@ -244,6 +151,12 @@ fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
         }
         Node::Binary(operator, a, b) => binary(expr, *operator, a, b, &mut result),
         Node::Index(head, indices) => {
+            if let [first, second] = indices.as_slice()
+                && first.node != second.node
+            {
+                let exchanged = vec![second.clone(), first.clone()];
+                result.push(replaced(Expr::made(Node::Index(head.clone(), exchanged))));
+            }
             for (position, index) in indices.iter().enumerate() {
                 for (operator, word) in [(Operator::Add, "up"), (Operator::Subtract, "down")] {
                     let mut moved = indices.clone();
@@ -276,6 +189,7 @@ fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
                 );
                 result.push(Edit { expr: by, change });
             }
+            result.extend(argument_pairs(head, arguments, alphabet).map(replaced));
             // sin <-> cos, and a function in place of its variable.
             if let (Node::Name(name), [argument]) = (&head.node, arguments.as_slice()) {
                 let other = match name.as_str() {
@@ -295,6 +209,39 @@ fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
         _ => {}
     }
     result
+}
+
+/// A call with two neighbouring names among its arguments replaced by those of another call: the shape
+/// parameters of another curve.
+fn argument_pairs<'e>(
+    head: &'e Arc<Expr>,
+    arguments: &'e [Expr],
+    alphabet: &'e Alphabet,
+) -> impl Iterator<Item = Expr> + 'e {
+    let windows = arguments.windows(2).enumerate();
+    windows.flat_map(move |(position, own)| {
+        let named = |e: &Expr| matches!(e.node, Node::Name(_));
+        let here = own.iter().all(named);
+        let others = alphabet.pairs.iter().filter(move |_| here);
+        // A pair is replaced by one of the same letters: mu1, nu1 for mu, nu.
+        let kin = others.filter(move |pair| {
+            let letters = |name: &str| {
+                name.trim_end_matches(|c: char| c.is_ascii_digit())
+                    .to_owned()
+            };
+            own.iter()
+                .zip(*pair)
+                .all(|(e, other)| letters(&text(e)) == letters(other))
+                && own.iter().zip(*pair).all(|(e, other)| text(e) != **other)
+        });
+        kin.map(move |pair| {
+            let mut changed = arguments.to_vec();
+            for (slot, name) in changed.iter_mut().skip(position).zip(pair) {
+                *slot = Expr::name(name);
+            }
+            Expr::made(Node::Call(head.clone(), changed))
+        })
+    })
 }
 
 fn binary(expr: &Expr, operator: Operator, a: &Expr, b: &Expr, result: &mut Vec<Edit>) {
@@ -351,12 +298,27 @@ fn binary(expr: &Expr, operator: Operator, a: &Expr, b: &Expr, result: &mut Vec<
                 a.clone().with(Operator::Multiply, b.clone()),
                 format!("`{}` moved from the denominator to the numerator", text(b)),
             );
+            push(
+                b.clone().with(Operator::Divide, a.clone()),
+                format!("the quotient `{}` turned over", text(expr)),
+            );
         }
         Operator::Power => {
             push(
                 a.clone(),
                 format!("the exponent of `{}` removed", text(expr)),
             );
+            // m^2 for m*(m - 1), the slip of counting pairs.
+            if let (Node::Name(_), Node::Number { value, .. }) = (&a.node, &b.node)
+                && *value == integer(2)
+            {
+                let less = a
+                    .clone()
+                    .with(Operator::Subtract, Expr::number(&integer(1)));
+                let pairs = a.clone().with(Operator::Multiply, less);
+                let change = format!("`{}` replaced by `{}`", text(expr), text(&pairs));
+                push(pairs, change);
+            }
         }
     }
 }

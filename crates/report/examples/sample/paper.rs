@@ -32,6 +32,7 @@ fn outcome(name: &str, at: &str, kind: Kind, verdict: Verdict, printed: &str) ->
         parsed: None,
         assumed: Vec::new(),
         correction: None,
+        data: None,
         derived: None,
         difference: None,
         conditions: Vec::new(),
