@@ -5,6 +5,8 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
+use torse_claims::Outcome;
+use torse_claims::consequences::{Fate, consequences};
 use torse_claims::derivation::load;
 use torse_claims::outcome::{Evidence, Kind, PaperOutcome, Verdict};
 
@@ -103,17 +105,26 @@ fn what_holds_rests_on_a_proof_and_what_is_refuted_shows_a_witness() {
 }
 
 #[test]
-fn claims_rest_on_claims_that_exist() {
-    let ids: Vec<&str> = PAPERS
-        .iter()
-        .flat_map(|p| &p.claims)
-        .map(|c| c.id.as_str())
-        .collect();
-    for claim in PAPERS.iter().flat_map(|p| &p.claims) {
-        for used in &claim.uses {
-            assert!(ids.contains(&used.as_str()), "{} uses {used}", claim.id);
-        }
-    }
+fn an_example_survives_a_wrong_theorem_where_its_wrong_term_vanishes() {
+    let outcomes: Vec<&Outcome> = PAPERS.iter().flat_map(|p| &p.claims).collect();
+    let fate = |wrong: &str, user: &str| {
+        let resting = consequences(wrong, &outcomes);
+        let found = resting.into_iter().find(|c| c.id == user);
+        found.map(|c| c.fate)
+    };
+    // The scale factor lambda, whose factor 4 is missing in (5.16), is 0 in Example 5.2.
+    assert_eq!(
+        fate("gbt-developable/thm-4.c", "gbt-developable/ex-5.2.Q22"),
+        Some(Fate::Survives)
+    );
+    assert_eq!(
+        fate("gbt-developable/thm-4.c", "gbt-developable/alg-5.4.s4"),
+        Some(Fate::Falls)
+    );
+    assert_eq!(
+        fate("gbt-developable/thm-4.c", "gbt-developable/thm-1.3"),
+        None
+    );
 }
 
 #[test]
