@@ -11,7 +11,7 @@
 //! functions themselves.
 
 use super::Bernstein;
-use crate::coordinate::Coordinate;
+use crate::coordinate::{Coordinate, check_finite};
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
 use crate::vector::combine;
@@ -74,6 +74,16 @@ pub fn cubic<S: Coordinate, const D: usize>(data: &[[S; D]; 4]) -> Result<Curve<
 ///
 /// # Errors
 /// [`GeometryError::NotFinite`].
+///
+/// ```
+/// use torse_algebra::rational::{integer, ratio};
+/// use torse_geometry::hermite;
+/// let curve = hermite::quartic(&[1, 5, 2, -3, 4].map(|n| [integer(n)]))?;
+/// assert_eq!(curve.point(&ratio(1, 2).unwrap())?, [integer(5)]);
+/// assert_eq!(curve.start_jet(1)?, [[integer(1)], [integer(-3)]]);
+/// assert_eq!(curve.end_jet(1)?, [[integer(2)], [integer(4)]]);
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
 pub fn quartic<S: Coordinate, const D: usize>(
     data: &[[S; D]; 5],
 ) -> Result<Curve<Bernstein, S, D>> {
@@ -103,6 +113,16 @@ pub fn quintic<S: Coordinate, const D: usize>(
 ///
 /// # Errors
 /// [`GeometryError::LengthMismatch`] for another number, [`GeometryError::NotFinite`].
+///
+/// ```
+/// use torse_geometry::hermite;
+/// assert_eq!(hermite::curve(&[[0.0], [5.0], [1.0], [2.0], [3.0]])?.degree(), 4);
+/// let error = hermite::curve(&[[0.0], [5.0], [f64::NAN], [2.0]]).unwrap_err();
+/// assert_eq!(error.to_string(), "Hermite datum, entry 2: NaN is not a finite number");
+/// let error = hermite::curve(&[[0.0], [5.0]]).unwrap_err();
+/// assert_eq!(error.to_string(), "Hermite data (4, 5 or 6 of them): entry 0 has 2 elements, expected 6");
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
 pub fn curve<S: Coordinate, const D: usize>(data: &[[S; D]]) -> Result<Curve<Bernstein, S, D>> {
     match data.len() {
         4 => convert(&CUBIC, data),
@@ -121,6 +141,7 @@ fn convert<S: Coordinate, const N: usize, const D: usize>(
     conversion: &Conversion<N>,
     data: &[[S; D]],
 ) -> Result<Curve<Bernstein, S, D>> {
+    check_finite("Hermite datum", data.iter().flatten())?;
     let mut points = Vec::with_capacity(N);
     for row in &conversion.rows {
         let weights: Vec<S> = data

@@ -26,7 +26,7 @@ pub mod hermite;
 pub use bernstein::Bernstein;
 pub use gbt::Gbt;
 
-use crate::coordinate::Coordinate;
+use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result};
 use torse_algebra::{ExactError, Jet};
 
@@ -65,7 +65,14 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     ///
     /// # Errors
     /// [`GeometryError::OutOfRange`] for degree zero and beyond [`MAX_DEGREE`],
-    /// [`GeometryError::Exact`] from the seeds.
+    /// [`GeometryError::NotFinite`] at NaN and infinity, [`GeometryError::Exact`] from the seeds.
+    ///
+    /// ```
+    /// use torse_geometry::{Basis, Bernstein};
+    /// assert_eq!(Bernstein.row(0, &0.5).unwrap_err().to_string(), "degree = 0 is outside {1, 2, .., 4096}");
+    /// let error = Bernstein.row(2, &f64::NAN).unwrap_err();
+    /// assert_eq!(error.to_string(), "curve parameter, entry 0: NaN is not a finite number");
+    /// ```
     fn row(&self, degree: usize, x: &S) -> Result<Vec<S>> {
         check_degree(degree)?;
         let mut row = vec![x.zero(); degree + 1];
@@ -78,6 +85,7 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     /// # Errors
     /// As [`Basis::row`].
     fn row_into(&self, x: &S, row: &mut [S]) -> Result<()> {
+        check_parameter(x)?;
         match row {
             [] | [_] => return check_degree(0),
             [first, second] => {
@@ -130,6 +138,7 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
                 given,
             });
         }
+        check_parameter(x)?;
         let degree = row.len().saturating_sub(1);
         if degree < 2 {
             self.row_into(x, row)?;
@@ -198,6 +207,7 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     fn series_rows(&self, degree: usize, x: &S, order: usize) -> Result<Vec<Vec<S>>> {
         check_degree(degree)?;
         check_order(order)?;
+        check_parameter(x)?;
         let one_minus_x = x.one() - x.clone();
         let seeds: Vec<Vec<S>> = match degree {
             1 => {
@@ -296,6 +306,10 @@ fn check_order(order: usize) -> Result<()> {
     }
     let (name, value, range) = ("derivative order", order.to_string(), "{0, 1, .., 4096}");
     Err(GeometryError::OutOfRange { name, value, range })
+}
+
+fn check_parameter<S: Coordinate>(x: &S) -> Result<()> {
+    check_finite("curve parameter", [x])
 }
 
 /// The Bernstein polynomials of any degree, zero included, at `x`.

@@ -3,7 +3,7 @@
 use super::check_length;
 use super::wide::widest;
 use crate::basis::Basis;
-use crate::coordinate::{Coordinate, text};
+use crate::coordinate::{Coordinate, check_finite, text};
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
 use crate::planes::{PlaneFamily, Ruling, ruling_of};
@@ -142,6 +142,11 @@ fn raise_once(columns: &mut [[f64; BLOCK]], xs: &[f64; BLOCK]) {
     }
 }
 
+fn check_buffer<T>(xs: &[f64], out: &[T]) -> Result<()> {
+    check_finite("curve parameter", xs)?;
+    check_length("output buffer", xs.len(), out.len())
+}
+
 /// A whole block of parameters, the last one filled up with zeros.
 fn block(xs: &[f64]) -> [f64; BLOCK] {
     let mut block = [0.0; BLOCK];
@@ -155,7 +160,8 @@ impl<B: Basis<f64>, const D: usize> Curve<B, f64, D> {
     /// The points at all parameters `xs`, into `out` of the same length.
     ///
     /// # Errors
-    /// [`GeometryError::LengthMismatch`] when the lengths differ.
+    /// [`GeometryError::LengthMismatch`] when the lengths differ, [`GeometryError::NotFinite`] for a parameter
+    /// that is NaN or infinite.
     ///
     /// ```
     /// use torse_geometry::{Curve, Gbt};
@@ -164,10 +170,12 @@ impl<B: Basis<f64>, const D: usize> Curve<B, f64, D> {
     /// let mut out = vec![[0.0; 2]; xs.len()];
     /// curve.points_into(&xs, &mut out)?;
     /// assert_eq!(out[321], curve.point(&xs[321])?);
+    /// let error = curve.points_into(&xs[..7], &mut out).unwrap_err();
+    /// assert_eq!(error.to_string(), "output buffer: entry 0 has 1000 elements, expected 7");
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn points_into(&self, xs: &[f64], out: &mut [[f64; D]]) -> Result<()> {
-        check_length("output buffer", xs.len(), out.len())?;
+        check_buffer(xs, out)?;
         let mut basis = Columns::new(self.degree());
         for (xs, out) in xs.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
             basis.fill(self.basis(), &block(xs))?;
@@ -206,7 +214,7 @@ impl<B: Basis<f64>> PlaneFamily<B, f64> {
     /// The rulings at all parameters `xs`, into `out` of the same length.
     ///
     /// # Errors
-    /// [`GeometryError::LengthMismatch`]; [`GeometryError::NoRuling`] where there is none.
+    /// As [`Curve::points_into`]; [`GeometryError::NoRuling`] where there is none.
     ///
     /// ```
     /// use torse_geometry::{Gbt, PlaneFamily};
@@ -222,7 +230,7 @@ impl<B: Basis<f64>> PlaneFamily<B, f64> {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn rulings_into(&self, xs: &[f64], out: &mut [Ruling<f64>]) -> Result<()> {
-        check_length("output buffer", xs.len(), out.len())?;
+        check_buffer(xs, out)?;
         let curve = self.curve();
         let (mut basis, mut slopes) = (Columns::new(self.degree()), Columns::new(self.degree()));
         for (xs, out) in xs.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {

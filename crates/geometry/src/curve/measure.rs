@@ -1,8 +1,8 @@
-//! Curvature, torsion and arc length of f64 curves in space.
+//! Curvature, torsion and arc length of f64 curves, weighted ones included.
 
-use super::Curve;
-use crate::basis::Basis;
+use super::derivatives_of;
 use crate::error::{GeometryError, Result};
+use crate::surface::SpaceCurve;
 use crate::vector::{cross, det, norm};
 
 /// The curvature `|G' x G''| / |G'|^3` at `x`.
@@ -16,8 +16,8 @@ use crate::vector::{cross, det, norm};
 /// assert!((curvature(&circle, 0.3)? - 0.5).abs() < 1e-15);
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
-pub fn curvature<B: Basis<f64>>(curve: &Curve<B, f64, 3>, x: f64) -> Result<f64> {
-    let jet = curve.derivatives(&x, 2)?;
+pub fn curvature(curve: &impl SpaceCurve<f64>, x: f64) -> Result<f64> {
+    let jet = derivatives(curve, x, 2)?;
     let [_, d1, d2] = jet.as_slice() else {
         return Err(still(x));
     };
@@ -42,8 +42,8 @@ pub fn curvature<B: Basis<f64>>(curve: &Curve<B, f64, 3>, x: f64) -> Result<f64>
 /// assert!((torsion(&Curve::new(Bernstein, cubic)?, 0.0)? - 3.0).abs() < 1e-14);
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
-pub fn torsion<B: Basis<f64>>(curve: &Curve<B, f64, 3>, x: f64) -> Result<f64> {
-    let jet = curve.derivatives(&x, 3)?;
+pub fn torsion(curve: &impl SpaceCurve<f64>, x: f64) -> Result<f64> {
+    let jet = derivatives(curve, x, 3)?;
     let [_, d1, d2, d3] = jet.as_slice() else {
         return Err(still(x));
     };
@@ -53,6 +53,14 @@ pub fn torsion<B: Basis<f64>>(curve: &Curve<B, f64, 3>, x: f64) -> Result<f64> {
     } else {
         Err(still(x))
     }
+}
+
+fn derivatives<const D: usize>(
+    curve: &impl SpaceCurve<f64, D>,
+    x: f64,
+    order: usize,
+) -> Result<Vec<[f64; D]>> {
+    Ok(derivatives_of(&curve.space_jet(&x, order)?, order))
 }
 
 fn still(x: f64) -> GeometryError {
@@ -80,15 +88,20 @@ const MOST_INTERVALS: usize = 200_000;
 /// use torse_geometry::curve::{arc_length, ellipse_arc};
 /// let circle = ellipse_arc(&[0.0, 0.0], &[2.0, 0.0], &[0.0, 2.0])?;
 /// assert!((arc_length(&circle, [0.0, 1.0], 1e-12)? - std::f64::consts::PI).abs() < 1e-12);
+/// // The same quarter circle as a weighted parabola, at another speed.
+/// use torse_geometry::{Bernstein, RationalCurve};
+/// let points = [[2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+/// let weighted = RationalCurve::new(Bernstein, &points, vec![1.0, 1.0, 2.0])?;
+/// assert!((arc_length(&weighted, [0.0, 1.0], 1e-12)? - std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
-pub fn arc_length<B: Basis<f64>, const D: usize>(
-    curve: &Curve<B, f64, D>,
+pub fn arc_length<const D: usize>(
+    curve: &impl SpaceCurve<f64, D>,
     [from, to]: [f64; 2],
     accuracy: f64,
 ) -> Result<f64> {
     let speed = |x: f64| -> Result<f64> {
-        let jet = curve.derivatives(&x, 1)?;
+        let jet = derivatives(curve, x, 1)?;
         Ok(jet.get(1).map_or(0.0, norm))
     };
     integrate(speed, [from, to], accuracy, "arc length")

@@ -1,9 +1,10 @@
 //! Weighted (rational) curves.
 
-use super::{Curve, derivatives_of};
+use super::{Affine, Curve, derivatives_of};
 use crate::basis::Basis;
-use crate::coordinate::{Coordinate, text};
+use crate::coordinate::{Coordinate, check_finite, text};
 use crate::error::{GeometryError, Result};
+use crate::vector::{add, dot, scale};
 use std::cmp::Ordering;
 use torse_algebra::{Jet, Scalar};
 
@@ -37,6 +38,10 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> RationalCurve<B, S, D> {
     /// use torse_geometry::{Bernstein, RationalCurve};
     /// let error = RationalCurve::new(Bernstein, &[[0.0], [1.0], [2.0]], vec![1.0, 0.0, 1.0]).unwrap_err();
     /// assert_eq!(error.to_string(), "weight 1 is 0.0, a positive number is needed");
+    /// let error = RationalCurve::new(Bernstein, &[[0.0], [1.0]], vec![1.0, f64::NAN]).unwrap_err();
+    /// assert_eq!(error.to_string(), "weight, entry 1: NaN is not a finite number");
+    /// let error = RationalCurve::new(Bernstein, &[[0.0], [1.0]], vec![1.0]).unwrap_err();
+    /// assert_eq!(error.to_string(), "weights: entry 0 has 1 elements, expected 2");
     /// ```
     pub fn new(basis: B, points: &[[S; D]], weights: Vec<S>) -> Result<Self> {
         if points.len() != weights.len() {
@@ -48,10 +53,13 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> RationalCurve<B, S, D> {
                 given,
             });
         }
+        // Before they are multiplied: a product would not tell which of the two is not finite.
+        check_finite("weight", &weights)?;
+        check_finite("control point", points.iter().flatten())?;
         let scaled = points
             .iter()
             .zip(&weights)
-            .map(|(p, w)| crate::vector::scale(w, p))
+            .map(|(p, w)| scale(w, p))
             .collect();
         Self::from_homogeneous(basis, scaled, weights)
     }
@@ -71,6 +79,7 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> RationalCurve<B, S, D> {
                 given,
             });
         }
+        check_finite("weight", &weights)?;
         let bad = |w: &S| matches!(w.sign(), Some(Ordering::Less | Ordering::Equal));
         if let Some((index, value)) = weights.iter().enumerate().find(|(_, w)| bad(w)) {
             return Err(GeometryError::BadWeight {
@@ -137,12 +146,62 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> RationalCurve<B, S, D> {
         Ok(axes)
     }
 
+    /// The derivatives `[R(0), R'(0), ..]` at the start.
+    ///
+    /// # Errors
+    /// As [`RationalCurve::point`].
+    pub fn start_jet(&self, order: usize) -> Result<Vec<[S; D]>> {
+        match self.weights.points().iter().flatten().next() {
+            Some(like) => self.derivatives(&like.zero(), order),
+            None => Ok(Vec::new()),
+        }
+    }
+
+    /// The derivatives `[R(1), R'(1), ..]` at the end.
+    ///
+    /// # Errors
+    /// As [`RationalCurve::point`].
+    pub fn end_jet(&self, order: usize) -> Result<Vec<[S; D]>> {
+        match self.weights.points().iter().flatten().next() {
+            Some(like) => self.derivatives(&like.one(), order),
+            None => Ok(Vec::new()),
+        }
+    }
+
     /// The same curve traversed backwards.
     #[must_use]
     pub fn reversed(&self) -> Self {
         Self {
             numerator: self.numerator.reversed(),
             weights: self.weights.reversed(),
+        }
+    }
+}
+
+impl<S: Coordinate, B: Basis<S>> RationalCurve<B, S, 3> {
+    /// The image under an affine map, which acts on the homogeneous points `(w R, w)`.
+    ///
+    /// ```
+    /// use torse_geometry::{Affine, Bernstein, RationalCurve};
+    /// let points = [[0.0, 0.0, 1.0], [1.0, 3.0, 0.0], [4.0, 1.0, 2.0]];
+    /// let curve = RationalCurve::new(Bernstein, &points, vec![1.0, 2.0, 0.5])?;
+    /// let map = Affine { linear: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 2.0]], shift: [1.0, 2.0, 3.0] };
+    /// let (of_curve, of_point) = (curve.mapped(&map).point(&0.3)?, map.apply(&curve.point(&0.3)?));
+    /// assert!(of_curve.iter().zip(of_point).all(|(a, b)| (a - b).abs() < 1e-14));
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    #[must_use]
+    pub fn mapped(&self, map: &Affine<S>) -> Self {
+        let image = |(point, weight): (&[S; 3], &S)| {
+            let turned = map.linear.each_ref().map(|row| dot(row, point));
+            add(&turned, &scale(weight, &map.shift))
+        };
+        Self {
+            numerator: Curve {
+                basis: self.basis().clone(),
+                points: self.homogeneous().map(image).collect(),
+            },
+            weights: self.weights.clone(),
         }
     }
 }

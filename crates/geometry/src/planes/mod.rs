@@ -18,7 +18,7 @@
 mod pencil;
 
 use crate::basis::Basis;
-use crate::coordinate::{Coordinate, is_zero, text};
+use crate::coordinate::{Coordinate, check_finite, is_zero, text};
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
 use crate::vector::{add, combine, cross, dot, scale, sub};
@@ -94,6 +94,12 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     ///
     /// ```
     /// use torse_geometry::{Bernstein, GeometryError, PlaneFamily};
+    /// let two = vec![[0.0, 0.0, 1.0, 1.0], [0.0, 1.0, 0.0, 1.0]];
+    /// let error = PlaneFamily::new(Bernstein, two).unwrap_err();
+    /// assert_eq!(error.to_string(), "control planes: 2 given, at least 3 needed");
+    /// let infinite = vec![[0.0, 0.0, 1.0, f64::INFINITY]; 3];
+    /// let error = PlaneFamily::new(Bernstein, infinite).unwrap_err();
+    /// assert_eq!(error.to_string(), "control plane, entry 3: inf is not a finite number");
     /// let flat = vec![[0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 2.0, 5.0], [0.0, 0.0, 1.0, 3.0]];
     /// assert_eq!(
     ///     PlaneFamily::new(Bernstein, flat).unwrap_err(),
@@ -120,6 +126,7 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
                 given: planes.len(),
             });
         }
+        check_finite("control plane", planes.iter().flatten())?;
         let vanishes = |plane: &Plane<S>| normal_of(plane).iter().all(is_zero);
         if let Some(index) = planes.iter().position(vanishes) {
             return Err(GeometryError::Degenerate {

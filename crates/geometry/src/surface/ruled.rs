@@ -8,23 +8,23 @@ use crate::error::{GeometryError, Result};
 use crate::vector::{lerp, sub};
 use torse_algebra::Jet;
 
-/// A curve in space, known by its Taylor series.
-pub trait SpaceCurve<S: Coordinate> {
+/// A curve in space (or in another dimension), known by its Taylor series.
+pub trait SpaceCurve<S: Coordinate, const D: usize = 3> {
     /// The Taylor series of the coordinates at `x`.
     ///
     /// # Errors
     /// [`GeometryError`] where the curve has no point or derivative.
-    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]>;
+    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; D]>;
 }
 
-impl<S: Coordinate, B: Basis<S>> SpaceCurve<S> for Curve<B, S, 3> {
-    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
+impl<S: Coordinate, B: Basis<S>, const D: usize> SpaceCurve<S, D> for Curve<B, S, D> {
+    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; D]> {
         self.jet(x, order)
     }
 }
 
-impl<S: Coordinate, B: Basis<S>> SpaceCurve<S> for RationalCurve<B, S, 3> {
-    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
+impl<S: Coordinate, B: Basis<S>, const D: usize> SpaceCurve<S, D> for RationalCurve<B, S, D> {
+    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; D]> {
         self.jet(x, order)
     }
 }
