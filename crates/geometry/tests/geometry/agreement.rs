@@ -1,77 +1,12 @@
-//! f64 against certified enclosures: the error of each evaluator in units in the last place of its
-//! largest term, and that it stays below a bound that is asserted.
+//! f64 bases, curves, surfaces and rulings against certified enclosures: the error of each evaluator in units
+//! in the last place of its largest term, and that it stays below a bound that is asserted.
 
+use crate::ulps::{BITS, agrees, ball, points, shape, ulps, unit};
 use proptest::prelude::*;
-use proptest::test_runner::{Config, TestRunner};
-use std::cell::Cell;
-use torse_algebra::rational::to_f64;
-use torse_algebra::{Ball, Rational};
+use torse_algebra::Ball;
 use torse_geometry::{
     Basis, Bernstein, Coordinate, Curve, Gbt, Over, PlaneFamily, Surface, TensorSurface, exact,
-    exact_ball,
 };
-
-const BITS: usize = 256;
-
-fn ball(x: &f64) -> Ball {
-    exact_ball(*x, BITS)
-}
-
-/// The distance of `value` from the farther end of the enclosure, in units of `ulp(scale)`.
-fn ulps(value: f64, enclosure: &Ball, scale: f64) -> f64 {
-    let reach = |end: &Rational| to_f64(&(exact(value) - end.clone())).abs();
-    let farthest = reach(&enclosure.lower()).max(reach(&enclosure.upper()));
-    let ulp = f64::EPSILON * 2_f64.powf(scale.log2().floor());
-    farthest / ulp
-}
-
-/// Runs `worst` on random cases and asserts that no error exceeds `bound` ulps; prints the worst seen.
-fn agrees<T: std::fmt::Debug>(
-    name: &str,
-    bound: f64,
-    cases: u32,
-    input: impl Strategy<Value = T>,
-    worst: impl Fn(T) -> f64,
-) {
-    let seen = Cell::new(0.0_f64);
-    let config = Config {
-        cases,
-        failure_persistence: None,
-        ..Config::default()
-    };
-    let mut runner = TestRunner::new_with_rng(
-        config,
-        proptest::test_runner::TestRng::deterministic_rng(
-            proptest::test_runner::RngAlgorithm::ChaCha,
-        ),
-    );
-    let result = runner.run(&input, |case| {
-        let error = worst(case);
-        seen.set(seen.get().max(error));
-        prop_assert!(error <= bound, "{name}: {error} ulps");
-        Ok(())
-    });
-    println!("{name}: worst {:.1} ulp, bound {bound}", seen.get());
-    result.unwrap();
-    assert!(
-        seen.get() > 0.0,
-        "{name}: an evaluator without any rounding measures nothing"
-    );
-}
-
-fn shape() -> impl Strategy<Value = f64> {
-    prop_oneof![-1.0..=1.0, Just(1.0), Just(-1.0), Just(0.0)]
-}
-
-fn unit() -> impl Strategy<Value = f64> {
-    prop_oneof![0.0..=1.0_f64, Just(0.0), Just(1.0), Just(1e-9)]
-}
-
-fn points<const D: usize>(
-    count: impl Strategy<Value = usize>,
-) -> impl Strategy<Value = Vec<[f64; D]>> {
-    count.prop_flat_map(|n| prop::collection::vec(prop::array::uniform(-10.0..10.0_f64), n))
-}
 
 #[test]
 fn basis_rows_lie_within_a_few_ulps_of_the_enclosure() {

@@ -6,6 +6,7 @@
 )]
 
 mod agreement;
+mod certified;
 mod developables;
 mod enclosures;
 mod files;
@@ -13,3 +14,4 @@ mod hostile;
 mod identities;
 mod joins;
 mod surfaces;
+mod ulps;
