@@ -44,6 +44,38 @@ use torse_algebra::{ExactError, Jet};
 /// assert!((row.iter().sum::<f64>() - 1.0).abs() < 1e-15);
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
+///
+/// A family of one's own, of every degree and with all derivatives from its seeds:
+///
+/// ```
+/// use torse_algebra::{ExactError, Jet, rational::{integer, ratio}};
+/// use torse_geometry::{Basis, Coordinate, Curve};
+/// /// Seeds `(1-x)^3, 3x(1-x), x^3`, steeper at the ends than Bernstein's.
+/// #[derive(Debug, Clone)]
+/// struct Steep;
+/// fn steep<S: torse_algebra::Scalar>(x: &S) -> [S; 3] {
+///     let y = x.one_like() - x.clone();
+///     let cube = |t: &S| t.clone() * t.clone() * t.clone();
+///     let mixed = x.clone() * y.clone();
+///     [cube(&y), mixed.clone() + mixed.clone() + mixed, cube(x)]
+/// }
+/// impl<S: Coordinate> Basis<S> for Steep {
+///     fn seeds(&self, x: &S) -> Result<[S; 3], ExactError> {
+///         Ok(steep(x))
+///     }
+///     fn seed_jets(&self, x: &S, order: usize) -> Result<[Jet<S>; 3], ExactError> {
+///         Ok(steep(&Jet::variable(x.clone(), order)))
+///     }
+///     fn reversed(&self) -> Self {
+///         Steep
+///     }
+/// }
+/// let curve = Curve::new(Steep, [0, 1, 1, 0].map(|n| [integer(n)]).to_vec())?;
+/// // In the middle the first and the last of the four functions are 1/2 times 1/8 each.
+/// assert_eq!(curve.point(&ratio(1, 2).unwrap())?, [ratio(7, 8).unwrap()]);
+/// assert_eq!(curve.derivatives(&ratio(1, 2).unwrap(), 1)?[1], [integer(0)]);
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
 pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     /// The seeds `[g0, g1, g2]` at `x` in [0, 1].
     ///

@@ -8,11 +8,13 @@ use crate::error::{GeometryError, Result};
 use crate::planes::PlaneFamily;
 use crate::vector::{scale, sub};
 use std::cmp::Ordering;
+use torse_algebra::Ball;
 
 /// What a joint satisfies: best-fitting beta (and scale) values and what is left over, order by order.
 ///
-/// On exact scalars the residuals are exactly zero or not; on balls they are enclosures; on f64 judge
-/// them with [`order_within`](JointMeasure::order_within) and a tolerance that fits the data.
+/// On exact scalars the residuals are exactly zero or not; on balls they are enclosures, with
+/// [`residual_bounds`](JointMeasure::residual_bounds); on f64 judge them with
+/// [`order_within`](JointMeasure::order_within) and a tolerance that fits the data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointMeasure<S, const D: usize> {
     /// The beta values `b1, b2, ..` that fit best, one for each order measured.
@@ -79,6 +81,45 @@ impl<const D: usize> JointMeasure<f64, D> {
             }
         }
         self.without_cusp(reached)
+    }
+}
+
+impl<const D: usize> JointMeasure<Ball, D> {
+    /// For each order an upper bound of the length of the residual: what the joint of the exact numbers
+    /// behind f64 data lacks, at most.
+    ///
+    /// ```
+    /// use torse_geometry::{Continuity, Curve, Gbt, Over, exact_ball, join};
+    /// let left = Curve::new(Gbt::new(0.5, -0.5)?, vec![[0.0, 0.0], [1.0, 1.0], [2.0, 1.0], [3.0, 0.0]])?;
+    /// let c2 = Continuity::parametric(2, &0.0);
+    /// let right = join::next_curve(&left, Gbt::new(0.25, 1.0)?, &c2, &[[7.0, 0.0]])?;
+    /// let ball = |x: &f64| exact_ball(*x, 200);
+    /// let measure = join::measure_curves(&left.over(&ball)?, &right.over(&ball)?, 3)?;
+    /// // Up to order two nothing but the rounding of the control points; of order three a real defect.
+    /// let bounds = measure.residual_bounds();
+    /// assert!(bounds[..3].iter().all(|bound| *bound < 1e-13) && bounds[3] > 1.0);
+    /// let [low, high] = measure.beta_bounds()[0];
+    /// assert!(low <= 1.0 + 1e-15 && 1.0 - 1e-15 <= high && high - low < 1e-15);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    #[must_use]
+    pub fn residual_bounds(&self) -> Vec<f64> {
+        let length = |residual: &[Ball; D]| {
+            // |(r1, .., rD)| <= |r1| + .. + |rD|: no root, no rounding but one sum outward.
+            let sum = residual.iter().map(Ball::abs).reduce(|a, b| a + b);
+            sum.map_or(0.0, |sum| sum.to_f64_bounds().1)
+        };
+        self.residuals.iter().map(length).collect()
+    }
+
+    /// For each order the bounds `[low, high]` of the beta value.
+    #[must_use]
+    pub fn beta_bounds(&self) -> Vec<[f64; 2]> {
+        let bounds = |beta: &Ball| {
+            let (low, high) = beta.to_f64_bounds();
+            [low, high]
+        };
+        self.betas.iter().map(bounds).collect()
     }
 }
 

@@ -1,7 +1,7 @@
 //! The engineering surfaces of gbt-surfaces Sect. 3 that are tensor products.
 
 use super::TensorSurface;
-use crate::basis::{Basis, Bernstein};
+use crate::basis::{Basis, Bernstein, Gbt};
 use crate::coordinate::{Coordinate, check_finite, check_positive, is_zero};
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
@@ -47,6 +47,66 @@ impl<S: Coordinate, B: Basis<S>> TensorSurface<B, Bernstein, S> {
             .map(|q| vec![q.clone(), add(q, &shift)])
             .collect();
         Self::new(directrix.basis().clone(), Bernstein, net)
+    }
+}
+
+impl<S: Coordinate, B: Basis<S>> TensorSurface<B, Gbt<S>, S> {
+    /// The whole surface of revolution of a profile `(X, Z)` about the Z axis as four tensor products, one
+    /// for each quarter turn.
+    ///
+    /// The quadratic family with `mu = nu = 0` holds the quarter circle, at the speed of its angle, so the
+    /// net of a quarter is the profile times `(1, 0), (1, 1), (0, 1)`: unlike the parametrization of
+    /// [`RotationSurface`](super::RotationSurface) no quotients, but quarters only. With the second half as
+    /// the paper has it (gbt-surfaces Theorem 6), the two cover the same surface.
+    ///
+    /// # Errors
+    /// None beyond those of the profile.
+    ///
+    /// ```
+    /// use torse_geometry::{Curve, Gbt, RotationSurface, Surface, TensorSurface};
+    /// // gbt-surfaces Example 3.6.
+    /// let points = vec![[4.0, 15.0], [0.0, 13.0], [0.0, 10.0], [10.0, 5.0], [4.0, 0.0]];
+    /// let profile = Curve::new(Gbt::new(0.9, 0.25)?, points)?;
+    /// let quarters = TensorSurface::quarter_turns(&profile)?;
+    /// // A third of the second quarter is 120 degrees.
+    /// let here = quarters[1].point(&0.3, &(1.0 / 3.0))?;
+    /// let turned = RotationSurface::turned(&profile, 120_f64.to_radians())?;
+    /// let there = turned[0].point(&0.3, &1.0)?;
+    /// assert!((0..3).all(|k| (here[k] - there[k]).abs() < 1e-14));
+    /// // Neighbours share their seam to the last bit.
+    /// assert_eq!(quarters[3].point(&0.7, &1.0)?, quarters[0].point(&0.7, &0.0)?);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn quarter_turns(profile: &Curve<B, S, 2>) -> Result<[Self; 4]> {
+        let Some(like) = profile.points().iter().flatten().next() else {
+            return Err(GeometryError::TooFew {
+                what: "control points",
+                needed: 2,
+                given: 0,
+            });
+        };
+        let (zero, one) = (like.zero(), like.one());
+        let quarter = |[from, to]: [[S; 2]; 2]| {
+            let corner = add(&from, &to);
+            let arc = Curve::new(
+                Gbt::new(zero.clone(), zero.clone())?,
+                vec![from, corner, to],
+            )?;
+            Self::product(profile, &arc, |[radius, height], [x, y]| {
+                let scaled = |c: &S| radius.clone() * c.clone();
+                [scaled(x), scaled(y), height.clone()]
+            })
+        };
+        let east = [one.clone(), zero.clone()];
+        let north = [zero.clone(), one.clone()];
+        let west = [-one.clone(), zero.clone()];
+        let south = [zero.clone(), -one.clone()];
+        Ok([
+            quarter([east.clone(), north.clone()])?,
+            quarter([north, west.clone()])?,
+            quarter([west, south.clone()])?,
+            quarter([south, east])?,
+        ])
     }
 }
 
