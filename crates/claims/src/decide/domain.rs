@@ -3,8 +3,8 @@
 use crate::evaluate::scope::{Declarations, Interval, SymbolKind};
 use crate::syntax::Relation;
 use torse_algebra::order::compare;
-use torse_algebra::rational::{integer, ratio};
-use torse_algebra::{Affine, Ball, Fraction, Polynomial, Rational, Scalar, Symbol};
+use torse_algebra::rational::integer;
+use torse_algebra::{Affine, Ball, Fraction, Polynomial, Rational, Scalar as _, Symbol};
 
 /// Bits of the enclosures that decide signs of constants.
 const BITS: usize = 256;
@@ -86,113 +86,21 @@ impl Domain<'_> {
             if matches!(self.declarations.symbol(name), Some(SymbolKind::Integer { .. })))
     }
 
-    /// Simple values of a symbol inside its interval, simplest first. A variable under a sine or cosine
-    /// gets values at which these are exact.
-    #[must_use]
-    pub fn candidates(&self, symbol: &Symbol, turns: Turns) -> Vec<Fraction> {
-        let interval = self.interval(symbol);
-        let numbers: &[(i64, i64)] = match (symbol, turns) {
-            (Symbol::Indexed(..), _) => &[(0, 1), (1, 1), (-1, 1), (2, 1), (3, 1), (-2, 1), (5, 1)],
-            (_, Turns::Quarter) => &[
-                (1, 2),
-                (1, 3),
-                (2, 3),
-                (0, 1),
-                (1, 1),
-                (3, 2),
-                (4, 3),
-                (5, 3),
-                (2, 1),
-            ],
-            (_, Turns::Radian) => &[
-                (1, 3),
-                (1, 2),
-                (1, 4),
-                (1, 6),
-                (2, 3),
-                (1, 1),
-                (3, 4),
-                (4, 3),
-                (3, 2),
-                (5, 3),
-                (0, 1),
-                (2, 1),
-            ],
-            (s, Turns::None) if self.is_integer(s) => &[
-                (0, 1),
-                (1, 1),
-                (2, 1),
-                (3, 1),
-                (4, 1),
-                (5, 1),
-                (6, 1),
-                (7, 1),
-                (-1, 1),
-                (-2, 1),
-                (8, 1),
-                (9, 1),
-            ],
-            _ => &[
-                (1, 1),
-                (0, 1),
-                (2, 1),
-                (1, 2),
-                (-1, 1),
-                (3, 1),
-                (1, 3),
-                (-1, 2),
-                (2, 3),
-                (3, 2),
-                (-2, 1),
-                (1, 4),
-                (3, 4),
-                (5, 1),
-                (-3, 1),
-                (1, 5),
-                (4, 1),
-                (-1, 3),
-                (1, 10),
-                (9, 10),
-                (10, 1),
-            ],
-        };
-        let unit = if turns == Turns::Radian {
-            Fraction::symbol(Symbol::Pi)
-        } else {
-            Fraction::integer(1)
-        };
-        numbers
-            .iter()
-            .filter_map(|(n, d)| ratio(*n, *d))
-            .map(|q| unit.scaled(&q))
-            .filter(|value| self.inside(&interval, value))
-            .collect()
-    }
-
-    fn inside(&self, interval: &Interval, value: &Fraction) -> bool {
-        let fits =
-            |bound: &Option<crate::evaluate::scope::Bound>, relation: Relation, open: Relation| {
-                bound.as_ref().is_none_or(|b| {
-                    let gap = value.clone() - b.value.clone();
-                    truth(&gap, if b.closed { relation } else { open }) == Some(true)
-                })
-            };
-        fits(&interval.lower, Relation::AtLeast, Relation::Greater)
-            && fits(&interval.upper, Relation::AtMost, Relation::Less)
-    }
-
-    /// An assumption that no point of the declared ranges satisfies, if one is known.
+    /// An assumption that no point of the declared ranges satisfies that satisfies the others, if one is
+    /// known.
     #[must_use]
     pub fn contradiction(&self) -> Option<String> {
         use super::sign::{Sign, of};
-        let fails = |c: &Constraint| {
+        let fails = |number: usize, c: &Constraint| {
             if c.value.is_zero() {
                 return matches!(
                     c.relation,
                     Relation::Different | Relation::Less | Relation::Greater
                 );
             }
-            let sign = c.value.as_polynomial().and_then(|p| of(p, self));
+            let mut others = self.clone();
+            others.constraints.remove(number);
+            let sign = c.value.as_polynomial().and_then(|p| of(p, &others));
             match c.relation {
                 Relation::Less => matches!(sign, Some(Sign::Positive | Sign::Nonnegative)),
                 Relation::AtMost => sign == Some(Sign::Positive),
@@ -201,12 +109,14 @@ impl Domain<'_> {
                 Relation::Equal | Relation::Different => false,
             }
         };
-        let failing = self.constraints.iter().find(|c| fails(c))?;
-        Some(format!(
-            "{} {} 0 holds nowhere on the declared ranges",
-            failing.value,
-            failing.relation.sign()
-        ))
+        let mut numbered = self.constraints.iter().enumerate();
+        let (_, failing) = numbered.find(|(number, c)| fails(*number, c))?;
+        let others = match self.constraints.len() {
+            1 => "on the declared ranges",
+            _ => "on the declared ranges where the other assumptions hold",
+        };
+        let sign = failing.relation.sign();
+        Some(format!("{} {sign} 0 holds nowhere {others}", failing.value))
     }
 
     /// Whether the assumptions imply that this polynomial is not zero: it is, up to a constant, a product
@@ -233,17 +143,6 @@ impl Domain<'_> {
         }
         rest.as_constant().is_some()
     }
-}
-
-/// Under which trigonometric functions a variable stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Turns {
-    /// None.
-    None,
-    /// Sine and cosine of a quarter turn times it.
-    Quarter,
-    /// Sine and cosine of it, in radians.
-    Radian,
 }
 
 /// The enclosure of a fraction without free symbols: pi and roots only.

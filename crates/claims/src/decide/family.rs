@@ -8,7 +8,8 @@
 //! than full rank there. A rank drop at one admissible choice refutes the statement exactly. For a proof
 //! at every degree see [`independent`].
 
-use super::domain::{Domain, truth};
+use super::domain::Domain;
+use super::sharpness::Bounded;
 use super::sign::{self, Sign};
 use super::witness::{self, Point};
 use super::{Decision, Refutation};
@@ -20,10 +21,10 @@ use crate::syntax::Relation;
 use torse_algebra::{Fraction, Matrix, Polynomial, Symbol};
 
 /// The degrees that are looked at one by one.
-const DEGREES: u8 = 4;
+pub(super) const DEGREES: u8 = 4;
 
 /// The seeds and step of a family as formulas of its own symbols.
-fn family(
+pub(super) fn family(
     basis: &Basis,
     evaluator: &Evaluator<'_>,
 ) -> Result<([Fraction; 2], Vec<Fraction>), Fault> {
@@ -89,8 +90,22 @@ pub fn nonnegative(
     })
 }
 
+/// The seeds as quantities that are to be zero or more.
+///
+/// # Errors
+/// [`Fault`] when the seeds cannot be evaluated.
+pub fn bounded(basis: &Basis, evaluator: &Evaluator<'_>) -> Result<Vec<Bounded>, Fault> {
+    let (_, seeds) = family(basis, evaluator)?;
+    let polynomials = seeds.iter().filter_map(Fraction::as_polynomial);
+    let bounded = polynomials.map(|polynomial| Bounded {
+        polynomial: polynomial.clone(),
+        strict: false,
+    });
+    Ok(bounded.collect())
+}
+
 /// All functions of one degree.
-fn functions(step: &[Fraction; 2], seeds: &[Fraction], raise: u8) -> Vec<Fraction> {
+pub(super) fn functions(step: &[Fraction; 2], seeds: &[Fraction], raise: u8) -> Vec<Fraction> {
     let mut row = seeds.to_vec();
     for _ in 0..raise {
         let mut next = vec![Fraction::zero(); row.len() + 1];
@@ -259,7 +274,7 @@ pub fn independent(
 }
 
 /// Simple shape parameters, corners first.
-fn parameter_points(basis: &Basis, domain: &Domain<'_>) -> Vec<Point> {
+pub(super) fn parameter_points(basis: &Basis, domain: &Domain<'_>) -> Vec<Point> {
     let mut points = vec![Point::new()];
     for name in &basis.parameters {
         let symbol = Symbol::named(name);
@@ -309,103 +324,4 @@ fn full_rank(rows: &[Vec<Fraction>], domain: &Domain<'_>) -> bool {
                     .is_some_and(|p| sign::never_zero(p, domain))
             })
     })
-}
-
-/// Searches the functions of small degrees for a failure of variation diminution: two neighbours whose
-/// quotient is not monotone give coefficients with one change of sign and a function with two.
-///
-/// # Errors
-/// [`Fault`] when the seeds cannot be evaluated.
-pub fn variation_diminishing(
-    basis: &Basis,
-    domain: &Domain<'_>,
-    evaluator: &Evaluator<'_>,
-) -> Result<Decision, Fault> {
-    let (step, seeds) = family(basis, evaluator)?;
-    let variable = Symbol::named(&basis.variable);
-    let places: Vec<Fraction> = domain.candidates(&variable, super::domain::Turns::Quarter);
-    let mut tried = vec![];
-    for raise in 0..DEGREES {
-        let degree = basis.degree + raise;
-        let row = functions(&step, &seeds, raise);
-        for point in parameter_points(basis, domain) {
-            let fixed: Option<Vec<Fraction>> =
-                row.iter().map(|f| witness::at_point(f, &point)).collect();
-            let Some(fixed) = fixed else { continue };
-            if let Some(found) = negative_minor(&fixed, &variable, &places) {
-                let mut at: Vec<(String, String)> = vec![("degree".to_owned(), degree.to_string())];
-                at.extend(point.iter().map(|(s, v)| (s.to_string(), v.to_string())));
-                at.extend(found.at);
-                let witness = Witness {
-                    at,
-                    left: found.value.to_string(),
-                    right: "0".to_owned(),
-                    left_decimal: super::domain::enclosure(&found.value, 192)
-                        .map_or_else(String::new, |b| b.decimal(12)),
-                    right_decimal: "0".to_owned(),
-                };
-                let steps = vec![
-                    "a minor of the collocation matrix of two functions at two places is negative".to_owned(),
-                    "so their quotient is not monotone, and a combination with one change of sign changes sign twice".to_owned(),
-                ];
-                return Ok(Decision::Refuted(Box::new(Refutation {
-                    witness,
-                    sides: None,
-                    steps,
-                })));
-            }
-        }
-        tried.push(format!(
-            "degree {degree}: all minors of order two at simple places are nonnegative"
-        ));
-    }
-    Ok(Decision::Open {
-        reason: "total positivity is not proved for every degree".to_owned(),
-        tried,
-    })
-}
-
-struct Minor {
-    at: Vec<(String, String)>,
-    value: Fraction,
-}
-
-fn negative_minor(functions: &[Fraction], variable: &Symbol, places: &[Fraction]) -> Option<Minor> {
-    let Symbol::Named(name) = variable else {
-        return None;
-    };
-    let values: Vec<Vec<Fraction>> = functions
-        .iter()
-        .map(|f| {
-            places
-                .iter()
-                .map(|x| f.at(name, x).ok())
-                .collect::<Option<Vec<_>>>()
-        })
-        .collect::<Option<_>>()?;
-    for (i, lower) in values.iter().enumerate() {
-        for (j, upper) in values.iter().enumerate().skip(i + 1) {
-            for (p, x) in places.iter().enumerate() {
-                for (q, y) in places.iter().enumerate() {
-                    let ordered = truth(&(y.clone() - x.clone()), Relation::Greater) == Some(true);
-                    if !ordered {
-                        continue;
-                    }
-                    let entry = |row: &[Fraction], c: usize| {
-                        row.get(c).cloned().unwrap_or_else(Fraction::zero)
-                    };
-                    let minor =
-                        entry(lower, p) * entry(upper, q) - entry(lower, q) * entry(upper, p);
-                    if truth(&minor, Relation::Less) == Some(true) {
-                        let at = vec![
-                            ("functions".to_owned(), format!("{i}, {j}")),
-                            ("places".to_owned(), format!("{x}, {y}")),
-                        ];
-                        return Some(Minor { at, value: minor });
-                    }
-                }
-            }
-        }
-    }
-    None
 }

@@ -7,11 +7,15 @@
 //! ([`instances`]), which can refute them but not prove them.
 
 pub mod agreement;
+pub mod candidates;
+pub mod conditions;
 pub mod domain;
 pub mod equality;
 pub mod family;
 pub mod instances;
+pub mod sharpness;
 pub mod sign;
+pub mod variation;
 pub mod witness;
 
 use crate::evaluate::Evaluator;
@@ -111,7 +115,7 @@ pub fn decide(
             FamilyProperty::Nonnegative => family::nonnegative(basis, domain, evaluator),
             FamilyProperty::Independent => family::independent(basis, domain, evaluator),
             FamilyProperty::VariationDiminishing => {
-                family::variation_diminishing(basis, domain, evaluator)
+                variation::diminishing(basis, domain, evaluator)
             }
         },
         Statement::Join(Connective::And, a, b) => {
@@ -146,6 +150,25 @@ pub fn decide(
             tried: vec![],
         }),
     }
+}
+
+/// What is known about the ranges of the parameters of a proved statement about order, in words.
+///
+/// # Errors
+/// A [`Fault`] when the seeds of a family cannot be evaluated.
+pub fn ranges(
+    statement: &Statement,
+    domain: &Domain,
+    evaluator: &Evaluator<'_>,
+) -> Result<Vec<String>, Fault> {
+    let bounded = match statement {
+        Statement::Family {
+            property: FamilyProperty::Nonnegative,
+            basis,
+        } => family::bounded(basis, evaluator)?,
+        _ => sharpness::bounded(statement),
+    };
+    Ok(sharpness::steps(&bounded, domain))
 }
 
 /// `not p`: the formulas of p do not agree everywhere. A point where p fails proves it; a proof of p

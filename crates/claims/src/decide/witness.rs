@@ -5,7 +5,8 @@
 //! vanishes. A nonzero polynomial has a nonzero value on every grid that is fine enough, so the search
 //! goes back only where assumptions bind.
 
-use super::domain::{Domain, Turns, enclosure, truth};
+use super::candidates::Turns;
+use super::domain::{Domain, enclosure, truth};
 use crate::notation;
 use crate::outcome::Witness;
 use crate::syntax::Relation;

@@ -168,14 +168,18 @@ fn symbolic(
         } => Decision::Proven {
             evidence,
             conditions: open_conditions(conditions, &case),
-            steps,
+            steps: [
+                steps,
+                decide::ranges(&case.statement, &case.domain, &case.evaluator)?,
+            ]
+            .concat(),
         },
         other => other,
     })
 }
 
 fn open_conditions(conditions: Vec<Polynomial>, case: &Case<'_>) -> Vec<Polynomial> {
-    conditions
+    decide::conditions::separated(&conditions)
         .into_iter()
         .filter(|p| !case.domain.assumes_nonzero(p) && !sign::never_zero(p, &case.domain))
         .collect()

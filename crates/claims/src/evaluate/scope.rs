@@ -90,6 +90,14 @@ impl Declarations {
         self.symbols.get(name)
     }
 
+    /// The same with one symbol declared, or declared otherwise.
+    #[must_use]
+    pub fn with_symbol(&self, name: &str, kind: SymbolKind) -> Self {
+        let mut more = self.clone();
+        more.symbols.insert(name.to_owned(), kind);
+        more
+    }
+
     /// The declared symbols by name.
     pub fn symbols(&self) -> impl Iterator<Item = (&str, &SymbolKind)> {
         self.symbols

@@ -1,7 +1,7 @@
 //! Light factoring of polynomials, to be read: monomial content, contents with respect to each symbol,
 //! repeated factors, linear factors in one variable. Not a complete factorisation.
 //!
-//! No verdict depends on it, and the factors are multiplied out again before they are trusted.
+//! The factors are multiplied out again before they are trusted.
 
 use num_traits::{Signed, ToPrimitive};
 use torse_algebra::{Integer, Polynomial, Rational, Symbol};

@@ -31,6 +31,18 @@ pub use typst::typst;
 
 use crate::outcome::Formula;
 use crate::syntax::Expr;
+use torse_algebra::Polynomial;
+
+/// Factors of a polynomial, without exponents and constants; not always irreducible ones.
+#[must_use]
+pub fn factors(polynomial: &Polynomial) -> Vec<Polynomial> {
+    let factored = factor::Factored::of(polynomial);
+    factored
+        .factors
+        .into_iter()
+        .map(|(factor, _)| factor)
+        .collect()
+}
 
 /// The formula in the notations of the outputs.
 #[must_use]
