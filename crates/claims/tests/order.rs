@@ -107,6 +107,26 @@ fn a_zero_at_a_corner_is_seen_where_coefficients_have_different_degrees() {
 }
 
 #[test]
+fn squares_are_nonnegative_wherever_they_vanish() {
+    let squares = [
+        "(1 - 3*a)^2 >= 0",
+        "(1 - 3*a)^2*(7*b - 5)^4*(1 + a) >= 0",
+        "(1 - sin(pi/2*x))^2*(1 - 3*a)^2 >= 0",
+    ];
+    for (number, states) in squares.into_iter().enumerate() {
+        let found = outcome(&format!("square-{number}"), &format!("states = '{states}'"));
+        assert_eq!(found.verdict, Verdict::Holds, "{states}: {found:?}");
+    }
+    let strict = outcome("square-strict", "states = '(1 - 3*a)^2 > 0'");
+    assert_eq!(
+        strict.witness.unwrap().at,
+        [("a".to_owned(), "1/3".to_owned())]
+    );
+    let cube = outcome("cube", "states = '(1 - 3*a)^3 >= 0'");
+    assert_eq!(cube.verdict, Verdict::False);
+}
+
+#[test]
 fn a_proved_relation_says_whether_its_ranges_are_sharp() {
     let steps = |name: &str, states: &str| {
         let found = outcome(name, &format!("states = '{states}'"));

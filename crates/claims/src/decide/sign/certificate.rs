@@ -4,8 +4,8 @@
 //!
 //! `p = m_1 c_1 + m_2 c_2 + ... + f_1 f_2 ... r`
 //!
-//! with assumed c_i >= 0, numbers m_i >= 0 and factors f_i >= 0 (symbols that are not negative, and
-//! assumptions again), and pieces that fill the box of the domain; on each piece the Bernstein
+//! with assumed c_i >= 0, numbers m_i >= 0 and factors f_i >= 0 (symbols that are not negative,
+//! assumptions again, and squares), and pieces that fill the box of the domain; on each piece the Bernstein
 //! coefficients show r to be nonnegative, or an assumption to fail.
 //!
 //! [`check`] shares the coordinates with the prover and nothing else: it multiplies the equation out,
@@ -28,6 +28,8 @@ pub enum Factor {
     Symbol(Symbol),
     /// The assumption of this number, see [`assumed`].
     Assumed(usize),
+    /// The square of this polynomial.
+    Square(Polynomial),
 }
 
 /// Why nothing more is to be shown on a piece.
@@ -160,6 +162,7 @@ pub fn check(
                 )
             }
             Factor::Assumed(number) => assumed.get(*number).cloned().ok_or(wrong)?,
+            Factor::Square(root) => (root.power(2), false),
         };
         factors_positive &= strict;
         product = &product * &value;

@@ -4,6 +4,7 @@ use super::bernstein::sign;
 use super::certificate::{Certificate, Factor, Piece, Reason, assumed};
 use super::coordinates::{Coordinates, Region};
 use crate::decide::domain::{Domain, truth};
+use crate::notation::factors;
 use crate::syntax::Relation;
 use torse_algebra::rational::integer;
 use torse_algebra::{Polynomial, Rational};
@@ -57,7 +58,23 @@ pub fn prove(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate
             }
         }
     }
-    best
+    best.or_else(|| without_square(polynomial, domain, &assumed))
+}
+
+/// A certificate with a square split off: where it vanishes inside a box no halving may ever meet.
+fn without_square(
+    polynomial: &Polynomial,
+    domain: &Domain<'_>,
+    assumed: &[(Polynomial, bool)],
+) -> Option<Certificate> {
+    let mut squares = factors(polynomial).into_iter();
+    let (root, rest) = squares
+        .find_map(|root| Some((root.clone(), polynomial.exact_quotient(&root.power(2))?)))?;
+    let mut found =
+        direct(&rest, domain, assumed).or_else(|| without_square(&rest, domain, assumed))?;
+    found.strict = false;
+    found.factors.push(Factor::Square(root));
+    Some(found)
 }
 
 /// Positive multiples of `value` that cancel a term of the polynomial.
