@@ -101,6 +101,7 @@ impl Scalar for f64 {
         to_f64(q)
     }
 
+    #[inline]
     fn divided_by(&self, divisor: &Self) -> Result<Self, ExactError> {
         if *divisor == 0.0 {
             return Err(ExactError::DivisionByZero {

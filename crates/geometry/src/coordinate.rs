@@ -56,6 +56,17 @@ pub trait Coordinate: Scalar {
         self.quarter_turn()
     }
 
+    /// [`Coordinate::turn`] of all `xs` into `sines` and `cosines`, as far as the three reach.
+    ///
+    /// # Errors
+    /// As [`Coordinate::turn`].
+    fn turns(xs: &[Self], sines: &mut [Self], cosines: &mut [Self]) -> Result<(), ExactError> {
+        for ((x, sine), cosine) in xs.iter().zip(sines).zip(cosines) {
+            (*sine, *cosine) = x.turn()?;
+        }
+        Ok(())
+    }
+
     /// For an enclosure much wider than rounding, its centre and what is left, `self = centre + rest`: curves
     /// then expand about the centre, because the width of their direct evaluation would count `x` and
     /// `1 - x` as if they were independent. `None` for a number.
@@ -112,6 +123,22 @@ impl Coordinate for f64 {
             return Ok(crate::turn::of_unit(*self));
         }
         Ok((std::f64::consts::FRAC_PI_2 * self).sin_cos())
+    }
+
+    #[inline]
+    fn turns(xs: &[f64], sines: &mut [f64], cosines: &mut [f64]) -> Result<(), ExactError> {
+        let each = xs.iter().zip(sines).zip(cosines);
+        if xs.iter().all(|x| (0.0..=1.0).contains(x)) {
+            // Without a branch inside, the loop runs on vector registers.
+            for ((x, sine), cosine) in each {
+                (*sine, *cosine) = crate::turn::of_unit(*x);
+            }
+        } else {
+            for ((x, sine), cosine) in each {
+                (*sine, *cosine) = x.turn()?;
+            }
+        }
+        Ok(())
     }
 
     fn zero(&self) -> Self {

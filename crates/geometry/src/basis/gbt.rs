@@ -60,6 +60,17 @@ impl<S: Coordinate> Gbt<S> {
         &self.nu
     }
 
+    /// The seeds from sine and cosine.
+    #[inline]
+    fn seeds_of_turn(&self, s: S, c: S) -> [S; 3] {
+        let one = s.one();
+        let outer = |t: S, shape: &S| (one.clone() - t.clone()) * (one.clone() - shape.clone() * t);
+        let g0 = outer(s, &self.mu);
+        let g2 = outer(c, &self.nu);
+        let g1 = one - g0.clone() - g2.clone();
+        [g0, g1, g2]
+    }
+
     /// The factors `s(1 - s)` and `c(1 - c)` that move the curve when `mu` and `nu` grow: the seeds
     /// are affine in both, `d g0/d mu = -s(1-s) = -d g1/d mu` and `d g2/d nu = -c(1-c) = -d g1/d nu`.
     ///
@@ -74,12 +85,18 @@ impl<S: Coordinate> Gbt<S> {
 impl<S: Coordinate> Basis<S> for Gbt<S> {
     fn seeds(&self, x: &S) -> Result<[S; 3], ExactError> {
         let (s, c) = x.turn()?;
-        let one = x.one();
-        let outer = |t: S, shape: &S| (one.clone() - t.clone()) * (one.clone() - shape.clone() * t);
-        let g0 = outer(s, &self.mu);
-        let g2 = outer(c, &self.nu);
-        let g1 = one - g0.clone() - g2.clone();
-        Ok([g0, g1, g2])
+        Ok(self.seeds_of_turn(s, c))
+    }
+
+    #[inline]
+    fn seed_columns(&self, xs: &[S], columns: [&mut [S]; 3]) -> Result<(), ExactError> {
+        let [first, second, third] = columns;
+        // Sine and cosine wait where their seeds will be.
+        S::turns(xs, first, third)?;
+        for (((g0, g1), g2), _) in first.iter_mut().zip(second).zip(third).zip(xs) {
+            [*g0, *g1, *g2] = self.seeds_of_turn(g0.clone(), g2.clone());
+        }
+        Ok(())
     }
 
     fn seed_slopes(&self, x: &S) -> Result<[S; 3], ExactError> {

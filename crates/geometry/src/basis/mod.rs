@@ -83,6 +83,18 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     /// [`ExactError`] where the seeds are not numbers of this kind at `x`.
     fn seeds(&self, x: &S) -> Result<[S; 3], ExactError>;
 
+    /// The seeds at all `xs`, one column for each seed, as far as the columns reach.
+    ///
+    /// # Errors
+    /// As [`Basis::seeds`].
+    fn seed_columns(&self, xs: &[S], columns: [&mut [S]; 3]) -> Result<(), ExactError> {
+        let [first, second, third] = columns;
+        for (((x, g0), g1), g2) in xs.iter().zip(first).zip(second).zip(third) {
+            [*g0, *g1, *g2] = self.seeds(x)?;
+        }
+        Ok(())
+    }
+
     /// The Taylor series of the seeds at `x` to this order.
     ///
     /// # Errors

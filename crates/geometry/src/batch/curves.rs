@@ -9,7 +9,6 @@ use crate::error::{GeometryError, Result};
 use crate::planes::{PlaneFamily, Ruling, ruling_of};
 use rayon::prelude::*;
 use std::ops::Range;
-use torse_algebra::ExactError;
 
 /// Parameters evaluated at a time on a curve: one column of values is half a kilobyte.
 const BLOCK: usize = 64;
@@ -38,7 +37,7 @@ impl Columns {
             }
             return Ok(());
         }
-        self.start(xs, |x| basis.seeds(x))?;
+        self.start(basis, xs)?;
         self.raise(3..self.columns.len(), xs);
         Ok(())
     }
@@ -52,9 +51,13 @@ impl Columns {
         xs: &[f64; BLOCK],
     ) -> Result<()> {
         let degree = self.columns.len() - 1;
-        slopes.start(xs, |x| basis.seed_slopes(x))?;
+        if let [first, second, third, ..] = slopes.columns.as_mut_slice() {
+            for (p, x) in xs.iter().enumerate() {
+                [first[p], second[p], third[p]] = basis.seed_slopes(x)?;
+            }
+        }
         slopes.raise(3..degree + 1, xs);
-        self.start(xs, |x| basis.seeds(x))?;
+        self.start(basis, xs)?;
         self.raise(3..degree, xs);
         if degree > 2 {
             let factor = 0.0.natural(degree - 2);
@@ -72,15 +75,12 @@ impl Columns {
     }
 
     /// The three seeds into the first columns.
-    fn start(
-        &mut self,
-        xs: &[f64; BLOCK],
-        seeds: impl Fn(&f64) -> Result<[f64; 3], ExactError>,
-    ) -> Result<()> {
+    fn start<B: Basis<f64>>(&mut self, basis: &B, xs: &[f64; BLOCK]) -> Result<()> {
         if let [first, second, third, ..] = self.columns.as_mut_slice() {
-            for (p, x) in xs.iter().enumerate() {
-                [first[p], second[p], third[p]] = seeds(x)?;
-            }
+            widest(
+                #[inline(always)]
+                || basis.seed_columns(xs, [first, second, third]),
+            )?;
         }
         Ok(())
     }
