@@ -21,44 +21,53 @@ const MAX_CUT_BOXES: usize = 1_000;
 const MAX_MULTIPLES: usize = 6;
 
 /// A certificate that the polynomial is nowhere negative on the domain, a strict one where that is found.
+///
+/// What is cheap comes first: the box alone, an assumption split off or subtracted, and only then the box
+/// cut by the assumptions.
 #[must_use]
 pub fn prove(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate> {
     let assumed = assumed(domain);
-    let mut best = direct(polynomial, domain, &assumed);
-    for (number, (value, positive)) in assumed.iter().enumerate() {
-        if best.as_ref().is_some_and(|c| c.strict) {
-            break;
+    let mut best = direct(polynomial, domain, &[]);
+    let strict = |found: &Option<Certificate>| found.as_ref().is_some_and(|c| c.strict);
+    let helpful = |(_, (value, _)): &(usize, &(Polynomial, bool))| value.as_constant().is_none();
+    for (number, (value, positive)) in assumed.iter().enumerate().filter(helpful) {
+        if strict(&best) {
+            return best;
         }
-        if value.as_constant().is_some() {
-            continue;
-        }
-        let better = |found: &Certificate| best.is_none() || found.strict;
         // p = q c
         if let Some(quotient) = polynomial.exact_quotient(value)
-            && let Some(mut found) = direct(&quotient, domain, &assumed)
+            && let Some(mut found) = direct(&quotient, domain, &[])
         {
             found.strict &= *positive;
             found.factors.push(Factor::Assumed(number));
-            if better(&found) {
-                best = Some(found);
-                continue;
-            }
+            best = better(best, found);
         }
         // p = m c + rest
         for multiple in multiples(polynomial, value) {
+            if strict(&best) {
+                return best;
+            }
             let rest = polynomial - &value.scaled(&multiple);
-            let Some(mut found) = direct(&rest, domain, &assumed) else {
-                continue;
-            };
-            found.strict |= *positive;
-            found.multipliers.push((number, multiple));
-            if best.is_none() || found.strict {
-                best = Some(found);
-                break;
+            if let Some(mut found) = direct(&rest, domain, &[]) {
+                found.strict |= *positive;
+                found.multipliers.push((number, multiple));
+                best = better(best, found);
             }
         }
     }
+    if !strict(&best)
+        && !assumed.is_empty()
+        && let Some(found) = direct(polynomial, domain, &assumed)
+    {
+        best = better(best, found);
+    }
     best.or_else(|| without_square(polynomial, domain, &assumed))
+}
+
+/// The stronger of two certificates, the first of two equal ones.
+fn better(best: Option<Certificate>, found: Certificate) -> Option<Certificate> {
+    best.filter(|own| own.strict || !found.strict)
+        .or(Some(found))
 }
 
 /// A certificate with a square split off: where it vanishes inside a box no halving may ever meet.
