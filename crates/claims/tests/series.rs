@@ -77,6 +77,9 @@ fn sums_that_run_backwards_are_read_from_the_other_end() {
             "sum(j, 0, n, B[j,n](x)*R[n-j]) == S(1 - x)",
             "sum(j, 0, n, B[n-j,n](x)*R[j]) == S(1 - x)",
             "sum(j, 0, n, B[n-j,n](x)*R[n-j]) == S(x)",
+            "sum(i, 0, m, f[i,m](x, 1)*P[m-i]) == sum(i, 0, m, f[i,m](1 - x, 1)*P[i])",
+            "sum(i, 0, m, f[m-i,m](x)*P[m-i]) == C(x)",
+            "sum(i, 0, m, i*f[m-i,m](x)*P[m-i]) == sum(i, 0, m, (m - i)*f[i,m](x)*P[i])",
         ],
     );
 }
