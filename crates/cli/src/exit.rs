@@ -7,8 +7,7 @@ use thiserror::Error;
 use torse_claims::derivation::{DerivationError, LoadError};
 use torse_claims::derive::DeriveError;
 use torse_claims::{Outcome, Verdict};
-use torse_figures::FigureError;
-use torse_geometry::GeometryError;
+use torse_plates::PlateError;
 use torse_report::ReportError;
 
 /// The exit codes of the command.
@@ -121,21 +120,13 @@ pub enum Failure {
     /// A report could not be made or written.
     #[error("the report cannot be made")]
     Report(#[from] ReportError),
-    /// The points of a figure could not be computed.
-    #[error("the points of the figure `{figure}` cannot be computed")]
-    Geometry {
-        /// The figure's name.
-        figure: &'static str,
-        /// Why.
-        source: GeometryError,
-    },
     /// A figure could not be drawn.
     #[error("the figure `{figure}` cannot be drawn")]
     Figure {
-        /// The figure's name.
-        figure: &'static str,
+        /// The figure's id.
+        figure: String,
         /// Why.
-        source: FigureError,
+        source: PlateError,
     },
     /// The terminal, or what stands in for it, took no more.
     #[error("cannot write the output")]
@@ -156,10 +147,7 @@ impl Failure {
                 _ => Exit::BadData,
             },
             Failure::Load(_) | Failure::Derivation(_) | Failure::Slug { .. } => Exit::BadData,
-            Failure::Report(_)
-            | Failure::Geometry { .. }
-            | Failure::Figure { .. }
-            | Failure::Print(_) => Exit::Output,
+            Failure::Report(_) | Failure::Figure { .. } | Failure::Print(_) => Exit::Output,
         }
     }
 }

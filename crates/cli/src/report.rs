@@ -2,7 +2,7 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
-use crate::figures::{self, Redrawn};
+use crate::figures::{self, Drawn};
 use crate::run::Run;
 use crate::terminal::Progress;
 use crate::{selection, terminal};
@@ -45,25 +45,24 @@ impl Report {
         let run = Run::of(&papers)?;
         let wanted: Vec<&PaperOutcome> =
             run.papers.iter().filter(|p| self.wants(&p.slug)).collect();
-        let drawn = figures::ALL.iter().filter(|figure| {
-            let slug = figure.paper;
-            wanted.iter().any(|paper| paper.slug == slug)
-        });
-        let drawn: Vec<&Redrawn> = drawn.collect();
+        let sources = papers.iter().filter(|paper| self.wants(&paper.head.id));
+        let figures = sources
+            .clone()
+            .map(|paper| paper.figures().count())
+            .sum::<usize>();
         let mut folder = Folder {
             path: &self.out,
-            progress: Progress::new("reporting", drawn.len() + 2 * wanted.len() + 2),
+            progress: Progress::new("reporting", figures + 2 * wanted.len() + 2),
             written: Vec::new(),
         };
         folder.write("verdicts.json", verdicts_json(run.outcomes())?.as_bytes())?;
-        let mut images = Vec::new();
-        for figure in drawn {
-            images.push((figure.paper, folder.figure(figure)?));
-        }
-        for paper in wanted {
-            let own = images.iter().filter(|(slug, _)| *slug == paper.slug);
-            let own: Vec<FigureImage> = own.map(|(_, image)| image.clone()).collect();
-            folder.paper(paper, &own)?;
+        for (paper, source) in wanted.into_iter().zip(sources) {
+            let drawn = figures::drawn(source, &folder.progress)?;
+            let figures = drawn
+                .into_iter()
+                .map(|figure| folder.figure(figure))
+                .collect::<Result<Vec<_>, _>>()?;
+            folder.paper(paper, &figures)?;
         }
         folder.write("summary.pdf", &Typeset::summary(&run.papers)?.pdf()?)?;
         folder.progress.finish();
@@ -109,22 +108,17 @@ impl Folder<'_> {
         Ok(())
     }
 
-    fn figure(&mut self, figure: &Redrawn) -> Result<FigureImage, Failure> {
-        self.progress.doing(figure.name);
-        let name = figure.name;
-        let picture = figure.draw()?;
-        let png = picture.png().map_err(|source| Failure::Figure {
-            figure: name,
-            source,
-        })?;
+    fn figure(&mut self, figure: Drawn) -> Result<FigureImage, Failure> {
+        let Drawn { plate, svg, png } = figure;
+        let name = plate.name();
         self.save(&format!("figures/{name}.png"), &png)?;
-        self.write(&format!("figures/{name}.svg"), picture.svg.as_bytes())?;
+        self.save(&format!("figures/{name}.svg"), svg.as_bytes())?;
         Ok(FigureImage {
-            name: name.to_owned(),
-            caption: figure.caption.to_owned(),
-            alt: figure.alt.to_owned(),
-            image: Image::Svg(picture.svg),
-            claims: figure.claims.iter().copied().map(str::to_owned).collect(),
+            name,
+            caption: plate.caption(),
+            alt: plate.drawing().alt.clone(),
+            image: Image::Svg(svg),
+            claims: plate.drawing().claims.clone(),
         })
     }
 

@@ -4,6 +4,8 @@ use super::error::{DerivationError, LoadError};
 use super::schema::{ClaimEntry, ClaimsFile, PaperFile, PaperHead};
 use super::source::{Origin, Source};
 use crate::evaluate::scope::{Declarations, Definition};
+use crate::figure::Figure;
+use crate::figure::schema::FigureEntry;
 use crate::syntax::{Expr, parse};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -39,6 +41,8 @@ pub struct Claim {
     /// The printed values of the same example, this one included: the values of the file whose ids agree
     /// up to the first point. Empty in the members themselves.
     pub example: Arc<[Claim]>,
+    /// The drawing of a figure.
+    pub figure: Option<Figure>,
 }
 
 impl Claim {
@@ -59,6 +63,16 @@ pub struct Paper {
     pub declarations: Arc<Declarations>,
     /// The claims.
     pub claims: Vec<Claim>,
+    /// Figures that are not the paper's.
+    pub own_figures: Vec<Figure>,
+}
+
+impl Paper {
+    /// All figures: those of claims, then those of our own, each in file order.
+    pub fn figures(&self) -> impl Iterator<Item = &Figure> {
+        let drawn = self.claims.iter().filter_map(|claim| claim.figure.as_ref());
+        drawn.chain(&self.own_figures)
+    }
 }
 
 /// Loads all papers below `folder`, in the order of their folders' names.
@@ -126,7 +140,9 @@ fn check_uses(papers: &[Paper]) -> Result<(), LoadError> {
 }
 
 /// Loads one paper through `read`, which returns a file of its folder.
-fn paper(read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Result<Paper, LoadError> {
+pub(crate) fn paper(
+    read: impl Fn(&str) -> Result<Arc<Source>, LoadError>,
+) -> Result<Paper, LoadError> {
     let source = read("paper.toml")?;
     let file: PaperFile = toml_file(&source)?;
     let mut declarations = Declarations::default();
@@ -135,12 +151,12 @@ fn paper(read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Result<Paper,
     add_definitions(&mut declarations, &source, &file.define)?;
     let declarations = Arc::new(declarations);
     let mut claims = vec![];
+    let mut own_figures = vec![];
     for name in &file.paper.claims {
-        claims.extend(claims_of(
-            &read(name.get_ref())?,
-            &declarations,
-            &file.paper.id,
-        )?);
+        let source = read(name.get_ref())?;
+        let (more, figures) = claims_of(&source, &declarations, &file.paper.id)?;
+        claims.extend(more);
+        own_figures.extend(figures);
     }
     let mut seen: BTreeMap<&str, ()> = BTreeMap::new();
     for claim in &claims {
@@ -151,10 +167,17 @@ fn paper(read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Result<Paper,
             ));
         }
     }
+    for figure in &own_figures {
+        if seen.insert(&figure.id, ()).is_some() {
+            let message = format!("the id `{}` is used twice", figure.id);
+            return Err(wrong(&figure.origin, message));
+        }
+    }
     Ok(Paper {
         head: file.paper,
         declarations,
         claims,
+        own_figures,
     })
 }
 
@@ -162,7 +185,7 @@ fn claims_of(
     source: &Arc<Source>,
     paper: &Arc<Declarations>,
     slug: &str,
-) -> Result<Vec<Claim>, LoadError> {
+) -> Result<(Vec<Claim>, Vec<Figure>), LoadError> {
     let file: ClaimsFile = toml_file(source)?;
     let mut shared = (**paper).clone();
     shared.add_symbols(source, &file.symbols)?;
@@ -185,7 +208,12 @@ fn claims_of(
             value.example = Arc::clone(&values);
         }
     }
-    Ok(claims)
+    let figures = file
+        .figure
+        .into_iter()
+        .map(|entry| own_figure(source, &shared, slug, entry))
+        .collect::<Result<_, _>>()?;
+    Ok((claims, figures))
 }
 
 /// The id up to the first point: `hermite-developable/ex-4` for `hermite-developable/ex-4.r0u`.
@@ -193,6 +221,49 @@ fn example(claim: &Claim) -> &str {
     let id = claim.entry.id.get_ref();
     id.split_once('.')
         .map_or(id.as_str(), |(example, _)| example)
+}
+
+/// A figure that is not the paper's: it has an id of its own.
+fn own_figure(
+    source: &Arc<Source>,
+    shared: &Arc<Declarations>,
+    slug: &str,
+    entry: Spanned<FigureEntry>,
+) -> Result<Figure, LoadError> {
+    let range = entry.span();
+    let entry = entry.into_inner();
+    let Some(id) = entry.id.clone() else {
+        let origin = Origin::range(source, range.start, range.end);
+        let message = "a figure of its own needs an `id`".to_owned();
+        return Err(wrong(&origin, message));
+    };
+    let origin = Origin::of(source, &id);
+    if !id.get_ref().starts_with(&format!("{slug}/")) {
+        return Err(wrong(&origin, format!("the id must begin with `{slug}/`")));
+    }
+    let claims = entry.claims.iter().map(|c| c.get_ref().clone()).collect();
+    figure(source, origin, shared, id.into_inner(), claims, entry)
+}
+
+fn figure(
+    source: &Arc<Source>,
+    origin: Origin,
+    shared: &Arc<Declarations>,
+    id: String,
+    claims: Vec<String>,
+    entry: FigureEntry,
+) -> Result<Figure, LoadError> {
+    let mut declarations = (**shared).clone();
+    declarations.add_symbols(source, &entry.symbols)?;
+    add_definitions(&mut declarations, source, &entry.local)?;
+    Ok(Figure {
+        id,
+        claims,
+        entry,
+        origin,
+        source: Arc::clone(source),
+        declarations: Arc::new(declarations),
+    })
 }
 
 fn claim(
@@ -237,6 +308,22 @@ fn claim(
             ),
         )));
     }
+    let drawn = match &entry.figure {
+        None => None,
+        Some(drawn) => {
+            let id = entry.id.get_ref();
+            let (origin, claims) = (origin.clone(), vec![id.clone()]);
+            let drawn = (**drawn).clone();
+            Some(figure(
+                source,
+                origin,
+                &declarations,
+                id.clone(),
+                claims,
+                drawn,
+            )?)
+        }
+    };
     if entry.given.is_empty() != entry.solve_for.is_empty() {
         return Err(wrong(
             &origin,
@@ -248,6 +335,7 @@ fn claim(
         unknowns: all(&entry.solve_for)?,
         assumptions: all(&entry.assume)?,
         statement,
+        figure: drawn,
         declarations,
         origin,
         entry,
@@ -269,12 +357,18 @@ fn wrong(origin: &Origin, message: String) -> LoadError {
 
 /// Parses a text of a file.
 pub(crate) fn written(source: &Arc<Source>, text: &Spanned<String>) -> Result<Written, LoadError> {
+    Ok(parsed(source, text)?)
+}
+
+/// Parses a text of a file that is being evaluated.
+pub(crate) fn parsed(
+    source: &Arc<Source>,
+    text: &Spanned<String>,
+) -> Result<Written, Box<DerivationError>> {
     let origin = Origin::of(source, text);
     match parse(text.get_ref()) {
         Ok(expr) => Ok(Written { expr, origin }),
-        Err(error) => Err(LoadError::Derivation(Box::new(DerivationError::syntax(
-            &origin, &error,
-        )))),
+        Err(error) => Err(Box::new(DerivationError::syntax(&origin, &error))),
     }
 }
 

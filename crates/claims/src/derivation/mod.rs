@@ -9,6 +9,8 @@ pub mod schema;
 mod source;
 
 pub use error::{DerivationError, LoadError};
-pub(crate) use load::written;
+#[cfg(test)]
+pub(crate) use load::paper;
 pub use load::{Claim, Paper, Written, load};
+pub(crate) use load::{parsed, written};
 pub use source::{Origin, Source};

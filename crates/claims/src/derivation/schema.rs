@@ -1,5 +1,6 @@
 //! The shape of a derivation file, as TOML. See `derivations/README.md` for the language.
 
+use crate::figure::schema::FigureEntry;
 use crate::outcome::{Kind, Verdict};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -60,6 +61,9 @@ pub struct ClaimsFile {
     /// The claims.
     #[serde(default)]
     pub claim: Vec<Spanned<ClaimEntry>>,
+    /// Figures that are not the paper's.
+    #[serde(default)]
+    pub figure: Vec<Spanned<FigureEntry>>,
 }
 
 /// A symbol: what it stands for and where it lives.
@@ -149,6 +153,8 @@ pub struct ClaimEntry {
     pub underspecified: Option<String>,
     /// Why this is not a statement for this engine.
     pub out_of_scope: Option<String>,
+    /// The drawing of a figure.
+    pub figure: Option<Box<FigureEntry>>,
     /// Claims this one rests on.
     #[serde(default)]
     pub uses: Vec<Text>,

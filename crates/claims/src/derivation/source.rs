@@ -42,6 +42,13 @@ impl Origin {
         }
     }
 
+    /// The origin of the part of the text that begins after `offset` bytes.
+    #[must_use]
+    pub(crate) fn after(mut self, offset: usize) -> Self {
+        self.start = self.start.map(|start| start + offset);
+        self
+    }
+
     /// The origin of anything else in a file.
     #[must_use]
     pub fn range(source: &Arc<Source>, start: usize, end: usize) -> Self {

@@ -44,7 +44,8 @@ impl<'a> Case<'a> {
             assume(statement, &mut evaluator, &mut domain)
                 .map_err(|f| f.within(&assumption.origin))?;
         }
-        solve_given(claim, &mut evaluator)?;
+        let solution = solve_given(&claim.given, &claim.unknowns, &evaluator)?;
+        evaluator.determine(solution);
         let value = evaluator
             .statement(&statement.expr)
             .map_err(|f| f.within(&statement.origin))?;
@@ -134,13 +135,20 @@ fn assume_entry(
     ))
 }
 
-/// Solves the given equations for their unknowns.
-fn solve_given(claim: &Claim, evaluator: &mut Evaluator<'_>) -> Result<(), Fault> {
-    let Some(first) = claim.given.first() else {
-        return Ok(());
+/// The solution of the given equations for their unknowns.
+///
+/// # Errors
+/// [`Fault`], pointing into the text that caused it.
+pub(crate) fn solve_given(
+    given: &[Written],
+    unknowns: &[Written],
+    evaluator: &Evaluator<'_>,
+) -> Result<BTreeMap<Symbol, Fraction>, Fault> {
+    let Some(first) = given.first() else {
+        return Ok(BTreeMap::new());
     };
     let mut symbols = vec![];
-    for unknown in &claim.unknowns {
+    for unknown in unknowns {
         let value = evaluator
             .evaluate(&unknown.expr)
             .map_err(|f| f.within(&unknown.origin))?;
@@ -157,15 +165,13 @@ fn solve_given(claim: &Claim, evaluator: &mut Evaluator<'_>) -> Result<(), Fault
         }
     }
     let mut forms = vec![];
-    for equation in &claim.given {
+    for equation in given {
         let statement = evaluator
             .statement(&equation.expr)
             .map_err(|f| f.within(&equation.origin))?;
         equations(&statement, &mut forms).map_err(|f| f.within(&equation.origin))?;
     }
-    let solution = solve_for(&forms, &symbols, NOWHERE).map_err(|f| f.within(&first.origin))?;
-    evaluator.determine(solution);
-    Ok(())
+    solve_for(&forms, &symbols, NOWHERE).map_err(|f| f.within(&first.origin))
 }
 
 fn equations(statement: &Statement, forms: &mut Vec<Fraction>) -> Result<(), Fault> {

@@ -5,6 +5,7 @@ pub mod case;
 use crate::decide::{self, Decision, Refutation, instances, sign};
 use crate::derivation::{Claim, DerivationError, Paper, Written};
 use crate::evaluate::fault::Fault;
+use crate::figure::Figure;
 use crate::notation;
 use crate::outcome::{Evidence, Formula, Kind, Outcome, PaperOutcome, Verdict};
 use crate::repair;
@@ -73,6 +74,11 @@ pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<Derivatio
         uses: claim.uses(),
         expect: entry.expect,
     };
+    if let Some(figure) = &claim.figure {
+        outcome.steps.extend(entry.underspecified.clone());
+        drawn(&mut outcome, figure)?;
+        return Ok(outcome);
+    }
     if let Some(missing) = &entry.underspecified {
         outcome.verdict = Verdict::Underspecified;
         outcome.steps.push(missing.clone());
@@ -97,6 +103,20 @@ pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<Derivatio
         .map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
     conclude(&mut outcome, claim, statement, decision);
     Ok(outcome)
+}
+
+/// Evaluates every formula of a figure; what had to be assumed or replaced makes its verdict.
+fn drawn(outcome: &mut Outcome, figure: &Figure) -> Result<(), Box<DerivationError>> {
+    figure.drawing()?;
+    outcome.verdict = figure.verdict();
+    let entry = &figure.entry;
+    let listed = |what: &str, list: &[String]| -> Vec<String> {
+        list.iter().map(|item| format!("{what}: {item}")).collect()
+    };
+    let replaced = listed("our own in place of what is not printed", &entry.stand_in);
+    outcome.steps.extend(replaced);
+    outcome.steps.extend(listed("assumed", &entry.assumes));
+    Ok(())
 }
 
 /// Decides a statement in the setting of a claim: symbolically, or else by instances.

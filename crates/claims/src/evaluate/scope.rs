@@ -137,6 +137,12 @@ impl Declarations {
         self.symbols.insert(name, anywhere);
     }
 
+    /// Adds or replaces a symbol; it hides a definition of the same name.
+    pub(crate) fn declare(&mut self, name: &str, kind: SymbolKind) {
+        self.definitions.remove(name);
+        self.symbols.insert(name.to_owned(), kind);
+    }
+
     /// All declared names.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.symbols

@@ -52,11 +52,22 @@ fn a_report_of_a_paper_is_written_whole_and_the_same_twice() {
 #[test]
 fn figures_belong_to_their_papers_and_come_as_pixels_and_as_drawings() {
     let folder = mini(&claim("a", "x == x", ""));
-    for id in ["gbt-developable", "hermite-developable"] {
+    let parabola = "
+[[figure]]
+id = 'mini/parabola'
+claims = ['mini/a']
+title = 'A parabola'
+caption = 'A parabola.'
+alt = 'A curve that opens upwards.'
+[[figure.panel]]
+layer = [{ draw = 'curve', at = '[x, x^2]', over = ['x'] }]
+";
+    for id in ["first", "second"] {
+        let claims = claim("a", "x == x", "") + parabola;
         add_paper(
             folder.path(),
             id,
-            &claim("a", "x == x", "").replace("mini/", &format!("{id}/")),
+            &claims.replace("mini/", &format!("{id}/")),
         );
     }
     let figures_of = |papers: &[&str]| {
@@ -76,14 +87,10 @@ fn figures_belong_to_their_papers_and_come_as_pixels_and_as_drawings() {
     let all = figures_of(&[]);
     assert_eq!(
         names(&all),
-        [
-            "gbt-developable-ex-4.1",
-            "gbt-developable-fig-1",
-            "hermite-developable-fig-4a"
-        ]
-        .iter()
-        .flat_map(|name| ["png", "svg"].map(|kind| format!("figures/{name}.{kind}")))
-        .collect::<Vec<_>>()
+        ["first-parabola", "second-parabola"]
+            .iter()
+            .flat_map(|name| ["png", "svg"].map(|kind| format!("figures/{name}.{kind}")))
+            .collect::<Vec<_>>()
     );
     for (name, bytes) in &all {
         let magic: &[u8] = if name.ends_with("png") {
@@ -93,8 +100,8 @@ fn figures_belong_to_their_papers_and_come_as_pixels_and_as_drawings() {
         };
         assert!(bytes.starts_with(magic), "{name}");
     }
-    let own = figures_of(&["hermite-developable"]);
-    assert_eq!(names(&own), names(&all)[4..]);
+    let own = figures_of(&["second"]);
+    assert_eq!(names(&own), names(&all)[2..]);
     assert!(
         own.iter().all(|(name, bytes)| all[name] == *bytes),
         "the bytes differ"

@@ -1,0 +1,50 @@
+//! Why a plate cannot be made.
+
+use thiserror::Error;
+use torse_figures::{FigureError, InteractiveError};
+
+/// Why a plate cannot be sampled or drawn.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum PlateError {
+    /// A formula has a symbol that does not run.
+    #[error("`{symbol}` has no value")]
+    Symbol {
+        /// The symbol.
+        symbol: String,
+    },
+    /// A formula is infinite or undefined at a sample.
+    #[error("`{formula}` is {value} at sample {index}")]
+    NotFinite {
+        /// The formula.
+        formula: String,
+        /// The number of the sample.
+        index: usize,
+        /// What came out.
+        value: f64,
+    },
+    /// More samples than anyone can see.
+    #[error("`{formula}` wants {wanted} samples, at most {most} are taken")]
+    Samples {
+        /// The formula.
+        formula: String,
+        /// How many were wanted.
+        wanted: u64,
+        /// The limit.
+        most: u64,
+    },
+    /// A plane without a box that bounds it, or without a normal.
+    #[error("the plane `{formula}` needs a normal, and intervals for all three axes of its panel")]
+    Plane {
+        /// The formula.
+        formula: String,
+    },
+    /// The data cannot be written down.
+    #[error("the data of the figure cannot be written down: {0}")]
+    Data(String),
+    /// The drawing was refused.
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+    /// The interactive picture was refused.
+    #[error(transparent)]
+    Interactive(#[from] InteractiveError),
+}

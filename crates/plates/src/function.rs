@@ -1,0 +1,181 @@
+//! Exact formulas as functions of machine numbers.
+//!
+//! A formula in at most two running variables u, v is a quotient of polynomials in u, v and the sines and cosines
+//! of their angles. Each polynomial is written as `sum over a, b of c[a][b] A_a(u) B_b(v)`, where the A and B are
+//! monomials in one variable, so that on a grid every power and every sine is computed once a row and once a
+//! column. Pi and square roots are constants here and fold into the c.
+
+use crate::PlateError;
+use torse_algebra::rational::to_f64;
+use torse_algebra::{Angle, Fraction, Polynomial, Symbol};
+
+/// Powers of a variable and of the sine and cosine of its two angles.
+type Monomial = [u16; 5];
+
+/// A compiled formula.
+#[derive(Debug, Clone)]
+pub struct Function {
+    numerator: Sum,
+    denominator: Vec<(Sum, i32)>,
+}
+
+/// A polynomial as a bilinear form in the monomials of two variables.
+#[derive(Debug, Clone)]
+struct Sum {
+    first: Vec<Monomial>,
+    second: Vec<Monomial>,
+    /// One row of `second.len()` coefficients for each monomial of `first`.
+    coefficients: Vec<f64>,
+}
+
+impl Function {
+    /// The formula as a function of `variables`, of which there are at most two.
+    ///
+    /// # Errors
+    /// [`PlateError::Symbol`] if another symbol occurs.
+    ///
+    /// ```
+    /// use torse_algebra::Fraction;
+    /// use torse_plates::Function;
+    /// let (u, v) = (Fraction::named("u"), Fraction::named("v"));
+    /// let f = Function::new(&(u.clone() * u * v), &["u", "v"])?;
+    /// assert_eq!(f.grid(&[2.0, 3.0], &[1.0, 10.0]), [4.0, 40.0, 9.0, 90.0]);
+    /// # Ok::<(), torse_plates::PlateError>(())
+    /// ```
+    pub fn new(formula: &Fraction, variables: &[&str]) -> Result<Self, PlateError> {
+        let denominator = formula
+            .denominator_factors()
+            .map(|(factor, power)| {
+                Ok((
+                    Sum::new(factor, variables)?,
+                    i32::try_from(power).unwrap_or(i32::MAX),
+                ))
+            })
+            .collect::<Result<_, PlateError>>()?;
+        Ok(Self {
+            numerator: Sum::new(formula.numerator(), variables)?,
+            denominator,
+        })
+    }
+
+    /// The values on a grid, all of the second variable for each value of the first one.
+    #[must_use]
+    pub fn grid(&self, first: &[f64], second: &[f64]) -> Vec<f64> {
+        let mut values = self.numerator.grid(first, second);
+        for (factor, power) in &self.denominator {
+            for (value, divisor) in values.iter_mut().zip(factor.grid(first, second)) {
+                *value /= divisor.powi(*power);
+            }
+        }
+        values
+    }
+
+    /// The values along the first variable, the second one being zero.
+    #[must_use]
+    pub fn line(&self, first: &[f64]) -> Vec<f64> {
+        self.grid(first, &[0.0])
+    }
+}
+
+impl Sum {
+    fn new(polynomial: &Polynomial, variables: &[&str]) -> Result<Self, PlateError> {
+        let mut sum = Sum {
+            first: vec![],
+            second: vec![],
+            coefficients: vec![],
+        };
+        let mut terms = vec![];
+        for term in polynomial.terms() {
+            let mut coefficient = to_f64(&term.coefficient);
+            let mut monomials: [Monomial; 2] = Default::default();
+            for (symbol, power) in term.powers {
+                let (name, slot) = match symbol {
+                    Symbol::Pi => {
+                        coefficient *= std::f64::consts::PI.powi(i32::from(power));
+                        continue;
+                    }
+                    Symbol::Root(prime) => {
+                        coefficient *= f64::from(*prime).sqrt().powi(i32::from(power));
+                        continue;
+                    }
+                    Symbol::Named(name) => (name, 0),
+                    Symbol::Sin(name, Angle::QuarterTurn) => (name, 1),
+                    Symbol::Cos(name, Angle::QuarterTurn) => (name, 2),
+                    Symbol::Sin(name, Angle::Radian) => (name, 3),
+                    Symbol::Cos(name, Angle::Radian) => (name, 4),
+                    Symbol::Indexed(..) => {
+                        return Err(PlateError::Symbol {
+                            symbol: symbol.to_string(),
+                        });
+                    }
+                };
+                let place = variables.iter().position(|v| **v == **name);
+                match place
+                    .and_then(|p| monomials.get_mut(p))
+                    .and_then(|m| m.get_mut(slot))
+                {
+                    Some(exponent) => *exponent = power,
+                    None => {
+                        return Err(PlateError::Symbol {
+                            symbol: symbol.to_string(),
+                        });
+                    }
+                }
+            }
+            let [a, b] = monomials;
+            terms.push((
+                number(&mut sum.first, a),
+                number(&mut sum.second, b),
+                coefficient,
+            ));
+        }
+        let width = sum.second.len();
+        sum.coefficients = vec![0.0; sum.first.len() * width];
+        for (a, b, coefficient) in terms {
+            if let Some(slot) = sum.coefficients.get_mut(a * width + b) {
+                *slot += coefficient;
+            }
+        }
+        Ok(sum)
+    }
+
+    fn grid(&self, first: &[f64], second: &[f64]) -> Vec<f64> {
+        let columns: Vec<Vec<f64>> = second.iter().map(|v| powers(&self.second, *v)).collect();
+        let mut values = Vec::with_capacity(first.len() * second.len());
+        for u in first {
+            let mut row = vec![0.0; self.second.len()];
+            let coefficients = self.coefficients.chunks(self.second.len().max(1));
+            for (power, coefficients) in powers(&self.first, *u).into_iter().zip(coefficients) {
+                for (sum, coefficient) in row.iter_mut().zip(coefficients) {
+                    *sum += power * coefficient;
+                }
+            }
+            let dot = |column: &Vec<f64>| column.iter().zip(&row).map(|(x, y)| x * y).sum::<f64>();
+            values.extend(columns.iter().map(dot));
+        }
+        values
+    }
+}
+
+/// The position of a monomial in a list, at the end if it is new.
+fn number(list: &mut Vec<Monomial>, monomial: Monomial) -> usize {
+    let found = list.iter().position(|m| *m == monomial);
+    found.unwrap_or_else(|| {
+        list.push(monomial);
+        list.len() - 1
+    })
+}
+
+/// The values of monomials at one point.
+fn powers(monomials: &[Monomial], at: f64) -> Vec<f64> {
+    let (quarter_sin, quarter_cos) = (std::f64::consts::FRAC_PI_2 * at).sin_cos();
+    let (sin, cos) = at.sin_cos();
+    let atoms = [at, quarter_sin, quarter_cos, sin, cos];
+    let value = |m: &Monomial| {
+        m.iter()
+            .zip(atoms)
+            .map(|(n, x)| x.powi(i32::from(*n)))
+            .product()
+    };
+    monomials.iter().map(value).collect()
+}

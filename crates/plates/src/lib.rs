@@ -1,0 +1,25 @@
+//! The figures of derivation files, sampled and drawn.
+//!
+//! A derivation file says what a figure shows in formulas (`torse_claims::figure`); each is evaluated once,
+//! exactly. Here the exact formula becomes a [`Function`] of machine numbers, its samples become layers of a plot
+//! or solids of a view, and `torse_figures` draws them. Nothing in this room knows any basis or any paper.
+//!
+//! | wanted | call |
+//! |---|---|
+//! | all figures of a paper | [`plates`] |
+//! | the picture | [`Plate::draw`] |
+//! | the picture that follows sliders | [`Plate::interactive`] |
+//! | whether it changed | [`Plate::fingerprint`] |
+
+mod error;
+mod function;
+mod interactive;
+mod looks;
+mod plane;
+mod plate;
+mod sample;
+mod space;
+
+pub use error::PlateError;
+pub use function::Function;
+pub use plate::{Plate, plates};
