@@ -39,6 +39,7 @@ pub fn only(papers: &[Paper], ids: &[&str]) -> Vec<Paper> {
             head: paper.head.clone(),
             declarations: paper.declarations.clone(),
             claims: paper.claims.iter().filter(wanted).cloned().collect(),
+            own_figures: vec![],
         }
     });
     kept.filter(|paper| !paper.claims.is_empty()).collect()
