@@ -1,15 +1,16 @@
 //! Enclosed certificates: they hold the known values, and everything that samples find.
 
 use proptest::prelude::*;
+use torse_algebra::{Ball, rational::ratio};
 use torse_geometry::developable::{Enclosed, certify, enclose};
 use torse_geometry::{
-    Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, Over, PlaneFamily, Rails, RuledSurface,
+    Basis, Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, Over, PlaneFamily, Rails, RuledSurface,
     Surface, TangentPatch, exact_ball,
 };
 
 const BITS: usize = 128;
 
-fn ball(x: &f64) -> torse_algebra::Ball {
+fn ball(x: &f64) -> Ball {
     exact_ball(*x, BITS)
 }
 
@@ -163,4 +164,41 @@ proptest! {
         }
         prop_assert!(!patch.is_developable_by_construction());
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn series_over_an_interval_hold_the_series_at_its_points(
+        points in prop::collection::vec(prop::array::uniform2(-2.0..2.0_f64), 3..9),
+        mu in -1.0..1.0_f64,
+        nu in -1.0..1.0_f64,
+        from in 0..8_i64,
+        inside in 0..=16_i64,
+    ) {
+        let curve = Curve::new(Gbt::new(mu, nu).unwrap(), points).unwrap().over(&ball).unwrap();
+        let part = |n: i64| ratio(n, 128).unwrap();
+        let over = curve.jet(&Ball::from_bounds(&part(16 * from), &part(16 * from + 16), BITS), 4).unwrap();
+        let x = Ball::from_rational(&part(16 * from + inside), BITS);
+        let direct = curve.basis().series_rows(curve.degree(), &x, 4).unwrap();
+        for (axis, series) in over.iter().enumerate() {
+            for (coefficient, row) in series.coefficients().iter().zip(&direct) {
+                let terms = row.iter().zip(curve.points()).map(|(w, p)| w.clone() * p[axis].clone());
+                let value = terms.reduce(|a, b| a + b).unwrap();
+                // The exact value lies in both.
+                prop_assert!(coefficient.overlaps(&value));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_second_coefficient_of_the_fifth_power_is_enclosed_up_to_its_end() {
+    let points = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0].map(|x| [ball(&x)]).to_vec();
+    let power = Curve::new(Bernstein, points).unwrap();
+    let interval = Ball::from_bounds(&ratio(0, 1).unwrap(), &ratio(1, 8).unwrap(), BITS);
+    let [series] = power.jet(&interval, 2).unwrap();
+    // 10 x^3 at x = 1/8.
+    assert!(series.coefficients()[2].contains(&ratio(10, 512).unwrap()));
 }
