@@ -12,6 +12,7 @@ pub mod derive;
 pub mod engine;
 pub mod evaluate;
 pub mod figure;
+pub mod mutants;
 pub mod notation;
 pub mod outcome;
 pub mod recheck;

@@ -155,3 +155,28 @@ fn one_factor_of_each_power_stays_a_sine_in_the_derivative_by_mu() {
     );
     assert!(statement.contains("sin(pi/2*x)*x^i"), "{statement}");
 }
+
+/// The right side derived anew for a false claim, and the words for it.
+fn anew(id: &str) -> (String, Vec<String>) {
+    let outcome = decided(id);
+    assert_eq!(outcome.verdict, Verdict::False, "{id}");
+    let correction = outcome.correction.unwrap();
+    let (_, right) = correction.statement.text.split_once(" == ").unwrap();
+    (right.to_owned(), correction.edits)
+}
+
+#[test]
+fn a_coefficient_of_the_join_is_derived_anew_in_its_printed_terms() {
+    let (right, edits) = anew("gbt-surfaces/thm-2.a3");
+    assert_eq!(right, "a*(2*a1 - pi^2*(1 - 2*mu1 - nu1)) + 2*pi^2*nu");
+    assert_eq!(edits, ["the right side derived anew in the printed terms"]);
+    for id in ["gbt-surfaces/eq-5.Q12", "gbt-surfaces/eq-6.Q12"] {
+        let edit = "`a3` derived anew in its printed terms: `a*(2*a1 - pi^2*(1 - 2*mu1 - nu1)) + 2*pi^2*nu`";
+        assert_eq!(anew(id).1, [edit], "{id}");
+    }
+}
+
+#[test]
+fn the_determinant_of_the_quartic_system_keeps_two_of_its_three_powers() {
+    assert_eq!(anew("hermite-developable/eq-3.6.det").0, "16*k^3*(1 - k)");
+}

@@ -248,13 +248,14 @@ fn refute(outcome: &mut Outcome, claim: &Claim, statement: &Written, refutation:
         outcome.kind,
         Kind::Identity | Kind::Value | Kind::Construction | Kind::Definition
     );
-    outcome.correction = if printed_formula {
-        repair::search(claim, statement)
-    } else {
-        None
-    };
+    if printed_formula {
+        outcome.correction = repair::search(claim, statement);
+    }
     if outcome.correction.is_some() {
         outcome.verdict = Verdict::Misprint;
+    } else if printed_formula {
+        // Derived anew is no slip of printing: the statement is false.
+        outcome.correction = repair::ansatz::search(claim, statement);
     }
     if outcome.kind == Kind::Value && outcome.correction.is_none() {
         outcome.data = repair::data::search(claim, statement);

@@ -124,6 +124,13 @@ impl Declarations {
         self.definitions.get(name)
     }
 
+    /// The definitions by name.
+    pub fn definitions(&self) -> impl Iterator<Item = (&str, &Definition)> {
+        self.definitions
+            .iter()
+            .map(|(name, definition)| (name.as_str(), definition))
+    }
+
     /// Adds or replaces a definition; it hides a symbol of the same name.
     pub fn define(&mut self, name: String, definition: Definition) {
         self.symbols.remove(&name);

@@ -55,7 +55,7 @@ pub fn single(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
 }
 
 /// The formula with the part at `path` replaced.
-pub(super) fn placed(expr: &Expr, path: &[usize], by: Expr) -> Expr {
+pub(crate) fn placed(expr: &Expr, path: &[usize], by: Expr) -> Expr {
     let Some((first, rest)) = path.split_first() else {
         return by;
     };

@@ -5,15 +5,18 @@
 //! number of edits wins; whether another correction with as few edits exists is reported. A wrong value
 //! may be the right value of other data: see [`data`].
 
-mod alphabet;
+pub(crate) mod alphabet;
+pub mod ansatz;
 pub mod canonical;
 pub mod data;
 pub mod edits;
 mod rates;
+mod residue;
 pub mod sample;
 pub mod slips;
 pub mod subject;
 pub mod target;
+mod terms;
 pub mod throughout;
 
 use crate::derivation::{Claim, Written};

@@ -71,6 +71,12 @@ impl Subject {
         })
     }
 
+    /// Whether a definition of this name holds a printed formula.
+    #[must_use]
+    pub fn is_printed(name: &str) -> bool {
+        name.starts_with(PRINTED)
+    }
+
     /// The side with the formula edited.
     #[must_use]
     pub fn side(&self, edited: &Expr) -> Expr {
@@ -101,7 +107,7 @@ fn unfolded(claim: &Claim, side: &Expr) -> Option<(Unfolded, Expr)> {
     let (name, arguments) = called(side)?;
     let definition = claim.declarations.definition(name)?;
     let body = &definition.body.expr;
-    if !name.starts_with(PRINTED) || definition.parameters.len() != arguments.len() {
+    if !Subject::is_printed(name) || definition.parameters.len() != arguments.len() {
         return None;
     }
     // An argument must not be caught by an index that the body sums over.

@@ -44,7 +44,12 @@ impl<'a> Target<'a> {
                     )
                 })
                 .collect();
-            let case = Case::new(claim, statement, fixed).ok()?;
+            // An assumption may fix an integer: then there is one instance.
+            let spread = Case::new(claim, statement, fixed);
+            let alone = integers.is_empty() || spread.is_err();
+            let case = spread
+                .or_else(|_| Case::new(claim, statement, BTreeMap::new()))
+                .ok()?;
             let left = other_side(&case.statement, path)?;
             let values = left
                 .entries()
@@ -52,7 +57,7 @@ impl<'a> Target<'a> {
                 .map(|q| q.as_fraction().and_then(sample::at_sample))
                 .collect::<Option<Vec<_>>>()?;
             instances.push((case.evaluator.sampling(), values));
-            if integers.is_empty() {
+            if alone {
                 break;
             }
         }
@@ -95,7 +100,7 @@ fn agreeing(evaluator: &Evaluator<'_>, other: &[Fraction], candidate: &Expr) -> 
 }
 
 /// The side of the comparison that the path does not lead into.
-fn other_side<'s>(statement: &'s Statement, path: &[usize]) -> Option<&'s Value> {
+pub(super) fn other_side<'s>(statement: &'s Statement, path: &[usize]) -> Option<&'s Value> {
     match (statement, path) {
         (Statement::Join(_, a, b), [first, rest @ ..]) => {
             other_side(if *first == 0 { a } else { b }, rest)
