@@ -180,3 +180,13 @@ fn a_coefficient_of_the_join_is_derived_anew_in_its_printed_terms() {
 fn the_determinant_of_the_quartic_system_keeps_two_of_its_three_powers() {
     assert_eq!(anew("hermite-developable/eq-3.6.det").0, "16*k^3*(1 - k)");
 }
+
+#[test]
+fn a_factor_before_a_derivative_is_found_at_the_sample_point() {
+    let (statement, edits) = corrected("gbt-developable/alg-5.4.s4");
+    assert_eq!(
+        statement,
+        "H2''(0) == gamma^2*H1''(1) + 1/4*(lambda*H1'(1))"
+    );
+    assert_eq!(edits, ["the factor `1/4` inserted before `lambda*H1'(1)`"]);
+}

@@ -40,7 +40,17 @@ impl Evaluator<'_> {
                 .collect();
             return body(&bound);
         }
-        // Differentiate by fresh variables, then put the arguments in.
+        self.symbolically(|| self.differentiated(function, arguments, place, &body))
+    }
+
+    /// The derivatives of a function at values: by fresh variables, then the arguments are put in.
+    fn differentiated(
+        &self,
+        function: &Function,
+        arguments: &[Value],
+        place: Place,
+        body: &dyn Fn(&Bindings) -> Outcome<Value>,
+    ) -> Outcome<Value> {
         let fresh = |parameter: &str| format!("{parameter}\u{b0}");
         let bound = function
             .parameters

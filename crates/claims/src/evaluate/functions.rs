@@ -92,7 +92,7 @@ impl Evaluator<'_> {
             },
             ("sum", _) => Err(count("sum(index, low, high, term)")),
             ("D", [function, rest @ ..]) if rest.len() <= 2 => {
-                self.derivative(function, rest, place, bound)
+                self.symbolically(|| self.derivative(function, rest, place, bound))
             }
             ("D", _) => Err(count("D(F, variable, order)")),
             ("at", [inner, variable, point]) => {
@@ -103,9 +103,11 @@ impl Evaluator<'_> {
                         "the name of a variable",
                     ));
                 };
-                let value = self.value(inner, bound)?;
-                let point = self.number(point, bound)?;
-                self.placed(&value, variable, &point, place)
+                self.symbolically(|| {
+                    let value = self.value(inner, bound)?;
+                    let point = self.number(point, bound)?;
+                    self.placed(&value, variable, &point, place)
+                })
             }
             ("at", _) => Err(count("at(formula, variable, point)")),
             ("binom", [top, bottom]) => self.binomial(top, bottom, bound),

@@ -400,6 +400,20 @@ impl<'a> Evaluator<'a> {
         value
     }
 
+    /// Evaluates what needs symbols, such as a derivative, and takes the sample point afterwards.
+    fn symbolically(&self, inner: impl FnOnce() -> Outcome<Value>) -> Outcome<Value> {
+        if !self.sampled {
+            return inner();
+        }
+        let value = self.in_angle(inner)?;
+        value.mapped(&|q: &Quantity| {
+            Ok(match q.as_fraction() {
+                Some(plain) => self.at_sample(plain.clone()).into(),
+                None => q.clone(),
+            })
+        })
+    }
+
     fn deeper<T>(&self, place: Place, inner: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
         if self.depth.get() >= MAX_DEPTH {
             return Err(Fault::at(place, Problem::Circular { limit: MAX_DEPTH }));

@@ -209,7 +209,15 @@ fn solutions(shape: &Shape, further: &[usize], points: &[Point]) -> Vec<(Terms, 
                 columns.push(powers);
             }
         }
-        Some((solution(shape, &columns, points)?, vec![*name]))
+        let mut terms = solution(shape, &columns, points)?;
+        // In the order of the print, whether multiplied or not.
+        let products: Vec<Powers> = printed.iter().map(times_name).collect();
+        let place = |powers: &Powers| {
+            let own = printed.iter().position(|p| p == powers);
+            own.or_else(|| products.iter().position(|p| p == powers))
+        };
+        terms.sort_by_key(|(powers, _)| place(powers));
+        Some((terms, vec![*name]))
     };
     further.iter().filter_map(with).collect()
 }
