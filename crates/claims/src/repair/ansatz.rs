@@ -2,7 +2,7 @@
 //!
 //! A formula with more slips than two is still built from the right parts. Its terms, and their products
 //! with one further name of the claim, get unknown rational coefficients; the equations for them are
-//! linear, and solved exactly ([`residue`]). Printed terms come first, so that a further name enters only
+//! linear, and solved exactly modulo a prime. Printed terms come first, so that a further name enters only
 //! where they do not suffice. What is found is **proved** like any statement. The side is tried as a
 //! whole, then each definition in it alone.
 
