@@ -1,40 +1,119 @@
-//! The figures of the derivation files, drawn in parallel.
+//! The figures of the derivation files: drawn in parallel, and only those that changed.
+//!
+//! Beside the files of the figures lies a list of their fingerprints. A figure whose fingerprint is in the list and
+//! whose files are there is read instead of drawn: equal fingerprints mean equal pictures.
 
 use crate::exit::Failure;
 use crate::terminal::Progress;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::path::Path;
 use torse_claims::derivation::Paper;
-use torse_plates::Plate;
+use torse_plates::{Plate, PlateError};
+use torse_report::{FigureImage, Image, write_file};
 
-/// A figure with its files.
-pub struct Drawn {
-    /// What it is.
-    pub plate: Plate,
-    /// The picture as SVG.
-    pub svg: String,
-    /// The picture as PNG.
-    pub png: Vec<u8>,
+/// The fingerprints of the figures in a folder, by the name of their files.
+pub type Fingerprints = BTreeMap<String, String>;
+
+/// The list of fingerprints in a folder of figures.
+const LIST: &str = "fingerprints.json";
+
+/// The fingerprints that a folder of figures knows: none if it has no list, or one that cannot be read.
+pub fn known(folder: &Path) -> Fingerprints {
+    let list = std::fs::read(folder.join(LIST)).unwrap_or_default();
+    serde_json::from_slice(&list).unwrap_or_default()
 }
 
-/// Draws all figures of a paper, in its order; one step of progress each.
-pub fn drawn(paper: &Paper, progress: &Progress) -> Result<Vec<Drawn>, Failure> {
+/// Writes the list of fingerprints; returns the name of the file.
+pub fn remember(folder: &Path, fingerprints: &Fingerprints) -> Result<&'static str, Failure> {
+    let mut text =
+        serde_json::to_string_pretty(fingerprints).map_err(torse_report::ReportError::from)?;
+    text.push('\n');
+    write_file(&folder.join(LIST), text.as_bytes())?;
+    Ok(LIST)
+}
+
+/// A figure as the report shows it, with its fingerprint.
+pub struct Shown {
+    /// The picture with its words.
+    pub image: FigureImage,
+    /// What determines the picture.
+    pub fingerprint: String,
+}
+
+/// The figures of a paper, in its order, with their files in `folder`; one step of progress each.
+pub fn shown(
+    paper: &Paper,
+    folder: &Path,
+    known: &Fingerprints,
+    progress: &Progress,
+) -> Result<Vec<Shown>, Failure> {
     let figures: Vec<_> = paper.figures().collect();
-    let drawn: Vec<Result<Drawn, Failure>> = figures
+    let shown: Vec<Result<Shown, Failure>> = figures
         .into_par_iter()
         .map(|figure| {
-            let plate = Plate::new(figure)?;
             progress.doing(&figure.id);
+            let plate = Plate::new(figure)?;
             let failed = |source| Failure::Figure {
                 figure: figure.id.clone(),
                 source,
             };
-            let picture = plate.draw().map_err(failed)?;
-            let png = picture.png().map_err(|error| failed(error.into()))?;
+            let name = plate.name();
+            let fingerprint = format!("{:016x}", plate.fingerprint().map_err(failed)?);
+            let kept = match known.get(&name) == Some(&fingerprint) {
+                true => drawn_before(folder, &name),
+                false => None,
+            };
+            let svg = match kept {
+                Some(svg) => svg,
+                None => draw(&plate, folder, &name, failed)?,
+            };
+            let interactive = plate.interactive().map_err(failed)?;
             progress.step();
-            let svg = picture.svg;
-            Ok(Drawn { plate, svg, png })
+            let drawing = plate.drawing();
+            let image = FigureImage {
+                name,
+                caption: drawing.caption.clone(),
+                alt: drawing.alt.clone(),
+                image: Image::Svg(svg),
+                claims: drawing.claims.clone(),
+                verdict: figure.verdict(),
+                assumes: drawing.assumes.clone(),
+                stand_in: drawing.stand_in.clone(),
+                interactive,
+            };
+            Ok(Shown { image, fingerprint })
         })
         .collect();
     // Collected first, so that the first failure told is always the same.
-    drawn.into_iter().collect()
+    shown.into_iter().collect()
+}
+
+/// The names of a figure's files in its folder.
+pub fn files(name: &str) -> [String; 2] {
+    [format!("{name}.png"), format!("{name}.svg")]
+}
+
+/// The drawing from the folder, if both files are there.
+fn drawn_before(folder: &Path, name: &str) -> Option<String> {
+    let [png, svg] = files(name).map(|file| folder.join(file));
+    match png.is_file() {
+        true => std::fs::read_to_string(svg).ok(),
+        false => None,
+    }
+}
+
+/// Draws the figure, writes both files, and returns the drawing.
+fn draw(
+    plate: &Plate,
+    folder: &Path,
+    name: &str,
+    failed: impl Fn(PlateError) -> Failure,
+) -> Result<String, Failure> {
+    let picture = plate.draw().map_err(&failed)?;
+    let pixels = picture.png().map_err(|error| failed(error.into()))?;
+    let [png, svg] = files(name).map(|file| folder.join(file));
+    write_file(&png, &pixels)?;
+    write_file(&svg, picture.svg.as_bytes())?;
+    Ok(picture.svg)
 }

@@ -2,20 +2,25 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
-use crate::figures::{self, Drawn};
+use crate::figures;
 use crate::run::Run;
 use crate::terminal::Progress;
 use crate::{selection, terminal};
 use clap::Args;
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use torse_claims::PaperOutcome;
-use torse_report::{FigureImage, Image, Typeset, html_page, verdicts_json, write_file};
+use torse_claims::derivation::Paper;
+use torse_report::{
+    FigureImage, ReportError, Typeset, gallery, html_page, verdicts_json, write_file,
+};
 
 /// Decide all claims, draw the figures, and write everything into a folder.
 ///
 /// The folder gets `verdicts.json` and `summary.pdf` over all papers, `PAPER.pdf` and `PAPER.html` for each
-/// paper, and the figures as PNG and SVG under `figures/`. Naming papers leaves out the reports and figures
-/// of the others; verdicts and summary are always of all. The same input gives the same bytes.
+/// paper, the figures as PNG and SVG under `figures/`, and `README.md`, which shows them all. Naming papers
+/// leaves out the reports and figures of the others, and the page of all figures; verdicts and summary are
+/// always of all. Figures that did not change are not drawn again. The same input gives the same bytes.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Report {
@@ -32,10 +37,13 @@ pub struct Report {
 const EXAMPLES: &str = "\
 Examples:
   torse report
-  torse report gbt-developable --out /tmp/gbt";
+  torse report gbt-developable --out gbt-report";
+
+/// The folder of the figures in that of the reports.
+const FIGURES: &str = "figures";
 
 impl Report {
-    /// Decides, draws, typesets, writes, and says how it went.
+    /// Decides, draws, typesets, writes, and says what was written.
     pub fn run(&self) -> Result<Exit, Failure> {
         let papers = self.derivations.load()?;
         selection::check_papers(&papers, &self.papers)?;
@@ -43,35 +51,122 @@ impl Report {
             check_slug(&paper.head.id)?;
         }
         let run = Run::of(&papers)?;
-        let wanted: Vec<&PaperOutcome> =
-            run.papers.iter().filter(|p| self.wants(&p.slug)).collect();
-        let sources = papers.iter().filter(|paper| self.wants(&paper.head.id));
-        let figures = sources
-            .clone()
-            .map(|paper| paper.figures().count())
-            .sum::<usize>();
-        let mut folder = Folder {
-            path: &self.out,
-            progress: Progress::new("reporting", figures + 2 * wanted.len() + 2),
-            written: Vec::new(),
-        };
-        folder.write("verdicts.json", verdicts_json(run.outcomes())?.as_bytes())?;
-        for (paper, source) in wanted.into_iter().zip(sources) {
-            let drawn = figures::drawn(source, &folder.progress)?;
-            let figures = drawn
-                .into_iter()
-                .map(|figure| folder.figure(figure))
-                .collect::<Result<Vec<_>, _>>()?;
-            folder.paper(paper, &figures)?;
+        let wanted: Vec<(&Paper, &PaperOutcome)> = (papers.iter().zip(&run.papers))
+            .filter(|(paper, _)| self.wants(&paper.head.id))
+            .collect();
+        let pictures: usize = wanted
+            .iter()
+            .map(|(paper, _)| paper.figures().count())
+            .sum();
+        let progress = Progress::new("reporting", pictures + 2 * wanted.len() + 3);
+        let mut written = Vec::new();
+        let figures = self.figures(&wanted, &progress, &mut written)?;
+        let shown: Vec<(&PaperOutcome, &[FigureImage])> = (wanted.iter().zip(&figures))
+            .map(|((_, outcome), figures)| (*outcome, figures.as_slice()))
+            .collect();
+        let documents = self.documents(&run, &shown);
+        let names: Vec<Result<&str, Failure>> = documents
+            .par_iter()
+            .map(|document| {
+                progress.doing(&document.name);
+                write_file(&self.out.join(&document.name), &(document.bytes)()?)?;
+                progress.step();
+                Ok(document.name.as_str())
+            })
+            .collect();
+        progress.finish();
+        // Collected first, so that the first failure told is always the same.
+        for name in names {
+            written.push(self.line(name?));
         }
-        folder.write("summary.pdf", &Typeset::summary(&run.papers)?.pdf()?)?;
-        folder.progress.finish();
-        terminal::print(&folder.written.concat())?;
+        terminal::print(&written.concat())?;
         Ok(Exit::of(run.outcomes(), &[]))
     }
 
     fn wants(&self, slug: &str) -> bool {
         self.papers.is_empty() || self.papers.iter().any(|name| name == slug)
+    }
+
+    /// The figures of each paper, drawn unless they are in the folder already.
+    fn figures(
+        &self,
+        wanted: &[(&Paper, &PaperOutcome)],
+        progress: &Progress,
+        written: &mut Vec<String>,
+    ) -> Result<Vec<Vec<FigureImage>>, Failure> {
+        let folder = self.out.join(FIGURES);
+        let mut fingerprints = figures::known(&folder);
+        let mut all = Vec::new();
+        for (paper, _) in wanted {
+            let shown = figures::shown(paper, &folder, &fingerprints, progress)?;
+            let mut images = Vec::new();
+            for figure in shown {
+                let name = &figure.image.name;
+                written.extend(
+                    figures::files(name).map(|file| self.line(format!("{FIGURES}/{file}"))),
+                );
+                fingerprints.insert(name.clone(), figure.fingerprint);
+                images.push(figure.image);
+            }
+            all.push(images);
+        }
+        if all.iter().any(|images| !images.is_empty()) {
+            let list = figures::remember(&folder, &fingerprints)?;
+            written.push(self.line(format!("{FIGURES}/{list}")));
+        }
+        Ok(all)
+    }
+
+    /// What is written besides the figures, each document independent of the others.
+    fn documents<'a>(
+        &self,
+        run: &'a Run,
+        shown: &'a [(&'a PaperOutcome, &'a [FigureImage])],
+    ) -> Vec<Document<'a>> {
+        let mut documents = Vec::new();
+        for (paper, figures) in shown {
+            documents.push(Document::new(format!("{}.pdf", paper.slug), || {
+                Typeset::paper(paper, figures)?.pdf()
+            }));
+            documents.push(Document::new(format!("{}.html", paper.slug), || {
+                Ok(html_page(paper, figures)?.into_bytes())
+            }));
+        }
+        documents.push(Document::new("summary.pdf", || {
+            Typeset::summary(&run.papers)?.pdf()
+        }));
+        documents.push(Document::new("verdicts.json", || {
+            Ok(verdicts_json(run.outcomes())?.into_bytes())
+        }));
+        if self.papers.is_empty() {
+            documents.push(Document::new("README.md", || {
+                Ok(gallery(shown)?.into_bytes())
+            }));
+        }
+        documents
+    }
+
+    /// The line that says that a file was written.
+    fn line(&self, name: impl AsRef<Path>) -> String {
+        format!("{}\n", self.out.join(name).display())
+    }
+}
+
+/// A file of the report, and how its bytes are made.
+struct Document<'a> {
+    name: String,
+    bytes: Box<dyn Fn() -> Result<Vec<u8>, ReportError> + Sync + 'a>,
+}
+
+impl<'a> Document<'a> {
+    fn new(
+        name: impl Into<String>,
+        bytes: impl Fn() -> Result<Vec<u8>, ReportError> + Sync + 'a,
+    ) -> Self {
+        Document {
+            name: name.into(),
+            bytes: Box::new(bytes),
+        }
     }
 }
 
@@ -84,49 +179,5 @@ fn check_slug(slug: &str) -> Result<(), Failure> {
         false => Err(Failure::Slug {
             slug: slug.to_owned(),
         }),
-    }
-}
-
-/// The folder being written to, and what was written so far.
-struct Folder<'a> {
-    path: &'a Path,
-    progress: Progress,
-    written: Vec<String>,
-}
-
-impl Folder<'_> {
-    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
-        self.save(name, bytes)?;
-        self.progress.step();
-        Ok(())
-    }
-
-    fn save(&mut self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
-        let path = self.path.join(name);
-        write_file(&path, bytes)?;
-        self.written.push(format!("{}\n", path.display()));
-        Ok(())
-    }
-
-    fn figure(&mut self, figure: Drawn) -> Result<FigureImage, Failure> {
-        let Drawn { plate, svg, png } = figure;
-        let name = plate.name();
-        self.save(&format!("figures/{name}.png"), &png)?;
-        self.save(&format!("figures/{name}.svg"), svg.as_bytes())?;
-        Ok(FigureImage {
-            name,
-            caption: plate.caption(),
-            alt: plate.drawing().alt.clone(),
-            image: Image::Svg(svg),
-            claims: plate.drawing().claims.clone(),
-        })
-    }
-
-    fn paper(&mut self, paper: &PaperOutcome, figures: &[FigureImage]) -> Result<(), Failure> {
-        self.progress.doing(&paper.slug);
-        let pdf = Typeset::paper(paper, figures)?.pdf()?;
-        self.write(&format!("{}.pdf", paper.slug), &pdf)?;
-        let html = html_page(paper, figures)?;
-        self.write(&format!("{}.html", paper.slug), html.as_bytes())
     }
 }

@@ -38,6 +38,7 @@ pub use colormap::ColourMap;
 pub use colour::{Colour, DASHES, Dash, Line, PALETTE, palette};
 pub use error::{FigureError, LabelProblem};
 pub use flat::{Aspect, Axis, Frame, GuideAxis, Layer, Plot};
+pub use ink::markup::label_html;
 pub use ink::scene::Place;
 pub use interactive::{
     Ambient, HIGHEST_EXPONENT, Interactive, InteractiveError, MOST_POINTS, MOST_SLIDERS, Part,

@@ -49,6 +49,9 @@ pub enum ReportError {
         /// The encoder's message.
         reason: String,
     },
+    /// A label of a picture does not parse.
+    #[error("a label of a picture cannot be shown")]
+    Label(#[from] torse_figures::FigureError),
     /// A file could not be written.
     #[error("cannot write {}", path.display())]
     Write {

@@ -1,5 +1,8 @@
 //! Pictures as the report takes them: bytes, a caption, and the claims they illustrate.
 
+use torse_claims::outcome::Verdict;
+use torse_figures::Interactive;
+
 /// The bytes of a picture.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Image {
@@ -42,9 +45,9 @@ impl Image {
 ///
 /// A report shows it beside the first claim of [`claims`](Self::claims) that the paper has, and the other
 /// claims point there; a picture of no claim stands in the section of further figures.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct FigureImage {
-    /// A short name, unique in the report, for instance `basis-functions`.
+    /// A short name, unique in the report, for instance `basis-functions`: that of its files.
     pub name: String,
     /// The caption, plain text.
     pub caption: String,
@@ -54,4 +57,12 @@ pub struct FigureImage {
     pub image: Image,
     /// The ids of the claims that it illustrates.
     pub claims: Vec<String>,
+    /// Whether it was redrawn from printed data alone: `reproduced`, `partial` or `underspecified`.
+    pub verdict: Verdict,
+    /// What is not printed and was filled with a default, such as a view.
+    pub assumes: Vec<String>,
+    /// Data that are not printed and were replaced by our own.
+    pub stand_in: Vec<String>,
+    /// The picture with sliders, for pages that can move it.
+    pub interactive: Option<Interactive>,
 }

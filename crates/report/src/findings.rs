@@ -72,10 +72,13 @@ fn sentence(claim: &Outcome) -> String {
             let repair = claim.correction.as_ref().map(repaired);
             format!("False as printed.{}", repair.unwrap_or_default())
         }
-        Verdict::False => match &claim.witness {
-            Some(witness) => format!("False: {}.", fails_at(witness)),
-            None => "False.".to_owned(),
-        },
+        Verdict::False => {
+            let at_a_point = || claim.witness.as_ref().map(fails_at);
+            match denied(claim).or_else(at_a_point) {
+                Some(reason) => format!("False: {reason}."),
+                None => "False.".to_owned(),
+            }
+        }
         Verdict::Conditional => match conjunction(&claim.conditions) {
             Some(conditions) => format!("True only under a condition: {conditions}."),
             None => "True only under a condition, which is stated with the claim.".to_owned(),
@@ -85,6 +88,37 @@ fn sentence(claim: &Outcome) -> String {
             Some(note) => format!("Not decided. {note}"),
             None => "Not decided.".to_owned(),
         },
+    }
+}
+
+/// Of a claim that something is not so, refuted by proving that it is so everywhere: just that.
+pub(crate) fn denied(claim: &Outcome) -> Option<String> {
+    const PROVED: &str = "the negated statement is proved";
+    const INSTANCE: &str = "the instance ";
+    let steps = || claim.steps.iter();
+    if !steps().any(|step| step.starts_with(PROVED)) {
+        return None;
+    }
+    let what = match claim
+        .parsed
+        .as_ref()
+        .map(|formula| equations(&formula.text))
+    {
+        Some(1) => "the two sides are equal everywhere",
+        _ => "what it denies holds everywhere",
+    };
+    let place = match steps().find_map(|step| step.strip_prefix(INSTANCE)) {
+        Some(values) => format!("at {values} "),
+        None => String::new(),
+    };
+    Some(format!("{place}{what}"))
+}
+
+/// How many equations a statement of equations consists of; none for one with another relation.
+fn equations(statement: &str) -> usize {
+    match statement.contains(['<', '>']) || statement.contains("!=") {
+        true => 0,
+        false => statement.matches("==").count(),
     }
 }
 

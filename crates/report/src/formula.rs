@@ -38,16 +38,19 @@ pub(crate) fn probe(formulas: &[String]) -> Result<MemoryWorld, ReportError> {
 }
 
 /// The pieces between which a long formula may be broken: it is cut before each relation and each plus
-/// or minus that stands outside of all brackets and quotes.
+/// or minus that stands inside of at most `depth` brackets, and of these such as only group.
 ///
-/// The pieces, joined, are the formula. An operator that has no left operand (a sign) does not cut.
-pub(crate) fn pieces(formula: &str) -> Vec<String> {
+/// The pieces, joined, are the formula. An operator that has no left operand (a sign) does not cut, nor does
+/// anything inside of quotes, scripts or the arguments of a function.
+pub(crate) fn pieces(formula: &str, depth: usize) -> Vec<String> {
     let mut pieces = Vec::new();
     let mut piece = String::new();
-    let mut depth = 0_usize;
+    // For each open bracket, whether it only groups.
+    let mut brackets: Vec<bool> = Vec::new();
     let mut quoted = false;
     // What the last visible character was decides whether an operator has a left operand.
     let mut last = Last::Nothing;
+    let mut before = ' ';
     for character in formula.chars() {
         if quoted {
             quoted = character != '"';
@@ -56,15 +59,16 @@ pub(crate) fn pieces(formula: &str) -> Vec<String> {
             match character {
                 '"' => quoted = true,
                 '(' | '[' | '{' => {
-                    depth += 1;
+                    brackets.push(matches!(before, ' ' | '(' | '[' | '{'));
                     last = Last::Operator;
                 }
                 ')' | ']' | '}' => {
-                    depth = depth.saturating_sub(1);
+                    brackets.pop();
                     last = Last::Operand;
                 }
                 _ if breaks_before(character) => {
-                    if depth == 0 && matches!(last, Last::Operand) {
+                    let inside = brackets.len() <= depth && brackets.iter().all(|groups| *groups);
+                    if inside && matches!(last, Last::Operand) {
                         pieces.push(std::mem::take(&mut piece));
                     }
                     last = Last::Operator;
@@ -74,6 +78,7 @@ pub(crate) fn pieces(formula: &str) -> Vec<String> {
                 _ => last = Last::Operand,
             }
         }
+        before = character;
         piece.push(character);
     }
     pieces.push(piece);
@@ -102,9 +107,24 @@ mod tests {
     #[test]
     fn a_formula_is_cut_before_relations_and_sums_outside_of_brackets() {
         assert_eq!(
-            pieces("f(x + 1) = a - b/(c + d) <= 2"),
+            pieces("f(x + 1) = a - b/(c + d) <= 2", 0),
             ["f(x + 1) ", "= a ", "- b/(c + d) ", "<= 2"]
         );
+    }
+
+    #[test]
+    fn a_bracket_that_groups_is_cut_at_its_depth_and_arguments_and_scripts_never() {
+        let formula = "x ((a + b) (c - d) + e)^(n + 1) g_(i - 1) (u + v) f(p + q)";
+        assert_eq!(pieces(formula, 0), [formula]);
+        assert_eq!(
+            pieces(formula, 1),
+            [
+                "x ((a + b) (c - d) ",
+                "+ e)^(n + 1) g_(i - 1) (u ",
+                "+ v) f(p + q)"
+            ]
+        );
+        assert_eq!(pieces(formula, 2).len(), 5);
     }
 
     #[test]
@@ -117,14 +137,14 @@ mod tests {
             "a dot.c (b - c)",
             "3 * -x",
         ] {
-            assert_eq!(pieces(whole), [whole]);
+            assert_eq!(pieces(whole, 0), [whole]);
         }
     }
 
     #[test]
     fn the_pieces_joined_are_the_formula_even_where_brackets_do_not_match() {
         for formula in ["", ")+(a+b", "a = (b + c", "\"open + quote", "a --> b"] {
-            assert_eq!(pieces(formula).concat(), formula);
+            assert_eq!(pieces(formula, 1).concat(), formula);
         }
     }
 

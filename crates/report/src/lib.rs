@@ -6,16 +6,19 @@
 //! - [`Typeset`] is a typeset document: [`Typeset::paper`] for one paper, [`Typeset::summary`] for
 //!   several, written with [`Typeset::pdf`], looked at with [`Typeset::page_png`];
 //! - [`html_page`] is one self-contained page for a browser, formulas as MathML;
+//! - [`gallery`] shows all figures of all papers, in Markdown;
 //! - [`verdicts_json`] is the interface that other programs read;
 //! - [`write_file`] puts bytes in place whole or not at all.
 //!
 //! Every output is a function of its arguments alone: the same bytes on every run.
 
 mod base64;
+mod edit;
 mod error;
 mod figure;
 mod findings;
 mod formula;
+mod gallery;
 mod html;
 mod json;
 mod mathml;
@@ -27,9 +30,11 @@ pub mod words;
 mod world;
 mod write;
 
+pub use edit::{Change, Stretch};
 pub use error::ReportError;
 pub use figure::{FigureImage, Image};
 pub use findings::Finding;
+pub use gallery::gallery;
 pub use html::html_page;
 pub use json::verdicts_json;
 pub use tally::{Row, Tally};

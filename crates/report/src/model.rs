@@ -8,13 +8,17 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use torse_claims::outcome::{Correction, Formula, Outcome, PaperOutcome, Witness};
+use torse_claims::{
+    consequences::consequences,
+    outcome::{Correction, DataCorrection, Formula, Outcome, PaperOutcome, Verdict, Witness},
+};
 
 use crate::{
     FigureImage,
+    edit::{self, Stretch},
     findings::{self, Finding},
     tally::Tally,
-    text::{anchor, counted, name, section_title, visible},
+    text::{anchor, counted, name, section_rank, section_title, visible},
     words::{self, Term},
 };
 
@@ -35,7 +39,7 @@ pub struct Report {
     pub findings: Vec<Finding>,
     /// How many verdicts differ from what the derivation files expect.
     pub unexpected: usize,
-    /// The claims by section of the paper, in the order in which the sections first appear.
+    /// The claims by section of the paper, in the order of the paper.
     pub sections: Vec<Section>,
     /// The pictures; their position is the number that readers see, less one.
     pub figures: Vec<FigureView>,
@@ -87,20 +91,26 @@ pub struct ClaimView {
     pub conditions: Vec<FormulaView>,
     /// A proved correction.
     pub correction: Option<CorrectionView>,
+    /// A change of printed data that explains a wrong value, line by line.
+    pub data: Vec<String>,
     /// The derived right side.
     pub derived: Option<FormulaView>,
     /// Left side minus right side.
     pub difference: Option<FormulaView>,
-    /// A counterexample.
+    /// A counterexample; decimals are empty where the exact value is as easy to read.
     pub witness: Option<Witness>,
+    /// Of a claim that denies what is so: that it is so everywhere, as a sentence.
+    pub denied: Option<String>,
     /// The steps of the decision; equal ones in a row are counted.
     pub steps: Vec<String>,
     /// Anything a reader should know.
     pub note: Option<String>,
     /// What it rests on.
     pub uses: Vec<Reference>,
-    /// What rests on it.
+    /// What rests on it directly, unless it is refuted.
     pub used_by: Vec<Reference>,
+    /// Of a refuted claim, all that rests on it, nearest first, and whether that survives.
+    pub consequences: Vec<ConsequenceView>,
     /// Positions of the pictures shown here.
     pub figures: Vec<usize>,
     /// Positions of the pictures that illustrate it and are shown elsewhere.
@@ -123,10 +133,23 @@ pub struct FormulaView {
 pub struct CorrectionView {
     /// The corrected statement.
     pub statement: FormulaView,
+    /// From the statement as understood to the corrected one, in plain notation.
+    pub marked: Vec<Stretch>,
     /// What was changed, one entry an edit.
     pub edits: Vec<String>,
     /// Whether no other repair with as few edits was found.
     pub unique: bool,
+}
+
+/// A claim that rests on a refuted one.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ConsequenceView {
+    /// The claim.
+    pub claim: Reference,
+    /// What becomes of it, in words.
+    pub fate: &'static str,
+    /// The claim in between that it rests on, if it does not rest on the refuted one itself.
+    pub through: Option<Reference>,
 }
 
 /// A mention of another claim.
@@ -151,6 +174,12 @@ pub struct FigureView {
     pub caption: String,
     /// What it shows, in words.
     pub alt: String,
+    /// Whether it was redrawn from printed data alone.
+    pub verdict: Term,
+    /// What was filled with a default.
+    pub assumes: Vec<String>,
+    /// What was replaced by data of our own.
+    pub stand_in: Vec<String>,
 }
 
 impl Report {
@@ -164,15 +193,16 @@ impl Report {
             let title = section_title(&claim.at);
             match sections.iter_mut().find(|section| section.title == title) {
                 Some(section) => section.claims.push(claim),
-                None => {
-                    let anchor = format!("section-{}", sections.len() + 1);
-                    sections.push(Section {
-                        title,
-                        anchor,
-                        claims: vec![claim],
-                    });
-                }
+                None => sections.push(Section {
+                    title,
+                    anchor: String::new(),
+                    claims: vec![claim],
+                }),
             }
+        }
+        sections.sort_by_key(|section| section_rank(&section.title));
+        for (section, number) in sections.iter_mut().zip(1..) {
+            section.anchor = format!("section-{number}");
         }
         Report {
             slug: visible(&paper.slug),
@@ -210,6 +240,9 @@ fn figure_view((position, image): (usize, &FigureImage)) -> FigureView {
         anchor: format!("figure-{}", position + 1),
         caption: visible(&image.caption),
         alt: visible(&image.alt),
+        verdict: words::verdict(image.verdict),
+        assumes: image.assumes.iter().map(|of| visible(of)).collect(),
+        stand_in: image.stand_in.iter().map(|of| visible(of)).collect(),
     }
 }
 
@@ -245,6 +278,7 @@ impl<'a> Builder<'a> {
 
     fn claim(&mut self, position: usize, outcome: &Outcome) -> ClaimView {
         let (here, elsewhere) = self.figures_of(position, &outcome.id);
+        let refuted = matches!(outcome.verdict, Verdict::False | Verdict::Misprint);
         ClaimView {
             id: visible(&outcome.id),
             name: visible(name(&outcome.id)),
@@ -273,7 +307,11 @@ impl<'a> Builder<'a> {
             correction: outcome
                 .correction
                 .as_ref()
-                .map(|repair| self.correction(repair)),
+                .map(|repair| self.correction(outcome.parsed.as_ref(), repair)),
+            data: (outcome.data.iter())
+                .flat_map(DataCorrection::in_words)
+                .map(|line| visible(&line))
+                .collect(),
             derived: outcome
                 .derived
                 .as_ref()
@@ -283,13 +321,21 @@ impl<'a> Builder<'a> {
                 .as_ref()
                 .map(|formula| self.formula(formula)),
             witness: outcome.witness.as_ref().map(witness),
+            denied: findings::denied(outcome).map(|text| visible(&text)),
             steps: counted(&outcome.steps)
                 .iter()
                 .map(|step| visible(step))
                 .collect(),
             note: outcome.note.as_deref().map(visible),
             uses: outcome.uses.iter().map(|id| self.reference(id)).collect(),
-            used_by: self.used_by(&outcome.id),
+            used_by: match refuted {
+                true => Vec::new(),
+                false => self.used_by(&outcome.id),
+            },
+            consequences: match refuted {
+                true => self.consequences(&outcome.id),
+                false => Vec::new(),
+            },
             figures: here,
             see_figures: elsewhere,
             command: format!("torse explain {}", visible(&outcome.id)),
@@ -304,8 +350,10 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn correction(&mut self, repair: &Correction) -> CorrectionView {
+    fn correction(&mut self, parsed: Option<&Formula>, repair: &Correction) -> CorrectionView {
+        let before = parsed.map_or(String::new(), |formula| visible(&formula.text));
         CorrectionView {
+            marked: edit::stretches(&before, &visible(&repair.statement.text)),
             statement: self.formula(&repair.statement),
             edits: repair.edits.iter().map(|edit| visible(edit)).collect(),
             unique: repair.unique,
@@ -327,12 +375,22 @@ impl<'a> Builder<'a> {
     }
 
     fn used_by(&self, id: &str) -> Vec<Reference> {
-        let users = self
-            .paper
-            .claims
-            .iter()
-            .filter(|claim| claim.uses.iter().any(|used| used == id));
+        let claims = self.paper.claims.iter();
+        let users = claims.filter(|claim| claim.uses.iter().any(|used| used == id));
         users.map(|claim| self.reference(&claim.id)).collect()
+    }
+
+    fn consequences(&self, id: &str) -> Vec<ConsequenceView> {
+        let claims: Vec<&Outcome> = self.paper.claims.iter().collect();
+        let found = consequences(id, &claims);
+        found
+            .iter()
+            .map(|of| ConsequenceView {
+                claim: self.reference(&of.id),
+                fate: words::fate(of.fate),
+                through: of.through.last().map(|id| self.reference(id)),
+            })
+            .collect()
     }
 
     /// The pictures that the claim shows itself, and those that it points to.
@@ -369,7 +427,18 @@ fn witness(of: &Witness) -> Witness {
             .collect(),
         left: visible(&of.left),
         right: visible(&of.right),
-        left_decimal: visible(&of.left_decimal),
-        right_decimal: visible(&of.right_decimal),
+        left_decimal: told_anew(&of.left, &of.left_decimal),
+        right_decimal: told_anew(&of.right, &of.right_decimal),
+    }
+}
+
+/// The decimals, unless the exact value is as easy to read: made of integers.
+fn told_anew(exact: &str, decimal: &str) -> String {
+    let integers = exact
+        .chars()
+        .all(|c| c.is_ascii_digit() || "-[], ".contains(c));
+    match integers {
+        true => String::new(),
+        false => visible(decimal),
     }
 }

@@ -91,6 +91,20 @@ pub(crate) fn section_title(at: &str) -> String {
     }
 }
 
+/// The rank of a heading among those of a report: what stands before the first numbered section, the
+/// sections by number, tables, figures; headings of one rank keep their order.
+pub(crate) fn section_rank(title: &str) -> usize {
+    let number = title
+        .strip_prefix("Section ")
+        .and_then(|number| number.parse().ok());
+    match (title, number) {
+        ("Tables", _) => usize::MAX - 1,
+        ("Figures", _) => usize::MAX,
+        (_, Some(number)) => number,
+        _ => 0,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,6 +126,30 @@ mod tests {
         assert_eq!(section_title("Table 1, row 2"), "Tables");
         assert_eq!(section_title("Abstract; second sentence"), "Abstract");
         assert_eq!(section_title(""), "Elsewhere");
+    }
+
+    #[test]
+    fn sections_stand_by_number_before_tables_and_figures() {
+        let mut titles = [
+            "Figures",
+            "Section 10",
+            "Section 2",
+            "Abstract",
+            "Tables",
+            "Sect. two",
+        ];
+        titles.sort_by_key(|title| section_rank(title));
+        assert_eq!(
+            titles,
+            [
+                "Abstract",
+                "Sect. two",
+                "Section 2",
+                "Section 10",
+                "Tables",
+                "Figures"
+            ]
+        );
     }
 
     #[test]

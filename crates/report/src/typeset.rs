@@ -1,5 +1,7 @@
 //! PDF, and pages as pictures.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 use serde_json::Value;
 use torse_claims::outcome::PaperOutcome;
@@ -164,45 +166,46 @@ struct Data<C> {
 #[derive(Serialize)]
 struct FormulaData {
     source: String,
-    pieces: Vec<String>,
     usable: bool,
+    /// Ways to break the formula into pieces, coarsest first; none for a formula that is never too wide.
+    breaks: Vec<Vec<String>>,
 }
 
-/// For each formula whether it can be set, and its pieces where it may have to be broken and can be.
+/// For each formula whether it can be set, and the ways to break it that can.
 fn formulas(sources: &[String]) -> Result<Vec<FormulaData>, ReportError> {
     /// No formula of so few characters is wider than the column.
     const SHORT: usize = 40;
+    /// Brackets are opened to this depth.
+    const DEEPEST: usize = 3;
     let usable = formula::usable::<PagedDocument>(sources)?;
     let mut data: Vec<FormulaData> = Vec::with_capacity(sources.len());
     for (source, usable) in sources.iter().zip(usable) {
-        let whole = vec![source.clone()];
-        let short = !usable || source.chars().count() <= SHORT;
-        let pieces = if short {
-            whole
-        } else {
-            formula::pieces(source)
-        };
+        let mut breaks = Vec::new();
+        if usable && source.chars().count() > SHORT {
+            breaks.extend((0..=DEEPEST).map(|depth| formula::pieces(source, depth)));
+            breaks.dedup();
+        }
         data.push(FormulaData {
             source: source.clone(),
-            pieces,
             usable,
+            breaks,
         });
     }
-    let broken = data.iter().filter(|formula| formula.pieces.len() > 1);
-    let pieces: Vec<String> = broken
-        .flat_map(|formula| formula.pieces.iter().cloned())
+    let breaks = data.iter().flat_map(|formula| &formula.breaks);
+    let mut pieces: Vec<String> = breaks.flatten().cloned().collect();
+    pieces.sort();
+    pieces.dedup();
+    let usable = formula::usable::<PagedDocument>(&pieces)?;
+    let refused: BTreeSet<&String> = (pieces.iter().zip(usable))
+        .filter(|(_, usable)| !usable)
+        .map(|(piece, _)| piece)
         .collect();
-    let mut pieces_usable = formula::usable::<PagedDocument>(&pieces)?.into_iter();
-    for formula in data.iter_mut().filter(|formula| formula.pieces.len() > 1) {
-        let count = formula.pieces.len();
-        let refused = pieces_usable
-            .by_ref()
-            .take(count)
-            .filter(|usable| !usable)
-            .count();
-        if refused > 0 {
-            formula.pieces = vec![formula.source.clone()];
-        }
+    for formula in &mut data {
+        let whole = |pieces: &Vec<String>| pieces.len() == 1;
+        let fine = |pieces: &Vec<String>| pieces.iter().all(|piece| !refused.contains(piece));
+        formula
+            .breaks
+            .retain(|pieces| whole(pieces) || fine(pieces));
     }
     Ok(data)
 }

@@ -7,7 +7,8 @@ use std::sync::LazyLock;
 
 use torse_claims::outcome::{Kind, PaperOutcome, Verdict, Witness};
 use torse_report::{
-    FigureImage, Image, ReportError, Typeset, html_page, model::Report, verdicts_json,
+    Change, FigureImage, Image, ReportError, Typeset, gallery, html_page, model::Report,
+    verdicts_json,
 };
 
 static HTML: LazyLock<String> = LazyLock::new(|| {
@@ -135,6 +136,10 @@ fn a_picture_that_is_none_is_an_error_that_names_the_document() {
         alt: String::new(),
         image: Image::Png(b"no picture".to_vec()),
         claims: Vec::new(),
+        verdict: Verdict::Reproduced,
+        assumes: Vec::new(),
+        stand_in: Vec::new(),
+        interactive: None,
     };
     let error = Typeset::paper(&short(), &[broken]).unwrap_err();
     assert!(
@@ -327,4 +332,138 @@ fn claims_whose_ids_differ_in_signs_only_keep_anchors_apart() {
     anchors.sort_unstable();
     anchors.dedup();
     assert_eq!(anchors.len(), names.len());
+}
+
+/// The findings about one claim over a symbol x in [0, 1], decided by the engine.
+fn finding_about(states: &str) -> Result<String, Box<dyn std::error::Error>> {
+    let folder = tempfile::tempdir()?;
+    let paper = folder.path().join("mini");
+    std::fs::create_dir(&paper)?;
+    let head = "[paper]\nid = \"mini\"\ntitle = \"T\"\nauthors = \"A\"\nvenue = \"V\"\nclaims = [\"claims.toml\"]\n\n\
+                [symbols]\nx = { in = \"[0, 1]\" }\n";
+    std::fs::write(paper.join("paper.toml"), head)?;
+    let claim = format!(
+        "[[claim]]\nid = \"mini/a\"\nat = \"Sect. 1\"\nkind = \"identity\"\nprinted = \"p\"\nstates = '{states}'\n"
+    );
+    std::fs::write(paper.join("claims.toml"), claim)?;
+    let papers = torse_claims::derivation::load(folder.path())?;
+    let outcome = torse_claims::engine::run(&papers[0], &|| ())?;
+    Ok(Report::new(&outcome, &[]).findings.remove(0).text)
+}
+
+#[test]
+fn a_denied_identity_is_refuted_everywhere_and_not_by_two_equal_numbers() {
+    assert_eq!(
+        finding_about("not (x + 1)^2 == x^2 + 2*x + 1").unwrap(),
+        "False: the two sides are equal everywhere."
+    );
+    assert_eq!(
+        finding_about("not (x == x and 2*x == x + x)").unwrap(),
+        "False: what it denies holds everywhere."
+    );
+    assert_eq!(
+        finding_about("x > 0").unwrap(),
+        "False: at x = 0 both sides are 0."
+    );
+}
+
+#[test]
+fn a_correction_marks_what_went_and_what_came() {
+    let report = Report::new(&paper::sample(), &[]);
+    let claim = report
+        .claims()
+        .find(|claim| claim.correction.is_some())
+        .unwrap();
+    let marked = &claim.correction.as_ref().unwrap().marked;
+    let text = |left_out: Change| -> String {
+        let kept = marked.iter().filter(|stretch| stretch.change != left_out);
+        kept.flat_map(|stretch| stretch.text.chars())
+            .filter(|c| *c != ' ')
+            .collect()
+    };
+    let statement = &claim.correction.as_ref().unwrap().statement.text;
+    assert_eq!(text(Change::Removed), statement.replace(' ', ""));
+    assert_eq!(
+        text(Change::Added),
+        claim.parsed.as_ref().unwrap().text.replace(' ', "")
+    );
+    assert!(HTML.contains("<ins>"));
+}
+
+#[test]
+fn what_rests_on_a_refuted_claim_is_listed_with_its_fate() {
+    let mut sample = paper::sample();
+    let first = sample
+        .claims
+        .iter_mut()
+        .find(|claim| claim.id == "sample/def-1.g0")
+        .unwrap();
+    first.verdict = Verdict::False;
+    let report = Report::new(&sample, &[]);
+    let claim = report
+        .claims()
+        .find(|claim| claim.id == "sample/def-1.g0")
+        .unwrap();
+    let fates: Vec<(&str, &str)> = claim
+        .consequences
+        .iter()
+        .map(|of| (of.claim.shown.as_str(), of.fate))
+        .collect();
+    assert_eq!(
+        fates[..2],
+        [
+            ("thm-2.b", "survives: true as printed all the same"),
+            ("eq-3.7", "survives with a correction of its own")
+        ]
+    );
+    assert!(claim.used_by.is_empty());
+}
+
+#[test]
+fn figures_say_what_was_assumed_and_what_replaced_in_page_and_gallery() {
+    let sample = paper::sample();
+    let figures = paper::figures();
+    let gallery = gallery(&[(&sample, &figures)]).unwrap();
+    for (what, text) in [("page", HTML.as_str()), ("gallery", gallery.as_str())] {
+        for verdict in ["reproduced", "partial", "underspecified"] {
+            assert!(text.contains(verdict), "{what}: {verdict}");
+        }
+        assert!(
+            text.contains("Assumed:") && text.contains("the view; the range of"),
+            "{what}"
+        );
+        assert!(text.contains("Not printed, replaced by our own:"), "{what}");
+        assert!(!text.contains("<script>alert"), "{what}");
+    }
+    for figure in &figures {
+        let link = format!("<img src=\"figures/{}.png\" width=", figure.name);
+        assert!(gallery.contains(&link), "{}", figure.name);
+    }
+}
+
+#[test]
+fn a_figure_with_sliders_carries_its_nets_as_json() {
+    let start = "<script type=\"application/json\">";
+    assert_eq!(HTML.matches(start).count(), 1);
+    let (_, after) = HTML.split_once(start).unwrap();
+    let (data, _) = after.split_once("</script>").unwrap();
+    let data: serde_json::Value = serde_json::from_str(data).unwrap();
+    let arch = paper::arch().unwrap();
+    let parts = data["parts"].as_array().unwrap();
+    assert_eq!(parts.len(), arch.parts().len());
+    for (part, of) in parts.iter().zip(arch.parts()) {
+        for (net, points) in part["nets"].as_array().unwrap().iter().zip(&of.nets) {
+            let numbers: Vec<f64> = net
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|n| n.as_f64().unwrap())
+                .collect();
+            let close = numbers
+                .iter()
+                .zip(points.iter().flatten())
+                .all(|(a, b)| (a - b).abs() < 1e-4);
+            assert!(numbers.len() == 3 * points.len() && close);
+        }
+    }
 }

@@ -42,28 +42,37 @@ fn a_report_of_a_paper_is_written_whole_and_the_same_twice() {
     let names: Vec<&str> = first.keys().map(String::as_str).collect();
     assert_eq!(
         names,
-        ["mini.html", "mini.pdf", "summary.pdf", "verdicts.json"]
+        [
+            "README.md",
+            "mini.html",
+            "mini.pdf",
+            "summary.pdf",
+            "verdicts.json"
+        ]
     );
     assert!(first["mini.pdf"].starts_with(b"%PDF-") && first["summary.pdf"].starts_with(b"%PDF-"));
     let verdicts = on(folder.path(), &["verify", "--format", "json"]).out;
     assert_eq!(first["verdicts.json"], verdicts.as_bytes());
 }
 
-#[test]
-fn figures_belong_to_their_papers_and_come_as_pixels_and_as_drawings() {
-    let folder = mini(&claim("a", "x == x", ""));
-    let parabola = "
+/// A figure of the paper `mini` beside its claim `a`.
+const PARABOLA: &str = "
 [[figure]]
 id = 'mini/parabola'
 claims = ['mini/a']
 title = 'A parabola'
 caption = 'A parabola.'
 alt = 'A curve that opens upwards.'
+assumes = ['the scale']
 [[figure.panel]]
 layer = [{ draw = 'curve', at = '[x, x^2]', over = ['x'] }]
 ";
+
+#[test]
+fn figures_belong_to_their_papers_and_come_as_pixels_and_as_drawings() {
+    let folder = mini(&claim("a", "x == x", ""));
     for id in ["first", "second"] {
-        let claims = claim("a", "x == x", "") + parabola;
+        let claims = claim("a", "x == x", "") + PARABOLA;
         add_paper(
             folder.path(),
             id,
@@ -80,7 +89,7 @@ layer = [{ draw = 'curve', at = '[x, x^2]', over = ['x'] }]
         assert_eq!(ran.code, Some(0), "{}", ran.err);
         let mut files = files(out.path());
         assert_eq!(ran.out.lines().count(), files.len());
-        files.retain(|name, _| name.starts_with("figures/"));
+        files.retain(|name, _| name.starts_with("figures/") && !name.ends_with(".json"));
         files
     };
     let names = |files: &BTreeMap<String, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
@@ -107,6 +116,77 @@ layer = [{ draw = 'curve', at = '[x, x^2]', over = ['x'] }]
         "the bytes differ"
     );
     assert!(figures_of(&["mini"]).is_empty());
+}
+
+#[test]
+fn a_figure_is_drawn_again_only_when_it_changed_or_a_file_is_missing() {
+    let folder = mini(&(claim("a", "x == x", "") + PARABOLA));
+    let out = TempDir::new().unwrap();
+    let report = || {
+        let path = out.path().to_str().unwrap();
+        let ran = on(folder.path(), &["report", "--out", path]);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        files(out.path())
+    };
+    let first = report();
+    let drawing = out.path().join("figures/mini-parabola.svg");
+    let marked = [
+        first["figures/mini-parabola.svg"].as_slice(),
+        b"<!-- kept -->",
+    ]
+    .concat();
+    fs::write(&drawing, &marked).unwrap();
+    assert!(
+        report()["figures/mini-parabola.svg"] == marked,
+        "drawn again"
+    );
+    fs::remove_file(out.path().join("figures/mini-parabola.png")).unwrap();
+    assert!(report() == first, "the missing file was not drawn again");
+    fs::write(&drawing, &marked).unwrap();
+    let claims = folder.path().join("mini/claims.toml");
+    let text = fs::read_to_string(&claims).unwrap();
+    fs::write(&claims, text.replace("x^2", "x^3")).unwrap();
+    let changed = report();
+    assert!(
+        changed["figures/mini-parabola.svg"] != marked,
+        "kept though it changed"
+    );
+    assert!(changed["figures/fingerprints.json"] != first["figures/fingerprints.json"]);
+}
+
+#[test]
+fn page_and_gallery_show_a_figure_with_its_verdict_and_assumptions() {
+    let folder = mini(&(claim("a", "x == x", "") + PARABOLA));
+    let out = TempDir::new().unwrap();
+    on(
+        folder.path(),
+        &["report", "--out", out.path().to_str().unwrap()],
+    );
+    let files = files(out.path());
+    for name in ["README.md", "mini.html"] {
+        let text = String::from_utf8(files[name].clone()).unwrap();
+        for part in ["A parabola.", "partial", "Assumed:", "the scale"] {
+            assert!(text.contains(part), "{name}: {part}");
+        }
+    }
+}
+
+#[test]
+fn the_committed_figures_are_small_and_the_gallery_shows_each() {
+    const LIMIT: u64 = 300 * 1024;
+    let reports = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../reports");
+    let gallery = fs::read_to_string(reports.join("README.md")).unwrap();
+    let mut pictures = 0;
+    for entry in fs::read_dir(reports.join("figures")).unwrap().flatten() {
+        let name = entry.file_name().into_string().unwrap();
+        let size = entry.metadata().unwrap().len();
+        assert!(size < LIMIT, "{name} has {size} bytes");
+        if !name.ends_with(".json") {
+            assert!(gallery.contains(&format!("\"figures/{name}\"")), "{name}");
+            pictures += 1;
+        }
+    }
+    assert_eq!(pictures, gallery.matches("\"figures/").count());
 }
 
 #[test]

@@ -7,6 +7,7 @@
 pub(crate) mod chart;
 pub(crate) mod font;
 pub(crate) mod label;
+pub(crate) mod markup;
 pub(crate) mod raster;
 pub(crate) mod scene;
 pub(crate) mod svg;

@@ -3,6 +3,7 @@
 use torse_claims::outcome::{
     Correction, Evidence, Formula, Kind, Outcome, PaperOutcome, Verdict, Witness,
 };
+use torse_figures::{Ambient, Interactive, InteractiveError, Part, Shape, Slider, palette};
 use torse_report::{FigureImage, Image};
 
 /// A string of everything that is markup somewhere.
@@ -330,27 +331,112 @@ pub fn figures() -> Vec<FigureImage> {
         alt: format!("A picture of {name}"),
         image,
         claims: claims.iter().map(|id| (*id).to_owned()).collect(),
+        verdict: Verdict::Reproduced,
+        assumes: Vec::new(),
+        stand_in: Vec::new(),
+        interactive: None,
     };
+    let basis = of(
+        "basis",
+        "The basis functions of degree 3 for μ = ν = 0 (solid) and μ = ν = 1 (dashed).",
+        Image::Svg(curves()),
+        &["sample/fig-1", "sample/thm-2.b"],
+    );
+    let gap = of(
+        "gap",
+        "The printed second derivative (dashed) and the true one: the gap is at x = 0.",
+        Image::Svg(curves()),
+        &["sample/eq-3.7"],
+    );
+    let hostile = of(
+        "hostile",
+        HOSTILE,
+        Image::Png(PIXEL.to_vec()),
+        &["sample/nowhere"],
+    );
     vec![
-        of(
-            "basis",
-            "The basis functions of degree 3 for μ = ν = 0 (solid) and μ = ν = 1 (dashed).",
-            Image::Svg(curves()),
-            &["sample/fig-1", "sample/thm-2.b"],
-        ),
-        of(
-            "gap",
-            "The printed second derivative (dashed) and the true one: the gap is at x = 0.",
-            Image::Svg(curves()),
-            &["sample/eq-3.7"],
-        ),
-        of(
-            "hostile",
-            HOSTILE,
-            Image::Png(PIXEL.to_vec()),
-            &["sample/nowhere"],
-        ),
+        FigureImage {
+            interactive: arch().ok(),
+            ..basis
+        },
+        FigureImage {
+            verdict: Verdict::Partial,
+            assumes: vec!["the view".to_owned(), "the range of `x`".to_owned()],
+            ..gap
+        },
+        FigureImage {
+            verdict: Verdict::Underspecified,
+            stand_in: vec![HOSTILE.to_owned()],
+            ..hostile
+        },
     ]
+}
+
+/// A surface (u, v, 1 - u^2 + mu v^2 + mu nu u v) over the square, its diagonal and three points.
+pub fn arch() -> Result<Interactive, InteractiveError> {
+    let slider = |name: &str, start: f64| Slider {
+        name: name.to_owned(),
+        label: format!("$\\{name}_{{1}}$"),
+        least: -1.0,
+        greatest: 1.0,
+        start,
+        step: 0.01,
+    };
+    let at = |k: usize, n: usize| 2.0 * k as f64 / (n - 1) as f64 - 1.0;
+    let nets = |points: Vec<[f64; 2]>| -> Vec<Vec<[f64; 3]>> {
+        vec![
+            points.iter().map(|[u, v]| [*u, *v, 1.0 - u * u]).collect(),
+            points.iter().map(|[_, v]| [0.0, 0.0, v * v]).collect(),
+            points.iter().map(|[u, v]| [0.0, 0.0, u * v]).collect(),
+        ]
+    };
+    let part = |number: usize, label: &str, shape: Shape, points: Vec<[f64; 2]>| Part {
+        label: label.to_owned(),
+        colour: palette(number),
+        shape,
+        nets: nets(points),
+    };
+    let (rows, columns) = (25, 13);
+    let grid = |rows: usize, columns: usize| {
+        (0..rows * columns)
+            .map(|k| [at(k / columns, rows), at(k % columns, columns)])
+            .collect::<Vec<_>>()
+    };
+    let parts = vec![
+        part(
+            0,
+            "$S(u, v)$",
+            Shape::Surface { columns, rows },
+            grid(rows, columns),
+        ),
+        part(
+            1,
+            "diagonal",
+            Shape::Curve,
+            (0..33).map(|k| [at(k, 33); 2]).collect(),
+        ),
+        part(
+            2,
+            "net",
+            Shape::Net {
+                columns: 3,
+                rows: 3,
+            },
+            grid(3, 3),
+        ),
+        part(
+            3,
+            "",
+            Shape::Points,
+            vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+        ),
+    ];
+    Interactive::new(
+        vec![slider("mu", 0.5), slider("nu", 0.0)],
+        vec![vec![0, 0], vec![1, 0], vec![1, 1]],
+        Ambient::Space,
+        parts,
+    )
 }
 
 /// A small plot, drawn by hand.

@@ -4,8 +4,11 @@ use std::fmt::{self, Write};
 
 use torse_claims::outcome::Witness;
 
-use super::{Page, Text, badge};
-use crate::model::{ClaimView, CorrectionView, FormulaView, Reference};
+use super::{Page, Prose, Text, badge};
+use crate::{
+    Change, Stretch,
+    model::{ClaimView, ConsequenceView, CorrectionView, FormulaView, Reference},
+};
 
 /// The claim as an `article`; `section` is the identifier of the section that it is in.
 pub(super) fn write(
@@ -48,21 +51,27 @@ pub(super) fn write(
     if let Some(repair) = &claim.correction {
         correction(out, page, repair)?;
     }
+    if !claim.data.is_empty() {
+        let data = claim.data.join("; ");
+        writeln!(out, "<dt>right if</dt><dd>{}.</dd>", Prose(&data))?;
+    }
     formulas(out, page, "derived", claim.derived.as_slice())?;
     formulas(out, page, "difference", claim.difference.as_slice())?;
     if let Some(found) = &claim.witness {
-        witness(out, found)?;
+        witness(out, found, claim.denied.as_deref())?;
     }
     if !claim.steps.is_empty() {
-        out.push_str("<dt>steps</dt><dd><ol class=\"steps\">");
-        for step in &claim.steps {
-            write!(out, "<li>{}</li>", Text(step))?;
-        }
-        out.push_str("</ol></dd>\n");
+        let steps = claim.steps.join("; ");
+        writeln!(
+            out,
+            "<dt>steps</dt><dd class=\"steps\">{}.</dd>",
+            Prose(&steps)
+        )?;
     }
     text(out, "note", claim.note.as_deref())?;
     references(out, "rests on", &claim.uses)?;
     references(out, "used by", &claim.used_by)?;
+    consequences(out, &claim.consequences)?;
     if !claim.see_figures.is_empty() {
         out.push_str("<dt>see</dt><dd>");
         for (position, figure) in claim
@@ -93,7 +102,7 @@ pub(super) fn write(
 
 fn text(out: &mut String, name: &str, text: Option<&str>) -> fmt::Result {
     match text {
-        Some(text) => writeln!(out, "<dt>{name}</dt><dd>{}</dd>", Text(text)),
+        Some(text) => writeln!(out, "<dt>{name}</dt><dd>{}</dd>", Prose(text)),
         None => Ok(()),
     }
 }
@@ -118,6 +127,14 @@ fn formulas(
 fn correction(out: &mut String, page: &Page<'_>, repair: &CorrectionView) -> fmt::Result {
     out.push_str("<dt>corrected</dt><dd class=\"corrected\">");
     page.formula(out, &repair.statement)?;
+    out.push_str("<p class=\"marked\"><code>");
+    for Stretch { change, text } in &repair.marked {
+        match change {
+            Change::Kept => write!(out, "{}", Text(text))?,
+            Change::Removed => write!(out, "<del>{}</del>", Text(text))?,
+            Change::Added => write!(out, "<ins>{}</ins>", Text(text))?,
+        }
+    }
     let others = if repair.unique {
         "No other repair as small was found."
     } else {
@@ -125,15 +142,17 @@ fn correction(out: &mut String, page: &Page<'_>, repair: &CorrectionView) -> fmt
     };
     writeln!(
         out,
-        "<p><strong>Changed:</strong> {}. {others}</p></dd>",
-        Text(&repair.edits.join("; "))
+        "</code></p><p><strong>Changed:</strong> {}. {others}</p></dd>",
+        Prose(&repair.edits.join("; "))
     )
 }
 
-fn witness(out: &mut String, witness: &Witness) -> fmt::Result {
-    out.push_str(
-        "<dt>witness</dt><dd class=\"scroll\" tabindex=\"0\"><table class=\"witness\"><thead><tr><td></td><th scope=\"col\">exact</th><th scope=\"col\">enclosed by</th></tr></thead><tbody>",
-    );
+fn witness(out: &mut String, witness: &Witness, denied: Option<&str>) -> fmt::Result {
+    out.push_str("<dt>witness</dt><dd class=\"scroll\" tabindex=\"0\">");
+    if let Some(denied) = denied {
+        write!(out, "<p>{}, for instance:</p>", Text(denied))?;
+    }
+    out.push_str("<table class=\"witness\"><thead><tr><td></td><th scope=\"col\">exact</th><th scope=\"col\">enclosed by</th></tr></thead><tbody>");
     for (name, value) in &witness.at {
         write!(
             out,
@@ -142,11 +161,13 @@ fn witness(out: &mut String, witness: &Witness) -> fmt::Result {
             Text(value)
         )?;
     }
-    let sides = [
-        ("left side", &witness.left, &witness.left_decimal),
-        ("right side", &witness.right, &witness.right_decimal),
-    ];
-    for (name, exact, decimal) in sides {
+    let left = (&witness.left, &witness.left_decimal);
+    let right = (&witness.right, &witness.right_decimal);
+    let sides = match left == right {
+        true => vec![("both sides", left)],
+        false => vec![("left side", left), ("right side", right)],
+    };
+    for (name, (exact, decimal)) in sides {
         write!(
             out,
             "<tr><th scope=\"row\">{name}</th><td><code>{}</code></td><td><code>{}</code></td></tr>",
@@ -158,22 +179,47 @@ fn witness(out: &mut String, witness: &Witness) -> fmt::Result {
     Ok(())
 }
 
+/// What rests on a refuted claim, and whether it survives.
+fn consequences(out: &mut String, consequences: &[ConsequenceView]) -> fmt::Result {
+    if consequences.is_empty() {
+        return Ok(());
+    }
+    out.push_str("<dt>rests on it</dt><dd><ul class=\"consequences\">");
+    for consequence in consequences {
+        out.push_str("<li>");
+        mention(out, &consequence.claim)?;
+        write!(out, " {}", consequence.fate)?;
+        if let Some(through) = &consequence.through {
+            out.push_str(" (rests on ");
+            mention(out, through)?;
+            out.push(')');
+        }
+        out.push_str("</li>");
+    }
+    out.push_str("</ul></dd>\n");
+    Ok(())
+}
+
 fn references(out: &mut String, name: &str, references: &[Reference]) -> fmt::Result {
     if references.is_empty() {
         return Ok(());
     }
     write!(out, "<dt>{name}</dt><dd>")?;
     for (position, reference) in references.iter().enumerate() {
-        let comma = if position > 0 { ", " } else { "" };
-        match &reference.anchor {
-            Some(anchor) => write!(
-                out,
-                "{comma}<a href=\"#{anchor}\"><code>{}</code></a>",
-                Text(&reference.shown)
-            )?,
-            None => write!(out, "{comma}<code>{}</code>", Text(&reference.shown))?,
+        if position > 0 {
+            out.push_str(", ");
         }
+        mention(out, reference)?;
     }
     out.push_str("</dd>\n");
     Ok(())
+}
+
+/// The name of a claim, a link where the page has it.
+fn mention(out: &mut String, reference: &Reference) -> fmt::Result {
+    let shown = Text(&reference.shown);
+    match &reference.anchor {
+        Some(anchor) => write!(out, "<a href=\"#{anchor}\"><code>{shown}</code></a>"),
+        None => write!(out, "<code>{shown}</code>"),
+    }
 }

@@ -6,20 +6,23 @@
 //! Without the script it is a complete report; the script adds filter, search and keys.
 
 mod claim;
+mod moving;
 mod overview;
+mod picture;
 
 use std::fmt::{self, Write};
 
 use torse_claims::outcome::PaperOutcome;
 
 use crate::{
-    FigureImage, ReportError, base64, mathml,
+    FigureImage, ReportError, mathml,
     model::{FormulaView, Report},
     words::{self, KINDS, Term},
 };
 
 const STYLE: &str = include_str!("../../assets/page.css");
 const SCRIPT: &str = include_str!("../../assets/page.js");
+const MOVING: &str = include_str!("../../assets/moving.js");
 
 /// The report of one paper as one HTML file, with its pictures inside.
 ///
@@ -32,11 +35,10 @@ const SCRIPT: &str = include_str!("../../assets/page.js");
 pub fn html_page(paper: &PaperOutcome, figures: &[FigureImage]) -> Result<String, ReportError> {
     let report = Report::new(paper, figures);
     let math = mathml::set(&report.formulas)?;
-    let sources = figures.iter().map(data_uri).collect();
     let page = Page {
         report: &report,
         math: &math.formulas,
-        sources,
+        pictures: figures.iter().map(picture).collect::<Result<_, _>>()?,
     };
     let mut html = String::new();
     page.write(&mut html, &math.style)
@@ -47,19 +49,26 @@ pub fn html_page(paper: &PaperOutcome, figures: &[FigureImage]) -> Result<String
     Ok(html)
 }
 
-fn data_uri(figure: &FigureImage) -> String {
-    format!(
-        "data:{};base64,{}",
-        figure.image.media_type(),
-        base64::encode(figure.image.bytes())
-    )
+/// A picture as the page holds it.
+struct PagePicture {
+    /// Its address, with the bytes in it.
+    source: String,
+    /// The data of its version with sliders, JSON.
+    moving: Option<String>,
+}
+
+fn picture(figure: &FigureImage) -> Result<PagePicture, ReportError> {
+    Ok(PagePicture {
+        source: picture::data_uri(&figure.image),
+        moving: figure.interactive.as_ref().map(moving::data).transpose()?,
+    })
 }
 
 /// The report with what the page needs besides: formulas as MathML and pictures as addresses.
 struct Page<'a> {
     report: &'a Report,
     math: &'a [Option<String>],
-    sources: Vec<String>,
+    pictures: Vec<PagePicture>,
 }
 
 impl Page<'_> {
@@ -102,7 +111,7 @@ impl Page<'_> {
         write!(
             out,
             "</main>\n<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
-             <kbd>Esc</kbd> clear the search.</p></footer>\n<script>\n{SCRIPT}</script>\n</body>\n</html>\n"
+             <kbd>Esc</kbd> clear the search; in a moving figure the arrows turn it, <kbd>+</kbd> and <kbd>-</kbd> scale it, <kbd>Home</kbd> puts it back.</p></footer>\n<script>\n{SCRIPT}{MOVING}</script>\n</body>\n</html>\n"
         )
     }
 
@@ -160,20 +169,47 @@ impl Page<'_> {
     }
 
     fn figure(&self, out: &mut String, position: usize) -> fmt::Result {
-        let (Some(figure), Some(source)) = (
+        let (Some(figure), Some(picture)) = (
             self.report.figures.get(position),
-            self.sources.get(position),
+            self.pictures.get(position),
         ) else {
             return Ok(());
         };
-        writeln!(
+        let alt = Text(&figure.alt);
+        write!(
             out,
-            "<figure id=\"{}\"><img src=\"{source}\" alt=\"{}\" loading=\"lazy\"><figcaption>Figure {}. {}</figcaption></figure>",
-            figure.anchor,
-            Text(&figure.alt),
+            "<figure id=\"{}\"><img src=\"{}\" alt=\"{alt}\" loading=\"lazy\">",
+            figure.anchor, picture.source,
+        )?;
+        if let Some(data) = &picture.moving {
+            write!(
+                out,
+                "<details class=\"moving\" data-alt=\"{alt}\"><summary>Move it</summary>\
+                 <script type=\"application/json\">{data}</script></details>",
+            )?;
+        }
+        write!(
+            out,
+            "<figcaption>Figure {}. {} <span class=\"provenance\">{}",
             position + 1,
             Text(&figure.caption),
-        )
+            badge(figure.verdict),
+        )?;
+        let lists = [
+            ("Not printed, replaced by our own", &figure.stand_in),
+            ("Assumed", &figure.assumes),
+        ];
+        for (name, list) in lists {
+            if !list.is_empty() {
+                write!(
+                    out,
+                    " <strong>{name}:</strong> {}.",
+                    Prose(&list.join("; "))
+                )?;
+            }
+        }
+        out.push_str("</span></figcaption></figure>\n");
+        Ok(())
     }
 }
 
@@ -183,6 +219,24 @@ fn badge(verdict: Term) -> String {
         "<span class=\"badge v-{}\">{}</span>",
         verdict.key, verdict.label
     )
+}
+
+/// Text in which stretches between backticks are code.
+struct Prose<'a>(&'a str);
+
+impl fmt::Display for Prose<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.matches('`').count() % 2 == 1 {
+            return Text(self.0).fmt(out);
+        }
+        for (number, part) in self.0.split('`').enumerate() {
+            match number % 2 {
+                0 => Text(part).fmt(out)?,
+                _ => write!(out, "<code>{}</code>", Text(part))?,
+            }
+        }
+        Ok(())
+    }
 }
 
 /// A string as text of the page, in an element or in a quoted attribute: never markup.

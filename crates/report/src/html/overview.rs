@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use super::{Text, badge};
+use super::{Prose, Text, badge};
 use crate::{
     Tally,
     model::Report,
@@ -42,7 +42,7 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
             Text(&finding.name),
             Text(&finding.at),
             Text(&finding.printed),
-            Text(&finding.text),
+            Prose(&finding.text),
         )?;
     }
     out.push_str("</ul>\n");

@@ -1,0 +1,92 @@
+//! The gallery: a page in Markdown that shows all figures of all papers.
+//!
+//! It stands beside the folder of figures, where a repository's web page renders it: small pictures that link to
+//! the large ones, each with its caption, its verdict, and what was assumed.
+
+use std::fmt::{self, Write};
+
+use torse_claims::outcome::PaperOutcome;
+
+use crate::{FigureImage, ReportError, text::visible, words};
+
+/// Width of a small picture in pixels.
+const WIDTH: u32 = 420;
+
+/// The gallery of `papers`, each with its figures, whose files are `figures/NAME.png`.
+///
+/// Text is written as HTML inside of Markdown and escaped, so nothing in a caption acts as markup.
+///
+/// # Errors
+///
+/// [`ReportError::Typeset`] when a string refuses to be written to, which memory does not do.
+pub fn gallery(papers: &[(&PaperOutcome, &[FigureImage])]) -> Result<String, ReportError> {
+    let mut page = String::new();
+    write(&mut page, papers).map_err(|fmt::Error| ReportError::Typeset {
+        document: "the gallery",
+        messages: vec!["a string refused to be written to".to_owned()],
+    })?;
+    Ok(page)
+}
+
+fn write(page: &mut String, papers: &[(&PaperOutcome, &[FigureImage])]) -> fmt::Result {
+    page.push_str(
+        "# Figures\n\nThe figures of the papers, redrawn by `torse report` from the formulas that the claims state, and \
+         figures of our own beside claims that were refuted. *Reproduced* means: from printed data alone; *partial*: what \
+         was assumed is listed; *underspecified*: the paper does not print the data, and the figure shows stand-ins.\n",
+    );
+    for (paper, figures) in papers {
+        if figures.is_empty() {
+            continue;
+        }
+        let (slug, title) = (escaped(&paper.slug), escaped(&paper.title));
+        write!(
+            page,
+            "\n## {title}\n\n`{slug}` · {} figures\n",
+            figures.len()
+        )?;
+        for figure in *figures {
+            entry(page, figure)?;
+        }
+    }
+    Ok(())
+}
+
+fn entry(page: &mut String, figure: &FigureImage) -> fmt::Result {
+    let (name, alt) = (escaped(&figure.name), escaped(&figure.alt));
+    let verdict = words::verdict(figure.verdict).label;
+    write!(
+        page,
+        "\n<a href=\"figures/{name}.svg\"><img src=\"figures/{name}.png\" width=\"{WIDTH}\" alt=\"{alt}\"></a>\n\n\
+         **{name}** · *{verdict}* · {}\n",
+        escaped(&figure.caption)
+    )?;
+    let lists = [
+        ("Not printed, replaced by our own", &figure.stand_in),
+        ("Assumed", &figure.assumes),
+    ];
+    for (what, list) in lists {
+        if !list.is_empty() {
+            write!(page, "\n*{what}:* {}.\n", escaped(&list.join("; ")))?;
+        }
+    }
+    Ok(())
+}
+
+/// The text with every sign of HTML and Markdown escaped, on one line.
+fn escaped(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    for character in visible(text).chars() {
+        match character {
+            '&' => plain.push_str("&amp;"),
+            '<' => plain.push_str("&lt;"),
+            '>' => plain.push_str("&gt;"),
+            '"' => plain.push_str("&quot;"),
+            '\n' => plain.push(' '),
+            '*' | '_' | '`' | '[' | ']' | '\\' | '#' | '|' | '~' | '$' | '!' => {
+                plain.push_str(&format!("&#{};", u32::from(character)));
+            }
+            _ => plain.push(character),
+        }
+    }
+    plain
+}

@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""Opens the pages that `torse report` writes in a headless Chromium and uses them.
+
+    python3 tests/browser/check.py reports/*.html
+
+Each page is copied, with a script at its end that filters, searches and moves sliders and writes down what it
+saw; the browser runs it and hands back the page. A page passes if nothing was logged as an error, the filter hides
+what it should, and a slider, a turn and a key change the picture, and putting back restores it. Without Chromium
+nothing is tested, which is said; nothing but Python is needed.
+"""
+
+import html
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
+
+# Errors are caught from the first script on.
+FIRST = """<script>
+window.seen = { errors: [] };
+addEventListener("error", (event) => seen.errors.push(String(event.message || event.type)), true);
+addEventListener("securitypolicyviolation", (event) => seen.errors.push(`policy: ${event.violatedDirective}`));
+console.error = (...words) => seen.errors.push(words.join(" "));
+</script>"""
+
+LAST = """<script>
+addEventListener("load", async () => {
+  const frame = () => new Promise((done) => setTimeout(done, 60));
+  const all = (rule) => [...document.querySelectorAll(rule)];
+  const shown = () => all("article[data-verdict]").filter((claim) => !claim.hidden);
+  try {
+    seen.claims = shown().length;
+    const chip = document.querySelector(".chip");
+    chip.click();
+    seen.without = { verdict: chip.value, left: shown().length, wrong: shown().filter((claim) => claim.dataset.verdict === chip.value).length };
+    document.getElementById("reset").click();
+    seen.again = shown().length;
+    const kind = document.getElementById("kind");
+    kind.selectedIndex = 1;
+    kind.dispatchEvent(new Event("input"));
+    seen.kind = { left: shown().length, wrong: shown().filter((claim) => claim.dataset.kind !== kind.value).length };
+    document.getElementById("reset").click();
+    const section = document.getElementById("section");
+    section.selectedIndex = section.options.length - 1;
+    section.dispatchEvent(new Event("input"));
+    seen.section = { left: shown().length, wrong: shown().filter((claim) => claim.dataset.section !== section.value).length };
+    document.getElementById("reset").click();
+    const search = document.getElementById("search");
+    search.value = shown()[0].querySelector("h3").textContent;
+    search.dispatchEvent(new Event("input"));
+    seen.search = shown().length;
+    document.getElementById("reset").click();
+    seen.wide = document.documentElement.scrollWidth - innerWidth;
+    seen.math = all("math").length;
+    seen.moving = [];
+    for (const details of all("details.moving")) {
+      details.open = true;
+      await frame();
+      await frame();
+      const canvas = details.querySelector("canvas"), input = details.querySelector("input");
+      const picture = () => canvas.toDataURL();
+      const first = picture(), start = input.value;
+      input.value = Number(input.value) === Number(input.max) ? input.min : input.max;
+      input.dispatchEvent(new Event("input"));
+      const slid = picture();
+      canvas.dispatchEvent(new KeyboardEvent("keydown", { key: canvas.classList.contains("turns") ? "ArrowLeft" : "+", bubbles: true }));
+      const turned = picture();
+      details.querySelector("button").click();
+      seen.moving.push({
+        figure: details.closest("figure").id, named: Boolean(canvas.getAttribute("aria-label")), blank: first === document.createElement("canvas").toDataURL(),
+        slid: slid !== first, turned: turned !== slid, restored: picture() === first && input.value === start,
+      });
+      details.open = false;
+    }
+  } catch (error) { seen.errors.push(String(error.stack || error)); }
+  const report = document.createElement("pre");
+  report.id = "what-was-seen";
+  report.textContent = JSON.stringify(seen);
+  document.body.append(report);
+});
+</script></body>"""
+
+
+def run(browser, page, width):
+    """What the page's visitor saw in a window of this width."""
+    text = page.read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        copy = folder / "page.html"
+        text = text.replace("<head>", "<head>" + FIRST, 1)
+        head, _, tail = text.rpartition("</body>")
+        copy.write_text(head + LAST + tail, encoding="utf-8")
+        command = [
+            browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+            "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage",
+            f"--user-data-dir={folder / 'profile'}", f"--window-size={width},900", "--virtual-time-budget=60000",
+            "--dump-dom", copy.as_uri(),
+        ]
+        dump = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False).stdout
+    found = re.search(r'<pre id="what-was-seen">(.*?)</pre>', dump, re.S)
+    return json.loads(html.unescape(found.group(1))) if found else None
+
+
+def faults(seen):
+    """What is wrong with what was seen, in words."""
+    if seen is None:
+        return ["the page did not finish"]
+    wrong = [f"error: {message}" for message in seen["errors"]]
+    if wrong:
+        return wrong
+    if seen["claims"] == 0 or seen["again"] != seen["claims"]:
+        wrong.append("claims are missing after the filter is reset")
+    if seen["without"]["wrong"] or seen["without"]["left"] >= seen["claims"]:
+        wrong.append("a verdict that is filtered out is still shown")
+    for name in ("kind", "section"):
+        if seen[name]["wrong"] or not 0 < seen[name]["left"] <= seen["claims"]:
+            wrong.append(f"the filter by {name} shows something else")
+    if not 0 < seen["search"] < seen["claims"] and seen["claims"] > 1:
+        wrong.append("the search finds nothing or everything")
+    if seen["wide"] > 0:
+        wrong.append(f"the page is {seen['wide']} pixels wider than the window")
+    if seen["math"] == 0:
+        wrong.append("no formulas")
+    for figure in seen["moving"]:
+        for what in ("named", "slid", "turned", "restored"):
+            if not figure[what]:
+                wrong.append(f"{figure['figure']} is not {what}")
+        if figure["blank"]:
+            wrong.append(f"{figure['figure']} is blank")
+    return wrong
+
+
+def main():
+    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if browser is None:
+        print("skipped: no Chromium found")
+        return 0
+    pages = [pathlib.Path(name) for name in sys.argv[1:]]
+    if not pages:
+        print(__doc__)
+        return 2
+    failed = False
+    for page in pages:
+        for width in (360, 1200):
+            seen = run(browser, page, width)
+            wrong = faults(seen)
+            failed = failed or bool(wrong)
+            moving = len(seen["moving"]) if seen else 0
+            print(f"{page.name} at {width}: " + ("; ".join(wrong) or f"fine, {seen['claims']} claims, {moving} moving figures"))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
