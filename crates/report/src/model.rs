@@ -324,7 +324,7 @@ impl<'a> Builder<'a> {
             denied: findings::denied(outcome).map(|text| visible(&text)),
             steps: counted(&outcome.steps)
                 .iter()
-                .map(|step| visible(step))
+                .map(|step| visible(step.strip_suffix('.').unwrap_or(step)))
                 .collect(),
             note: outcome.note.as_deref().map(visible),
             uses: outcome.uses.iter().map(|id| self.reference(id)).collect(),
