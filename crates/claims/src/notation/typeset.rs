@@ -280,8 +280,8 @@ fn derivative<T: Typeset>(t: &T, function: &Expr, variable: &Expr, order: &str) 
     )
 }
 
-/// `F''(0)` for a named function or member of a family and at most three derivatives, else the
-/// derivative with a bar.
+/// `F''(0)` for a named function or member of a family and at most three derivatives by its own variable,
+/// a quotient of partial differentials for a derivative by a parameter, else the derivative with a bar.
 fn derivative_at<T: Typeset>(t: &T, derivative: &[Expr], value: &Expr) -> Option<Piece> {
     let (function, variable, order) = match derivative {
         [function, variable] => (function, variable, Some(1)),
@@ -289,6 +289,20 @@ fn derivative_at<T: Typeset>(t: &T, derivative: &[Expr], value: &Expr) -> Option
         _ => return None,
     };
     let at = t.write(value).text;
+    // Primes are for the function's own variable: at another name it is a derivative by a parameter.
+    let by_parameter = plain_name(value).is_some_and(|name| plain_name(variable) != Some(name));
+    if by_parameter && plain_name(function).is_some() {
+        let power = derivative.get(2).map(|order| t.write(order).text);
+        let power = power.unwrap_or_default();
+        let above = t.attached(T::PARTIAL, 0, "", &power);
+        let below = t.attached(&t.write(variable).text, 0, "", &power);
+        let (above, below) = (
+            format!("{above} {}", t.write(function).text),
+            format!("{} {below}", T::PARTIAL),
+        );
+        let text = format!("{} {}", t.fraction(&above, &below), t.round(&at));
+        return Some(Piece::new(Level::Power, text));
+    }
     if let (Some(primes @ 1..=3), Some((name, indices))) = (order, member(function)) {
         let indices: Vec<String> = indices.iter().map(|index| t.write(index).text).collect();
         let head = t.decorated(name, usize::try_from(primes).ok()?, &indices);

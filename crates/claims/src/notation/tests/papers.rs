@@ -140,3 +140,12 @@ fn code_keeps_integers_apart_in_rust_and_stays_exact_in_sympy() {
         "a.cross(b).norm()/sqrt(2) + sin(2*x)**Rational(1, 2) - sympify(1 + 2)/3",
     );
 }
+
+#[test]
+fn a_derivative_by_a_parameter_is_no_prime() {
+    assert_eq!(
+        latex(&parse("D(G, mu)(x)").unwrap()),
+        r"\frac{\partial G}{\partial \mu} (x)"
+    );
+    assert_eq!(latex(&parse("D(G, x)(x)").unwrap()), "G' (x)");
+}
