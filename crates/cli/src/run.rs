@@ -26,6 +26,8 @@ impl Run {
         let progress = Progress::new("deciding", claims.len());
         let decided: Vec<_> = claims
             .par_iter()
+            // A claim takes from microseconds to a second: each may go to whoever is free.
+            .with_max_len(1)
             .map(|(slug, claim)| {
                 let start = Instant::now();
                 let outcome = decide_claim(slug, claim);
