@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use torse_claims::{
-    consequences::consequences,
+    consequences::{Fate, consequences},
     outcome::{Correction, DataCorrection, Formula, Outcome, PaperOutcome, Verdict, Witness},
 };
 
@@ -109,8 +109,10 @@ pub struct ClaimView {
     pub uses: Vec<Reference>,
     /// What rests on it directly, unless it is refuted.
     pub used_by: Vec<Reference>,
-    /// Of a refuted claim, all that rests on it, nearest first, and whether that survives.
+    /// Of a refuted claim, what rests on it, nearest first, and whether that survives.
     pub consequences: Vec<ConsequenceView>,
+    /// How many claims rest on it through others only, and survive, in words: counted, not listed.
+    pub distant_survivors: Option<String>,
     /// Positions of the pictures shown here.
     pub figures: Vec<usize>,
     /// Positions of the pictures that illustrate it and are shown elsewhere.
@@ -279,6 +281,10 @@ impl<'a> Builder<'a> {
     fn claim(&mut self, position: usize, outcome: &Outcome) -> ClaimView {
         let (here, elsewhere) = self.figures_of(position, &outcome.id);
         let refuted = matches!(outcome.verdict, Verdict::False | Verdict::Misprint);
+        let (consequences, distant_survivors) = match refuted {
+            true => self.consequences(&outcome.id),
+            false => (Vec::new(), None),
+        };
         ClaimView {
             id: visible(&outcome.id),
             name: visible(name(&outcome.id)),
@@ -332,10 +338,8 @@ impl<'a> Builder<'a> {
                 true => Vec::new(),
                 false => self.used_by(&outcome.id),
             },
-            consequences: match refuted {
-                true => self.consequences(&outcome.id),
-                false => Vec::new(),
-            },
+            consequences,
+            distant_survivors,
             figures: here,
             see_figures: elsewhere,
             command: format!("torse explain {}", visible(&outcome.id)),
@@ -380,17 +384,21 @@ impl<'a> Builder<'a> {
         users.map(|claim| self.reference(&claim.id)).collect()
     }
 
-    fn consequences(&self, id: &str) -> Vec<ConsequenceView> {
+    /// What rests on a claim: all that does so directly, and of the rest what does not survive; then the
+    /// number of those left out, in words.
+    fn consequences(&self, id: &str) -> (Vec<ConsequenceView>, Option<String>) {
         let claims: Vec<&Outcome> = self.paper.claims.iter().collect();
         let found = consequences(id, &claims);
-        found
+        let (distant, listed): (Vec<_>, Vec<_>) = found
             .iter()
-            .map(|of| ConsequenceView {
-                claim: self.reference(&of.id),
-                fate: words::fate(of.fate),
-                through: of.through.last().map(|id| self.reference(id)),
-            })
-            .collect()
+            .partition(|of| !of.through.is_empty() && of.fate == Fate::Survives);
+        let views = listed.into_iter().map(|of| ConsequenceView {
+            claim: self.reference(&of.id),
+            fate: words::fate(of.fate),
+            through: of.through.last().map(|id| self.reference(id)),
+        });
+        let told = (!distant.is_empty()).then(|| words::distant_survivors(distant.len()));
+        (views.collect(), told)
     }
 
     /// The pictures that the claim shows itself, and those that it points to.

@@ -67,6 +67,15 @@ pub const fn fate(of: Fate) -> &'static str {
     }
 }
 
+/// The claims that rest on a refuted one through others only, and survive.
+#[must_use]
+pub fn distant_survivors(count: usize) -> String {
+    match count {
+        1 => "through these one more rests on it, and survives".to_owned(),
+        _ => format!("through these {count} more rest on it, and survive"),
+    }
+}
+
 /// The words for a verdict.
 #[must_use]
 pub const fn verdict(of: Verdict) -> Term {

@@ -420,6 +420,37 @@ fn what_rests_on_a_refuted_claim_is_listed_with_its_fate() {
 }
 
 #[test]
+fn distant_survivors_of_a_refuted_claim_are_counted_and_not_listed() {
+    let mut sample = paper::sample();
+    for claim in &mut sample.claims {
+        claim.uses = match claim.id.as_str() {
+            "sample/thm-2.b" => vec!["sample/def-1.g0".to_owned()],
+            "sample/eq-3.7" => vec!["sample/thm-2.b".to_owned()],
+            _ => Vec::new(),
+        };
+        claim.verdict = match claim.id.as_str() {
+            "sample/def-1.g0" => Verdict::False,
+            _ => Verdict::Holds,
+        };
+    }
+    let report = Report::new(&sample, &[]);
+    let claim = report
+        .claims()
+        .find(|claim| claim.id == "sample/def-1.g0")
+        .unwrap();
+    let listed: Vec<&str> = claim
+        .consequences
+        .iter()
+        .map(|of| of.claim.shown.as_str())
+        .collect();
+    assert_eq!(listed, ["thm-2.b"]);
+    assert_eq!(
+        claim.distant_survivors.as_deref(),
+        Some("through these one more rests on it, and survives")
+    );
+}
+
+#[test]
 fn figures_say_what_was_assumed_and_what_replaced_in_page_and_gallery() {
     let sample = paper::sample();
     let figures = paper::figures();

@@ -71,7 +71,7 @@ pub(super) fn write(
     text(out, "note", claim.note.as_deref())?;
     references(out, "rests on", &claim.uses)?;
     references(out, "used by", &claim.used_by)?;
-    consequences(out, &claim.consequences)?;
+    consequences(out, &claim.consequences, claim.distant_survivors.as_deref())?;
     if !claim.see_figures.is_empty() {
         out.push_str("<dt>see</dt><dd>");
         for (position, figure) in claim
@@ -180,7 +180,11 @@ fn witness(out: &mut String, witness: &Witness, denied: Option<&str>) -> fmt::Re
 }
 
 /// What rests on a refuted claim, and whether it survives.
-fn consequences(out: &mut String, consequences: &[ConsequenceView]) -> fmt::Result {
+fn consequences(
+    out: &mut String,
+    consequences: &[ConsequenceView],
+    distant_survivors: Option<&str>,
+) -> fmt::Result {
     if consequences.is_empty() {
         return Ok(());
     }
@@ -195,6 +199,9 @@ fn consequences(out: &mut String, consequences: &[ConsequenceView]) -> fmt::Resu
             out.push(')');
         }
         out.push_str("</li>");
+    }
+    if let Some(words) = distant_survivors {
+        write!(out, "<li>{words}</li>")?;
     }
     out.push_str("</ul></dd>\n");
     Ok(())
