@@ -74,12 +74,7 @@ impl Derive {
     /// Derives and prints.
     pub fn run(&self) -> Result<Exit, Failure> {
         let papers = self.derivations.load()?;
-        selection::check_papers(&papers, std::slice::from_ref(&self.paper))?;
-        let mut papers = papers.iter().filter(|paper| paper.head.id == self.paper);
-        let derivation = match papers.next() {
-            Some(paper) => self.derive(paper)?,
-            None => return Ok(Exit::AsExpected),
-        };
+        let derivation = self.derive(selection::paper(&papers, &self.paper)?)?;
         terminal::print(&print(&derivation, self.language.into()))?;
         Ok(Exit::AsExpected)
     }

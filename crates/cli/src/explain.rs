@@ -38,7 +38,7 @@ impl Explain {
     /// Decides the claim and prints the note.
     pub fn run(&self) -> Result<Exit, Failure> {
         let papers = self.derivations.load()?;
-        let paper = selection::select_one(papers.clone(), &self.name)?;
+        let paper = selection::select_one(&papers, &self.name)?;
         let run = Run::of(std::slice::from_ref(&paper))?;
         for paper in &run.papers {
             for outcome in &paper.claims {

@@ -46,33 +46,36 @@ pub fn only(papers: &[Paper], ids: &[&str]) -> Vec<Paper> {
 }
 
 /// The one claim that `name` means, with its paper's other claims left out.
-pub fn select_one(papers: Vec<Paper>, name: &str) -> Result<Paper, Failure> {
-    let exact = ids(&papers).any(|id| id == name);
-    let mut selected = select(papers, &[name.to_owned()])?;
-    for paper in &mut selected {
-        let own = |claim: &Claim| !exact || claim.entry.id.get_ref() == name;
-        paper.claims.retain(own);
-    }
-    let found: Vec<String> = ids(&selected).map(str::to_owned).collect();
-    match (selected.pop(), found.as_slice()) {
-        (Some(paper), [_]) => Ok(paper),
-        _ => Err(Failure::Ambiguous {
+pub fn select_one(papers: &[Paper], name: &str) -> Result<Paper, Failure> {
+    let meant: Vec<&str> = match ids(papers).find(|id| *id == name) {
+        Some(exact) => vec![exact],
+        None => ids(papers).filter(|id| means(name, id)).collect(),
+    };
+    match meant.as_slice() {
+        [] | [_] => only(papers, &meant)
+            .pop()
+            .ok_or_else(|| unknown(papers, name)),
+        several => Err(Failure::Ambiguous {
             name: name.to_owned(),
-            ids: found,
+            ids: several.iter().map(|id| (*id).to_owned()).collect(),
         }),
     }
 }
 
+/// The paper with this slug.
+pub fn paper<'p>(papers: &'p [Paper], slug: &str) -> Result<&'p Paper, Failure> {
+    let found = papers.iter().find(|paper| paper.head.id == slug);
+    found.ok_or_else(|| Failure::UnknownName {
+        name: slug.to_owned(),
+        help: format!("the papers are {}", slugs(papers)),
+    })
+}
+
 /// Fails unless every name is the slug of a paper.
 pub fn check_papers(papers: &[Paper], names: &[String]) -> Result<(), Failure> {
-    let is_paper = |name: &String| papers.iter().any(|paper| paper.head.id == *name);
-    match names.iter().find(|name| !is_paper(name)) {
-        Some(name) => Err(Failure::UnknownName {
-            name: name.clone(),
-            help: format!("the papers are {}", slugs(papers)),
-        }),
-        None => Ok(()),
-    }
+    names
+        .iter()
+        .try_for_each(|name| paper(papers, name).map(|_| ()))
 }
 
 fn ids(papers: &[Paper]) -> impl Iterator<Item = &str> {
