@@ -3,9 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
 use std::path::Path;
-use torse_claims::derivation::load;
-use torse_claims::engine::decide_claim;
-use torse_claims::outcome::Outcome;
+use torse_language::derivation::load;
+use torse_verdicts::Outcome;
+use torse_verdicts::engine::decide_claim;
 
 fn outcome(id: &str) -> Outcome {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../derivations");

@@ -5,10 +5,12 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
-use torse_claims::Outcome;
-use torse_claims::consequences::{Fate, consequences};
-use torse_claims::derivation::load;
-use torse_claims::outcome::{Evidence, Kind, PaperOutcome, Verdict};
+use torse_language::derivation::load;
+use torse_language::words::{Kind, Verdict};
+use torse_prove::Evidence;
+use torse_verdicts::Outcome;
+use torse_verdicts::PaperOutcome;
+use torse_verdicts::consequences::{Fate, consequences};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -18,7 +20,7 @@ static PAPERS: LazyLock<Vec<PaperOutcome>> = LazyLock::new(|| {
     let papers = load(&root().join("derivations")).expect("the derivations load");
     papers
         .iter()
-        .map(|paper| torse_claims::engine::run(paper, &|| ()).expect("every formula makes sense"))
+        .map(|paper| torse_verdicts::engine::run(paper, &|| ()).expect("every formula makes sense"))
         .collect()
 });
 

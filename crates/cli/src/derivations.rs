@@ -2,7 +2,8 @@
 
 use crate::exit::Failure;
 use std::path::{Path, PathBuf};
-use torse_claims::derivation::{self, Paper};
+use torse_language::derivation;
+use torse_language::derivation::Paper;
 
 /// The option that names the folder of derivations.
 #[derive(clap::Args)]

@@ -4,11 +4,11 @@ use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::{selection, terminal};
 use clap::{Args, ValueEnum};
-use torse_claims::derivation::Paper;
-use torse_claims::derive::{
+use torse_language::derivation::Paper;
+use torse_language::derivation::declarations::Declarations;
+use torse_verdicts::derive::{
     Derivation, DeriveError, Geometric, Language, continuity, end_derivatives, geometric, print,
 };
-use torse_claims::evaluate::scope::Declarations;
 
 /// Derive formulas of a basis family for every degree at once.
 ///

@@ -4,11 +4,12 @@ use miette::Diagnostic;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use thiserror::Error;
-use torse_claims::derivation::{DerivationError, LoadError};
-use torse_claims::derive::DeriveError;
-use torse_claims::{Outcome, Verdict};
+use torse_language::derivation::{DerivationError, LoadError};
+use torse_language::words::Verdict;
 use torse_plates::PlateError;
 use torse_report::ReportError;
+use torse_verdicts::derive::DeriveError;
+use torse_verdicts::outcome::Outcome;
 
 /// The exit codes of the command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,10 +6,13 @@ use crate::run::Run;
 use crate::{selection, terminal};
 use clap::Args;
 use comfy_table::ColumnConstraint;
-use torse_claims::consequences::{consequences, resting, users};
-use torse_claims::derivation::Paper;
-use torse_claims::{Correction, Formula, Outcome, PaperOutcome, Verdict, Witness};
+use torse_language::derivation::Paper;
+use torse_language::notation::Formula;
+use torse_language::words::Verdict;
+use torse_prove::evidence::Witness;
 use torse_report::words;
+use torse_verdicts::consequences::{consequences, resting, users};
+use torse_verdicts::outcome::{Correction, Outcome, PaperOutcome};
 
 /// Explain one claim: what is printed, how it was understood, what is true, and why.
 ///

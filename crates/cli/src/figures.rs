@@ -8,7 +8,7 @@ use crate::terminal::Progress;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
-use torse_claims::derivation::Paper;
+use torse_language::derivation::Paper;
 use torse_plates::{Plate, PlateError};
 use torse_report::{FigureImage, Image, write_file};
 

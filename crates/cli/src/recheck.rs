@@ -7,9 +7,9 @@ use crate::terminal::Progress;
 use crate::{selection, terminal};
 use clap::Args;
 use rayon::prelude::*;
-use torse_claims::derivation::{Claim, Paper};
-use torse_claims::recheck::{self, Recheck};
-use torse_claims::{Outcome, PaperOutcome};
+use torse_language::derivation::{Claim, Paper};
+use torse_verdicts::outcome::{Outcome, PaperOutcome};
+use torse_verdicts::recheck::{self, Recheck};
 
 /// Decide claims and replay the outcomes with a second, naive evaluator.
 ///

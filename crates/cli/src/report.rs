@@ -2,18 +2,17 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
-use crate::figures;
 use crate::run::Run;
 use crate::terminal::Progress;
-use crate::{selection, terminal};
+use crate::{figures, selection, terminal};
 use clap::Args;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
-use torse_claims::PaperOutcome;
-use torse_claims::derivation::Paper;
+use torse_language::derivation::Paper;
 use torse_report::{
     FigureImage, ReportError, Typeset, gallery, html_page, verdicts_json, write_file,
 };
+use torse_verdicts::outcome::PaperOutcome;
 
 /// Decide all claims, draw the figures, and write everything into a folder.
 ///

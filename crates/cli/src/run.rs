@@ -4,9 +4,9 @@ use crate::exit::Failure;
 use crate::terminal::Progress;
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
-use torse_claims::derivation::Paper;
-use torse_claims::engine::decide_claim;
-use torse_claims::{Outcome, PaperOutcome};
+use torse_language::derivation::Paper;
+use torse_verdicts::engine::decide_claim;
+use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
 /// The outcomes of a run, and how long each claim took.
 pub struct Run {

@@ -5,7 +5,7 @@
 //! `thm-4.c`, and not `thm-40`.
 
 use crate::exit::Failure;
-use torse_claims::derivation::{Claim, Paper};
+use torse_language::derivation::{Claim, Paper};
 
 /// The claims of `papers` that one of `names` means, or all if there is none, in file order.
 pub fn select(papers: Vec<Paper>, names: &[String]) -> Result<Vec<Paper>, Failure> {

@@ -10,7 +10,7 @@ use miette::{GraphicalReportHandler, GraphicalTheme, ThemeCharacters, ThemeStyle
 use owo_colors::{OwoColorize, Style};
 use std::io::{ErrorKind, Write};
 use std::time::Duration;
-use torse_claims::Verdict;
+use torse_language::words::Verdict;
 use torse_report::words;
 
 /// The widest line of every text, in characters.

@@ -3,8 +3,9 @@
 use crate::terminal;
 use comfy_table::{CellAlignment, ColumnConstraint, Row};
 use std::collections::BTreeMap;
-use torse_claims::{Outcome, PaperOutcome, Verdict};
+use torse_language::words::Verdict;
 use torse_report::{Tally, model::Report, words};
+use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
 /// The verdicts of `papers`.
 pub fn text(papers: &[PaperOutcome]) -> String {

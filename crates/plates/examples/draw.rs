@@ -5,7 +5,7 @@
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
-use torse_claims::derivation::load;
+use torse_language::derivation::load;
 use torse_plates::Plate;
 
 fn main() -> Result<(), Box<dyn Error>> {

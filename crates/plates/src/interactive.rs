@@ -5,15 +5,15 @@
 //! sampled once; a viewer then needs no basis, just sums.
 
 use crate::PlateError;
+use crate::figure::{Drawing, Layer, Panel};
 use crate::function::Function;
 use crate::looks::{self, Dealer};
 use crate::plate::Plate;
 use crate::sample::{ends, fixed, number, values};
 use std::collections::BTreeMap;
 use torse_algebra::{Fraction, Polynomial, Symbol};
-use torse_claims::figure::schema::{ColourName, Shape};
-use torse_claims::figure::{Drawing, Layer, Panel};
 use torse_figures::{Ambient, HIGHEST_EXPONENT, Interactive, Part, Slider, palette};
+use torse_language::derivation::schema::figure::{ColourName, Shape};
 
 /// Samples of a curve, and of a surface along both variables.
 const CURVE: u64 = 65;
@@ -99,7 +99,7 @@ fn ambient(panel: &Panel) -> Ambient {
     }
 }
 
-fn slider(slider: &torse_claims::figure::Slider) -> Result<Slider, PlateError> {
+fn slider(slider: &crate::figure::Slider) -> Result<Slider, PlateError> {
     let [least, greatest] = ends(&slider.range)?;
     Ok(Slider {
         name: slider.name.clone(),

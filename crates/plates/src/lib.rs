@@ -1,6 +1,6 @@
 //! The figures of derivation files, sampled and drawn.
 //!
-//! A derivation file says what a figure shows in formulas (`torse_claims::figure`); each is evaluated once,
+//! A derivation file says what a figure shows in formulas ([`figure`]); each is evaluated once,
 //! exactly. Here the exact formula becomes a [`Function`] of machine numbers, its samples become layers of a plot
 //! or solids of a view, and `torse_figures` draws them. Nothing in this room knows any basis or any paper.
 //!
@@ -12,6 +12,7 @@
 //! | whether it changed | [`Plate::fingerprint`] |
 
 mod error;
+pub mod figure;
 mod function;
 mod interactive;
 mod looks;

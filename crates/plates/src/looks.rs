@@ -1,8 +1,8 @@
 //! The words of a file for looks, as those of the drawing room.
 
-use torse_claims::figure::Layer;
-use torse_claims::figure::schema::{self, ColourName, NamedColour};
+use crate::figure::Layer;
 use torse_figures::{Colour, Dash, Legend, Line, Marker, Place, palette};
+use torse_language::derivation::schema::figure::{self as schema, ColourName, NamedColour};
 
 /// Deals out the numbers of the palette: a layer has the number it asks for, else that of its round in a loop,
 /// else the next that is free.

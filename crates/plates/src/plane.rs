@@ -1,11 +1,11 @@
 //! Plane panels.
 
 use crate::PlateError;
+use crate::figure::{Interval, Panel};
 use crate::looks::{self, Dealer};
 use crate::sample::{ends, fixed, samples};
-use torse_claims::figure::schema::{self, Shape};
-use torse_claims::figure::{Interval, Panel};
 use torse_figures::{Aspect, Axis, Colour, Frame, Layer, Line, Plot};
+use torse_language::derivation::schema::figure::{self as schema, Shape};
 
 /// The panel as a plot.
 pub(crate) fn plot(panel: &Panel) -> Result<Plot, PlateError> {
@@ -47,7 +47,7 @@ pub(crate) fn plot(panel: &Panel) -> Result<Plot, PlateError> {
 }
 
 fn drawn(
-    layer: &torse_claims::figure::Layer,
+    layer: &crate::figure::Layer,
     label: String,
     dealer: &mut Dealer,
 ) -> Result<Vec<Layer>, PlateError> {

@@ -1,9 +1,10 @@
 //! A plate: one figure of a paper, ready to be drawn.
 
+use crate::figure::{self, Drawing};
 use crate::{PlateError, plane, space};
-use torse_claims::derivation::{DerivationError, Paper};
-use torse_claims::figure::{Drawing, Figure as Entry};
 use torse_figures::{Content, Figure, Panel, Picture, Size};
+use torse_language::derivation::Figure as Entry;
+use torse_language::derivation::{DerivationError, Paper};
 
 /// Changes whenever plates are drawn in another way from the same data, so that every fingerprint does.
 const VERSION: u32 = 1;
@@ -30,8 +31,8 @@ impl Plate {
     /// The first formula that makes no sense.
     pub fn new(figure: &Entry) -> Result<Self, Box<DerivationError>> {
         Ok(Self {
-            drawing: figure.drawing()?,
-            movable: figure.interactive()?,
+            drawing: figure::drawing(figure)?,
+            movable: figure::interactive(figure)?,
         })
     }
 

@@ -1,9 +1,9 @@
 //! Samples of a layer: its exact points at as many parameters as the eye wants.
 
 use crate::PlateError;
+use crate::figure::{Interval, Layer, Running};
 use crate::function::Function;
-use torse_claims::figure::schema::Shape;
-use torse_claims::figure::{Interval, Layer, Running};
+use torse_language::derivation::schema::figure::Shape;
 
 /// The most samples of one layer.
 const MOST_SAMPLES: u64 = 250_000;

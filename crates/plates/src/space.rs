@@ -1,15 +1,15 @@
 //! Views of things in space.
 
 use crate::PlateError;
+use crate::figure::{Layer, Panel};
 use crate::looks::{self, Dealer};
 use crate::plane::pairs;
 use crate::sample::{Samples, ends, fixed, samples};
-use torse_claims::figure::schema::{self, ColourName, Shape};
-use torse_claims::figure::{Layer, Panel};
 use torse_figures::{
     Border, Bounds, Camera, Colour, ColourMap, Grid, Line, Paint, Scale, Solid, Stage, Surface,
     SurfaceLines, View,
 };
+use torse_language::derivation::schema::figure::{self as schema, ColourName, Shape};
 
 type Point = [f64; 3];
 

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::LazyLock;
-use torse_claims::derivation::load;
+use torse_language::derivation::load;
 use torse_plates::{Plate, plates};
 
 static PLATES: LazyLock<Vec<Plate>> = LazyLock::new(|| {

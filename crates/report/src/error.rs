@@ -1,7 +1,6 @@
 //! What can go wrong while a report is written.
 
 use std::path::PathBuf;
-
 use thiserror::Error;
 
 /// The ways in which writing a report fails.

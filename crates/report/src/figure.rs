@@ -1,7 +1,7 @@
 //! Pictures as the report takes them: bytes, a caption, and the claims they illustrate.
 
-use torse_claims::outcome::Verdict;
 use torse_figures::Interactive;
+use torse_language::words::Verdict;
 
 /// The bytes of a picture.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,12 +1,12 @@
 //! What was found out, in plain words: one sentence or two for each claim that a reader must know of.
 
+use crate::text::{beginning, name, visible};
+use crate::words::{self, Term};
 use serde::Serialize;
-use torse_claims::outcome::{Correction, Formula, Outcome, Verdict, Witness};
-
-use crate::{
-    text::{beginning, name, visible},
-    words::{self, Term},
-};
+use torse_language::notation::Formula;
+use torse_language::words::Verdict;
+use torse_prove::evidence::Witness;
+use torse_verdicts::outcome::{Correction, Outcome};
 
 /// Exact values of more characters than this are told by their decimals.
 const LONGEST_EXACT_VALUE: usize = 24;

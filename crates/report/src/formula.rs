@@ -5,9 +5,9 @@
 //! which string it was in. So a probe document holds all formulas; if it fails, it is halved until the
 //! offenders stand alone: one extra compilation when all is well, a logarithmic number for each offender.
 
+use crate::ReportError;
+use crate::world::MemoryWorld;
 use typst::foundations::Output;
-
-use crate::{ReportError, world::MemoryWorld};
 
 const PROBE: &str = include_str!("../assets/probe.typ");
 

@@ -3,11 +3,10 @@
 //! It stands beside the folder of figures, where a repository's web page renders it: small pictures that link to
 //! the large ones, each with its caption, its verdict, and what was assumed.
 
+use crate::text::visible;
+use crate::{FigureImage, ReportError, words};
 use std::fmt::{self, Write};
-
-use torse_claims::outcome::PaperOutcome;
-
-use crate::{FigureImage, ReportError, text::visible, words};
+use torse_verdicts::outcome::PaperOutcome;
 
 /// Width of a small picture in pixels.
 const WIDTH: u32 = 420;

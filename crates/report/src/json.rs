@@ -4,10 +4,11 @@
 //! the same order, each a string or null, except `witness`, an object or null. Nothing in it depends on
 //! a clock, a path, a locale or the order of a hash table, so a run's bytes can be compared.
 
-use serde::{Serialize, Serializer, ser::SerializeMap};
-use torse_claims::outcome::{Formula, Outcome, Witness};
-
 use crate::{ReportError, words};
+use serde::{Serialize, Serializer, ser::SerializeMap};
+use torse_language::notation::Formula;
+use torse_prove::evidence::Witness;
+use torse_verdicts::outcome::Outcome;
 
 /// The verdicts of `outcomes` as pretty-printed JSON, ending in a newline.
 ///
@@ -20,7 +21,7 @@ use crate::{ReportError, words};
 /// [`ReportError::Json`] when the serialiser fails, which plain strings give it no reason to.
 ///
 /// ```
-/// let none: [torse_claims::outcome::Outcome; 0] = [];
+/// let none: [torse_verdicts::outcome::Outcome; 0] = [];
 /// assert_eq!(torse_report::verdicts_json(&none)?, "{\n  \"claims\": []\n}\n");
 /// # Ok::<(), torse_report::ReportError>(())
 /// ```

@@ -1,6 +1,6 @@
 //! Reports of what is true of a paper: PDF, HTML and JSON from one document model.
 //!
-//! The engine hands over [`PaperOutcome`](torse_claims::outcome::PaperOutcome)s and pictures
+//! The engine hands over [`PaperOutcome`](torse_verdicts::outcome::PaperOutcome)s and pictures
 //! ([`FigureImage`]); this crate decides nothing and computes nothing, it lays out.
 //!
 //! - [`Typeset`] is a typeset document: [`Typeset::paper`] for one paper, [`Typeset::summary`] for

@@ -1,8 +1,8 @@
 //! Formulas as MathML, which every browser shows without a script or a font from elsewhere.
 
+use crate::world::refused;
+use crate::{ReportError, formula};
 use typst_html::{HtmlDocument, HtmlOptions};
-
-use crate::{ReportError, formula, world::refused};
 
 /// Formulas as MathML with the rules that the page needs to show them.
 pub(crate) struct MathMl {

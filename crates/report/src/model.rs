@@ -5,22 +5,19 @@
 //! are never read as markup by any output. Formulas are kept in one list and referred to by position,
 //! so that an output can set them all in one go.
 
-use std::collections::BTreeMap;
-
+use crate::FigureImage;
+use crate::edit::{self, Stretch};
+use crate::findings::{self, Finding};
+use crate::tally::Tally;
+use crate::text::{anchor, counted, name, section_rank, section_title, visible};
+use crate::words::{self, Term};
 use serde::Serialize;
-use torse_claims::{
-    consequences::{Fate, consequences},
-    outcome::{Correction, DataCorrection, Formula, Outcome, PaperOutcome, Verdict, Witness},
-};
-
-use crate::{
-    FigureImage,
-    edit::{self, Stretch},
-    findings::{self, Finding},
-    tally::Tally,
-    text::{anchor, counted, name, section_rank, section_title, visible},
-    words::{self, Term},
-};
+use std::collections::BTreeMap;
+use torse_language::notation::Formula;
+use torse_language::words::Verdict;
+use torse_prove::Witness;
+use torse_verdicts::consequences::{Fate, consequences};
+use torse_verdicts::{Correction, DataCorrection, Outcome, PaperOutcome};
 
 /// What a report says about one paper.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

@@ -1,9 +1,8 @@
 //! Counts by verdict and evidence, the two axes of every answer.
 
-use serde::Serialize;
-use torse_claims::outcome::Outcome;
-
 use crate::words::{self, EVIDENCE, Term, VERDICTS};
+use serde::Serialize;
+use torse_verdicts::outcome::Outcome;
 
 /// How many claims have which verdict, and which evidence with it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

@@ -1,22 +1,17 @@
 //! PDF, and pages as pictures.
 
-use std::collections::BTreeSet;
-
+use crate::model::{Report, figure_file};
+use crate::words::{self, EVIDENCE, RULES, Rule, Term, VERDICTS};
+use crate::world::{MemoryWorld, fixed_date, has_glyph, refused};
+use crate::{FigureImage, ReportError, formula, text};
 use serde::Serialize;
 use serde_json::Value;
-use torse_claims::outcome::PaperOutcome;
+use std::collections::BTreeSet;
+use torse_verdicts::outcome::PaperOutcome;
 use typst::{foundations::Smart, utils::Scalar};
 use typst_layout::PagedDocument;
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards, Timestamp};
 use typst_render::RenderOptions;
-
-use crate::{
-    FigureImage, ReportError, formula,
-    model::{Report, figure_file},
-    text,
-    words::{self, EVIDENCE, RULES, Rule, Term, VERDICTS},
-    world::{MemoryWorld, fixed_date, has_glyph, refused},
-};
 
 const TEMPLATES: [(&str, &str); 3] = [
     ("theme.typ", include_str!("../assets/theme.typ")),
@@ -29,7 +24,7 @@ const SUMMARY: &str = include_str!("../assets/summary.typ");
 /// A document with its pages laid out.
 ///
 /// ```no_run
-/// # fn run(paper: &torse_claims::outcome::PaperOutcome) -> Result<(), torse_report::ReportError> {
+/// # fn run(paper: &torse_verdicts::outcome::PaperOutcome) -> Result<(), torse_report::ReportError> {
 /// let document = torse_report::Typeset::paper(paper, &[])?;
 /// torse_report::write_file("report.pdf".as_ref(), &document.pdf()?)?;
 /// torse_report::write_file("first-page.png".as_ref(), &document.page_png(0, 2.0)?)?;

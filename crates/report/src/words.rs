@@ -4,8 +4,9 @@
 //! and the label, the meaning and the colour class follow from that.
 
 use serde::Serialize;
-use torse_claims::consequences::Fate;
-use torse_claims::outcome::{Evidence, Kind, Verdict};
+use torse_language::words::{Kind, Verdict};
+use torse_prove::evidence::Evidence;
+use torse_verdicts::consequences::Fate;
 
 /// A key with its label and its meaning in one sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

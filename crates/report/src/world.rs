@@ -4,7 +4,6 @@
 //! fixed, so the same data give the same document everywhere.
 
 use std::{collections::HashMap, path::PathBuf, sync::LazyLock};
-
 use typst::{
     Feature, Library, LibraryExt, World,
     diag::{FileError, FileResult, SourceDiagnostic, Warned},

@@ -4,12 +4,13 @@
 mod paper;
 
 use std::sync::LazyLock;
-
-use torse_claims::outcome::{Kind, PaperOutcome, Verdict, Witness};
+use torse_language::words::{Kind, Verdict};
+use torse_prove::evidence::Witness;
 use torse_report::{
     Change, FigureImage, Image, ReportError, Typeset, gallery, html_page, model::Report,
     verdicts_json,
 };
+use torse_verdicts::outcome::PaperOutcome;
 
 static HTML: LazyLock<String> = LazyLock::new(|| {
     html_page(&paper::sample(), &paper::figures()).unwrap_or_else(|error| error.to_string())
@@ -346,8 +347,8 @@ fn finding_about(states: &str) -> Result<String, Box<dyn std::error::Error>> {
         "[[claim]]\nid = \"mini/a\"\nat = \"Sect. 1\"\nkind = \"identity\"\nprinted = \"p\"\nstates = '{states}'\n"
     );
     std::fs::write(paper.join("claims.toml"), claim)?;
-    let papers = torse_claims::derivation::load(folder.path())?;
-    let outcome = torse_claims::engine::run(&papers[0], &|| ())?;
+    let papers = torse_language::derivation::load(folder.path())?;
+    let outcome = torse_verdicts::engine::run(&papers[0], &|| ())?;
     Ok(Report::new(&outcome, &[]).findings.remove(0).text)
 }
 

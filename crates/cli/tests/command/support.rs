@@ -1,12 +1,11 @@
 //! Running the binary, and folders of derivations to run it on.
 
 use std::ffi::OsStr;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::mpsc;
-use std::thread;
 use std::time::Duration;
+use std::{fs, thread};
 use tempfile::TempDir;
 
 /// No run of these tests may take longer, whatever it is fed with.

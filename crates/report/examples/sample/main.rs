@@ -6,7 +6,6 @@
 mod paper;
 
 use std::{error::Error, path::Path};
-
 use torse_report::{Typeset, html_page, verdicts_json, write_file};
 
 fn main() -> Result<(), Box<dyn Error>> {

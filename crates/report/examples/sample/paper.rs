@@ -1,10 +1,11 @@
 //! A made-up paper with every verdict, long formulas, and strings that try to be markup.
 
-use torse_claims::outcome::{
-    Correction, Evidence, Formula, Kind, Outcome, PaperOutcome, Verdict, Witness,
-};
 use torse_figures::{Ambient, Interactive, InteractiveError, Part, Shape, Slider, palette};
+use torse_language::notation::Formula;
+use torse_language::words::{Kind, Verdict};
+use torse_prove::evidence::{Evidence, Witness};
 use torse_report::{FigureImage, Image};
+use torse_verdicts::outcome::{Correction, Outcome, PaperOutcome};
 
 /// A string of everything that is markup somewhere.
 pub const HOSTILE: &str = "#panic(1) $x$ @ref <label> </article><script>alert(1)</script> & \\ ` * _ \" ' \u{202E} \u{E0F6} \u{0} 漢 ﷽ 🂡";

@@ -1,14 +1,10 @@
 //! One claim of the page.
 
-use std::fmt::{self, Write};
-
-use torse_claims::outcome::Witness;
-
 use super::{Page, Prose, Text, badge};
-use crate::{
-    Change, Stretch,
-    model::{ClaimView, ConsequenceView, CorrectionView, FormulaView, Reference},
-};
+use crate::model::{ClaimView, ConsequenceView, CorrectionView, FormulaView, Reference};
+use crate::{Change, Stretch};
+use std::fmt::{self, Write};
+use torse_prove::evidence::Witness;
 
 /// The claim as an `article`; `section` is the identifier of the section that it is in.
 pub(super) fn write(

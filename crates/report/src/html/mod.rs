@@ -10,15 +10,11 @@ mod moving;
 mod overview;
 mod picture;
 
+use crate::model::{FormulaView, Report};
+use crate::words::{self, KINDS, Term};
+use crate::{FigureImage, ReportError, mathml};
 use std::fmt::{self, Write};
-
-use torse_claims::outcome::PaperOutcome;
-
-use crate::{
-    FigureImage, ReportError, mathml,
-    model::{FormulaView, Report},
-    words::{self, KINDS, Term},
-};
+use torse_verdicts::outcome::PaperOutcome;
 
 const STYLE: &str = include_str!("../../assets/page.css");
 const SCRIPT: &str = include_str!("../../assets/page.js");

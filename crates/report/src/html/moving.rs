@@ -1,9 +1,8 @@
 //! Pictures with sliders as compact JSON for the page's script.
 
+use crate::ReportError;
 use serde_json::{Map, Number, Value, json};
 use torse_figures::{Ambient, Colour, Interactive, Part, Shape, label_html};
-
-use crate::ReportError;
 
 /// Coordinates keep this many decimals relative to the largest of them: finer than any screen.
 const DIGITS: i32 = 5;

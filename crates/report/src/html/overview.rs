@@ -1,13 +1,10 @@
 //! The head of the page, counts and findings, and its end, what the words mean.
 
-use std::fmt::{self, Write};
-
 use super::{Prose, Text, badge};
-use crate::{
-    Tally,
-    model::Report,
-    words::{self, EVIDENCE, RULES, VERDICTS},
-};
+use crate::Tally;
+use crate::model::Report;
+use crate::words::{self, EVIDENCE, RULES, VERDICTS};
+use std::fmt::{self, Write};
 
 /// What the report is, the counts, and what was found.
 pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {

@@ -1,6 +1,0 @@
-//! Formulas of the papers in every notation, and the laws: what is written is read back.
-
-mod algebra;
-mod evaluate;
-mod papers;
-mod round_trip;

@@ -1,0 +1,467 @@
+//! What names mean: symbols with their domains, basis families, definitions.
+
+use crate::derivation::schema::{BasisEntry, Dimension, SymbolEntry};
+use crate::derivation::{DerivationError, LoadError, Origin, Source, Written};
+use crate::syntax::{Expr, Node, Place, parse};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use toml::Spanned;
+use torse_numbers::{Affine, Rational, rational};
+
+/// The number `rational + pi * turns`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Constant {
+    /// The rational part.
+    pub rational: Rational,
+    /// The multiple of pi.
+    pub turns: Rational,
+}
+
+impl Constant {
+    /// The number, if pi does not occur in it.
+    #[must_use]
+    pub fn as_rational(&self) -> Option<&Rational> {
+        (self.turns == rational::integer(0)).then_some(&self.rational)
+    }
+}
+
+impl From<Rational> for Constant {
+    fn from(rational: Rational) -> Self {
+        Self {
+            rational,
+            turns: rational::integer(0),
+        }
+    }
+}
+
+/// One end of an interval.
+#[derive(Debug, Clone)]
+pub struct Bound {
+    /// The exact value.
+    pub value: Constant,
+    /// Whether the end belongs to the interval.
+    pub closed: bool,
+}
+
+/// An interval of real numbers; a missing end is infinite.
+#[derive(Debug, Clone, Default)]
+pub struct Interval {
+    /// The lower end.
+    pub lower: Option<Bound>,
+    /// The upper end.
+    pub upper: Option<Bound>,
+}
+
+/// What a declared symbol stands for.
+#[derive(Debug, Clone)]
+pub enum SymbolKind {
+    /// A real number of an interval.
+    Real(Box<Interval>),
+    /// An integer with bounds, both included.
+    Integer {
+        /// The least value.
+        least: Option<Affine>,
+        /// The greatest value.
+        most: Option<Affine>,
+    },
+    /// A vector; `None` is one generic coordinate.
+    Vector(Option<u8>),
+    /// A family of points; dimension 1 is a family of scalars, `None` one generic coordinate.
+    Family {
+        /// The dimension of a member.
+        dimension: Option<u8>,
+        /// The range of each index, both ends included, if declared.
+        ranges: Vec<(Affine, Affine)>,
+    },
+}
+
+/// A named formula or function.
+#[derive(Debug, Clone)]
+pub struct Definition {
+    /// The parameters; none for a plain name.
+    pub parameters: Vec<String>,
+    /// What it is.
+    pub body: Written,
+}
+
+/// A basis family: seeds of a lowest degree and a step that raises the degree,
+/// `g[i,k] = a g[i,k-1] + b g[i-1,k-1]`. With the index shift E the functions of degree k are the
+/// coefficients of `(a + b E)^(k - degree) (seed_0 + seed_1 E + ...)`.
+#[derive(Debug, Clone)]
+pub struct Basis {
+    /// The variable.
+    pub variable: String,
+    /// The shape parameters.
+    pub parameters: Vec<String>,
+    /// The degree of the seeds.
+    pub degree: u8,
+    /// The seeds.
+    pub seeds: Vec<Written>,
+    /// The two factors a and b of the step.
+    pub step: (Written, Written),
+}
+
+/// Everything that names can mean in a claim.
+#[derive(Debug, Clone, Default)]
+pub struct Declarations {
+    symbols: BTreeMap<String, SymbolKind>,
+    bases: BTreeMap<String, Arc<Basis>>,
+    definitions: BTreeMap<String, Definition>,
+}
+
+impl Declarations {
+    /// The kind of a symbol.
+    #[must_use]
+    pub fn symbol(&self, name: &str) -> Option<&SymbolKind> {
+        self.symbols.get(name)
+    }
+
+    /// The same with one symbol declared, or declared otherwise.
+    #[must_use]
+    pub fn with_symbol(&self, name: &str, kind: SymbolKind) -> Self {
+        let mut more = self.clone();
+        more.symbols.insert(name.to_owned(), kind);
+        more
+    }
+
+    /// The declared symbols by name.
+    pub fn symbols(&self) -> impl Iterator<Item = (&str, &SymbolKind)> {
+        self.symbols
+            .iter()
+            .map(|(name, kind)| (name.as_str(), kind))
+    }
+
+    /// A basis family.
+    #[must_use]
+    pub fn basis(&self, name: &str) -> Option<&Arc<Basis>> {
+        self.bases.get(name)
+    }
+
+    /// The basis families by name.
+    pub fn bases(&self) -> impl Iterator<Item = (&str, &Arc<Basis>)> {
+        self.bases
+            .iter()
+            .map(|(name, basis)| (name.as_str(), basis))
+    }
+
+    /// A definition.
+    #[must_use]
+    pub fn definition(&self, name: &str) -> Option<&Definition> {
+        self.definitions.get(name)
+    }
+
+    /// The definitions by name.
+    pub fn definitions(&self) -> impl Iterator<Item = (&str, &Definition)> {
+        self.definitions
+            .iter()
+            .map(|(name, definition)| (name.as_str(), definition))
+    }
+
+    /// Adds or replaces a definition; it hides a symbol of the same name.
+    pub fn define(&mut self, name: String, definition: Definition) {
+        self.symbols.remove(&name);
+        self.definitions.insert(name, definition);
+    }
+
+    /// Declares a number or replaces what the name meant; it may have any real value.
+    pub fn declare_number(&mut self, name: String) {
+        self.definitions.remove(&name);
+        let anywhere = SymbolKind::Real(Box::default());
+        self.symbols.insert(name, anywhere);
+    }
+
+    /// Adds or replaces a symbol; it hides a definition of the same name.
+    pub fn declare(&mut self, name: &str, kind: SymbolKind) {
+        self.definitions.remove(name);
+        self.symbols.insert(name.to_owned(), kind);
+    }
+
+    /// All declared names.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.symbols
+            .keys()
+            .chain(self.bases.keys())
+            .chain(self.definitions.keys())
+            .map(String::as_str)
+    }
+
+    /// Adds or replaces symbols; they hide definitions of the same name.
+    ///
+    /// # Errors
+    /// [`LoadError::Derivation`] for an interval or range that is none.
+    pub fn add_symbols(
+        &mut self,
+        source: &Arc<Source>,
+        table: &BTreeMap<String, SymbolEntry>,
+    ) -> Result<(), LoadError> {
+        for (name, entry) in table {
+            let kind = symbol_kind(source, entry)?;
+            self.definitions.remove(name);
+            self.symbols.insert(name.clone(), kind);
+        }
+        Ok(())
+    }
+
+    /// Adds or replaces basis families.
+    ///
+    /// # Errors
+    /// [`LoadError::Derivation`] for formulas that do not parse and for a step without two factors.
+    pub fn add_bases(
+        &mut self,
+        source: &Arc<Source>,
+        table: &BTreeMap<String, BasisEntry>,
+    ) -> Result<(), LoadError> {
+        use crate::derivation::written;
+        for (name, entry) in table {
+            let seeds = entry
+                .seeds
+                .iter()
+                .map(|text| written(source, text))
+                .collect::<Result<Vec<_>, _>>()?;
+            let [a, b] = entry.step.as_slice() else {
+                let range = entry.variable.span();
+                let origin = Origin::range(source, range.start, range.end);
+                return Err(complaint(
+                    &origin,
+                    format!("`step` of the basis `{name}` needs two factors, [a, b]"),
+                ));
+            };
+            if seeds.len() != usize::from(*entry.degree.get_ref()) + 1 {
+                let range = entry.degree.span();
+                let origin = Origin::range(source, range.start, range.end);
+                let degree = entry.degree.get_ref();
+                return Err(complaint(
+                    &origin,
+                    format!(
+                        "degree {degree} needs {} seeds, found {}",
+                        degree + 1,
+                        seeds.len()
+                    ),
+                ));
+            }
+            let basis = Basis {
+                variable: entry.variable.get_ref().clone(),
+                parameters: entry
+                    .parameters
+                    .iter()
+                    .map(|p| p.get_ref().clone())
+                    .collect(),
+                degree: *entry.degree.get_ref(),
+                seeds,
+                step: (written(source, a)?, written(source, b)?),
+            };
+            self.bases.insert(name.clone(), Arc::new(basis));
+        }
+        Ok(())
+    }
+
+    /// A lower bound of an index form, from the bounds of the integer symbols in it.
+    #[must_use]
+    pub fn least(&self, form: &Affine) -> Option<i64> {
+        self.extreme(form, |kind, positive| match kind {
+            SymbolKind::Integer { least, most } => {
+                if positive {
+                    least.clone()
+                } else {
+                    most.clone()
+                }
+            }
+            _ => None,
+        })
+    }
+
+    /// An upper bound of an index form.
+    #[must_use]
+    pub fn greatest(&self, form: &Affine) -> Option<i64> {
+        self.least(&(form.clone() * -1)).map(|least| -least)
+    }
+
+    fn extreme(
+        &self,
+        form: &Affine,
+        bound: impl Fn(&SymbolKind, bool) -> Option<Affine>,
+    ) -> Option<i64> {
+        // Bounds may name other symbols (i runs to k): replace until only a number is left.
+        let mut rest = form.clone();
+        for _ in 0..16 {
+            if let Some(value) = rest.as_number() {
+                return Some(value);
+            }
+            // Dependent symbols first: those whose bound names another symbol.
+            let candidates: Vec<(String, i64)> = rest
+                .multiples()
+                .map(|(name, m)| (name.to_owned(), m))
+                .collect();
+            let replacement = candidates.iter().filter_map(|(name, multiple)| {
+                let value = bound(self.symbols.get(name)?, *multiple > 0)?;
+                Some((name, value))
+            });
+            let (name, value) = replacement.max_by_key(|(_, value)| value.as_number().is_none())?;
+            rest = rest.substituted(name, &value);
+        }
+        None
+    }
+}
+
+fn complaint(origin: &Origin, message: String) -> LoadError {
+    LoadError::Derivation(Box::new(DerivationError::at(
+        origin,
+        Place::default(),
+        message,
+    )))
+}
+
+fn symbol_kind(source: &Arc<Source>, entry: &SymbolEntry) -> Result<SymbolKind, LoadError> {
+    let dimension = |d: &Spanned<Dimension>| match d.get_ref() {
+        Dimension::Number(n) => Some(*n),
+        Dimension::Any(_) => None,
+    };
+    if let Some(text) = &entry.integer {
+        let origin = Origin::of(source, text);
+        let (least, most) = integer_range(text.get_ref()).ok_or_else(|| {
+            complaint(
+                &origin,
+                format!(
+                    "`{}` is no integer range: write `>= 2` or `0..k`",
+                    text.get_ref()
+                ),
+            )
+        })?;
+        return Ok(SymbolKind::Integer { least, most });
+    }
+    if let Some(vector) = &entry.vector {
+        return Ok(SymbolKind::Vector(dimension(vector)));
+    }
+    if let Some(family) = &entry.family {
+        let mut ranges = vec![];
+        for text in entry.indices.iter().flatten() {
+            match integer_range(text.get_ref()) {
+                Some((Some(least), Some(most))) => ranges.push((least, most)),
+                _ => {
+                    let origin = Origin::of(source, text);
+                    return Err(complaint(
+                        &origin,
+                        format!("`{}` is no index range: write `0..k`", text.get_ref()),
+                    ));
+                }
+            }
+        }
+        return Ok(SymbolKind::Family {
+            dimension: dimension(family),
+            ranges,
+        });
+    }
+    let Some(text) = &entry.interval else {
+        return Ok(SymbolKind::Real(Box::default()));
+    };
+    let origin = Origin::of(source, text);
+    interval(text.get_ref())
+        .map(|interval| SymbolKind::Real(Box::new(interval)))
+        .ok_or_else(|| {
+            complaint(
+                &origin,
+                format!(
+                    "`{}` is no interval: write `[-1, 1]`, `(0, inf)` and so on",
+                    text.get_ref()
+                ),
+            )
+        })
+}
+
+/// `>= 2`, `0..k`.
+fn integer_range(text: &str) -> Option<(Option<Affine>, Option<Affine>)> {
+    let form = |text: &str| affine_of(&parse(text).ok()?);
+    if let Some((low, high)) = text.split_once("..") {
+        return Some((Some(form(low)?), Some(form(high)?)));
+    }
+    if let Some(low) = text.trim().strip_prefix(">=") {
+        return Some((Some(form(low)?), None));
+    }
+    text.trim().is_empty().then_some((None, None))
+}
+
+/// An integer-affine form written as a formula.
+fn affine_of(expr: &Expr) -> Option<Affine> {
+    use crate::syntax::Operator::{Add, Multiply, Subtract};
+    match &expr.node {
+        Node::Number { value, .. } if value.is_integer() => {
+            i64::try_from(value.to_integer()).ok().map(Affine::number)
+        }
+        Node::Name(name) => Some(Affine::symbol(name)),
+        Node::Negative(inner) => Some(affine_of(inner)? * -1),
+        Node::Binary(Add, a, b) => Some(affine_of(a)? + affine_of(b)?),
+        Node::Binary(Subtract, a, b) => Some(affine_of(a)? - affine_of(b)?),
+        Node::Binary(Multiply, a, b) => {
+            let (a, b) = (affine_of(a)?, affine_of(b)?);
+            a.as_number()
+                .map(|n| b.clone() * n)
+                .or_else(|| b.as_number().map(|n| a * n))
+        }
+        _ => None,
+    }
+}
+
+/// `[-1, 1]`, `(0, inf)`: ends are rationals or rational multiples of pi.
+fn interval(text: &str) -> Option<Interval> {
+    let text = text.trim();
+    let closed = |c: char, closing: char, opening: char| match c {
+        c if c == closing => Some(true),
+        c if c == opening => Some(false),
+        _ => None,
+    };
+    let lower_closed = closed(text.chars().next()?, '[', '(')?;
+    let upper_closed = closed(text.chars().next_back()?, ']', ')')?;
+    let (low, high) = text.get(1..text.len().checked_sub(1)?)?.split_once(',')?;
+    let bound = |text: &str, closed: bool| -> Option<Option<Bound>> {
+        match text.trim() {
+            "inf" | "-inf" => Some(None),
+            finite => Some(Some(Bound {
+                value: constant(&parse(finite).ok()?)?,
+                closed,
+            })),
+        }
+    };
+    Some(Interval {
+        lower: bound(low, lower_closed)?,
+        upper: bound(high, upper_closed)?,
+    })
+}
+
+/// A constant formula: rationals and rational multiples of pi.
+fn constant(expr: &Expr) -> Option<Constant> {
+    use crate::syntax::Operator;
+    use num_traits::Zero;
+    let zero = || rational::integer(0);
+    let scaled = |c: Constant, q: &Rational| Constant {
+        rational: c.rational * q,
+        turns: c.turns * q,
+    };
+    Some(match &expr.node {
+        Node::Number { value, .. } => value.clone().into(),
+        Node::Name(name) if name == "pi" => Constant {
+            rational: zero(),
+            turns: rational::integer(1),
+        },
+        Node::Negative(inner) => scaled(constant(inner)?, &rational::integer(-1)),
+        Node::Binary(operator, a, b) => {
+            let (a, b) = (constant(a)?, constant(b)?);
+            match operator {
+                Operator::Add => Constant {
+                    rational: a.rational + b.rational,
+                    turns: a.turns + b.turns,
+                },
+                Operator::Subtract => Constant {
+                    rational: a.rational - b.rational,
+                    turns: a.turns - b.turns,
+                },
+                Operator::Multiply if a.turns.is_zero() => scaled(b, &a.rational),
+                Operator::Multiply if b.turns.is_zero() => scaled(a, &b.rational),
+                Operator::Divide if b.turns.is_zero() && !b.rational.is_zero() => {
+                    scaled(a, &b.rational.recip())
+                }
+                _ => return None,
+            }
+        }
+        _ => return None,
+    })
+}

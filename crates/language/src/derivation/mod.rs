@@ -1,0 +1,16 @@
+//! Derivation files: papers and their claims as data.
+//!
+//! A folder of derivations holds one folder a paper. Its `paper.toml` names the paper, declares symbols,
+//! basis families and definitions, and lists the files with claims, in order.
+
+pub mod declarations;
+mod error;
+mod figure;
+mod load;
+pub mod schema;
+mod source;
+
+pub use error::{DerivationError, LoadError};
+pub use figure::Figure;
+pub use load::{Claim, Paper, Written, load, paper, parsed, written};
+pub use source::{Origin, Source};

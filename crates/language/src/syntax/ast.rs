@@ -1,0 +1,256 @@
+//! The syntax tree of formulas. Every node knows its place in the text, so that every later stage can
+//! point at what it complains about.
+
+use std::sync::Arc;
+use torse_numbers::Rational;
+
+/// A range of bytes in the text of a formula.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct Place {
+    /// The first byte.
+    pub start: usize,
+    /// One past the last byte.
+    pub end: usize,
+}
+
+impl Place {
+    /// The smallest range that covers both.
+    #[must_use]
+    pub fn to(self, other: Self) -> Self {
+        Self {
+            start: self.start.min(other.start),
+            end: self.end.max(other.end),
+        }
+    }
+}
+
+/// An operator between two formulas.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Operator {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `^`
+    Power,
+}
+
+impl Operator {
+    /// The sign as written.
+    #[must_use]
+    pub fn sign(self) -> &'static str {
+        match self {
+            Self::Add => "+",
+            Self::Subtract => "-",
+            Self::Multiply => "*",
+            Self::Divide => "/",
+            Self::Power => "^",
+        }
+    }
+}
+
+/// A comparison.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Relation {
+    /// `==`
+    Equal,
+    /// `!=`
+    Different,
+    /// `<`
+    Less,
+    /// `<=`
+    AtMost,
+    /// `>`
+    Greater,
+    /// `>=`
+    AtLeast,
+}
+
+impl Relation {
+    /// The sign as written.
+    #[must_use]
+    pub fn sign(self) -> &'static str {
+        match self {
+            Self::Equal => "==",
+            Self::Different => "!=",
+            Self::Less => "<",
+            Self::AtMost => "<=",
+            Self::Greater => ">",
+            Self::AtLeast => ">=",
+        }
+    }
+}
+
+/// How two statements are joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Connective {
+    /// `and`
+    And,
+    /// `or`
+    Or,
+    /// `implies`
+    Implies,
+}
+
+impl Connective {
+    /// The word as written.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::And => "and",
+            Self::Or => "or",
+            Self::Implies => "implies",
+        }
+    }
+}
+
+/// A formula with its place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Expr {
+    /// What it is.
+    pub node: Node,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// The kinds of formulas.
+///
+/// Parts are shared, so that a copy with a small change costs the way to the change and no more.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Node {
+    /// A number; `decimals` counts the printed digits after the point, if there is a point.
+    Number {
+        /// The exact value.
+        value: Rational,
+        /// Printed digits after the decimal point.
+        decimals: Option<u32>,
+    },
+    /// A name, primes included: `mu`, `H''`.
+    Name(String),
+    /// `f(x, y)`.
+    Call(Arc<Expr>, Vec<Expr>),
+    /// `R[i]`, `g[i,k]`, or the entry of a vector or matrix.
+    Index(Arc<Expr>, Vec<Expr>),
+    /// `-x`.
+    Negative(Arc<Expr>),
+    /// `a + b`.
+    Binary(Operator, Arc<Expr>, Arc<Expr>),
+    /// `[a, b, c]`: a vector, or a matrix as a list of rows.
+    List(Vec<Expr>),
+    /// `a == b`, `a < b <= c`: a chain of comparisons, all of which are meant.
+    Compare(Arc<Expr>, Vec<(Relation, Expr)>),
+    /// `p and q`.
+    Join(Connective, Arc<Expr>, Arc<Expr>),
+    /// `not p`.
+    Not(Arc<Expr>),
+}
+
+impl Expr {
+    /// A formula without a place of its own, for formulas that were not written by anyone.
+    #[must_use]
+    pub fn made(node: Node) -> Self {
+        Self {
+            node,
+            place: Place::default(),
+        }
+    }
+
+    /// A name, made.
+    #[must_use]
+    pub fn name(name: &str) -> Self {
+        Self::made(Node::Name(name.to_owned()))
+    }
+
+    /// A rational number, made: written as a quotient or negative where it is one.
+    #[must_use]
+    pub fn number(value: &Rational) -> Self {
+        use num_traits::Signed;
+        if value.is_negative() && value.is_integer() {
+            return Self::made(Node::Negative(Arc::new(Self::number(&-value.clone()))));
+        }
+        let whole = |n: &torse_numbers::Integer| {
+            Self::made(Node::Number {
+                value: Rational::from_integer(n.clone()),
+                decimals: None,
+            })
+        };
+        if value.is_integer() {
+            return whole(value.numer());
+        }
+        Self::made(Node::Binary(
+            Operator::Divide,
+            Arc::new(Self::number(&Rational::from_integer(value.numer().clone()))),
+            Arc::new(whole(value.denom())),
+        ))
+    }
+
+    /// `self operator other`, made.
+    #[must_use]
+    pub fn with(self, operator: Operator, other: Self) -> Self {
+        Self::made(Node::Binary(operator, Arc::new(self), Arc::new(other)))
+    }
+
+    /// The direct parts, in the order of the text.
+    #[must_use]
+    pub fn parts(&self) -> Vec<&Expr> {
+        match &self.node {
+            Node::Number { .. } | Node::Name(_) => vec![],
+            Node::Call(head, rest) | Node::Index(head, rest) => {
+                std::iter::once(&**head).chain(rest.iter()).collect()
+            }
+            Node::Negative(inner) | Node::Not(inner) => vec![inner],
+            Node::Binary(_, a, b) | Node::Join(_, a, b) => vec![a, b],
+            Node::List(items) => items.iter().collect(),
+            Node::Compare(first, rest) => std::iter::once(&**first)
+                .chain(rest.iter().map(|(_, e)| e))
+                .collect(),
+        }
+    }
+
+    /// The direct parts, in the order of the text, to change them.
+    pub fn parts_mut(&mut self) -> Vec<&mut Expr> {
+        match &mut self.node {
+            Node::Number { .. } | Node::Name(_) => vec![],
+            Node::Call(head, rest) | Node::Index(head, rest) => {
+                std::iter::once(Arc::make_mut(head))
+                    .chain(rest.iter_mut())
+                    .collect()
+            }
+            Node::Negative(inner) | Node::Not(inner) => vec![Arc::make_mut(inner)],
+            Node::Binary(_, a, b) | Node::Join(_, a, b) => vec![Arc::make_mut(a), Arc::make_mut(b)],
+            Node::List(items) => items.iter_mut().collect(),
+            Node::Compare(first, rest) => std::iter::once(Arc::make_mut(first))
+                .chain(rest.iter_mut().map(|(_, e)| e))
+                .collect(),
+        }
+    }
+
+    /// The same formula with every place forgotten: equal formulas are equal then, wherever they were written.
+    #[must_use]
+    pub fn placeless(mut self) -> Self {
+        self.place = Place::default();
+        for part in self.parts_mut() {
+            *part = part.clone().placeless();
+        }
+        self
+    }
+
+    /// The number of nodes.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        1 + self.parts().into_iter().map(Self::size).sum::<usize>()
+    }
+
+    /// Every name that occurs, in the order of the text.
+    #[must_use]
+    pub fn names(&self) -> Vec<&str> {
+        match &self.node {
+            Node::Name(name) => vec![name],
+            _ => self.parts().into_iter().flat_map(Self::names).collect(),
+        }
+    }
+}

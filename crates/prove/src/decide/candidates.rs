@@ -1,0 +1,168 @@
+//! Values that are tried for a symbol: simple ones first, then those that its interval suggests.
+
+use super::domain::{Domain, truth};
+use crate::decide::interval::{Bound, Interval};
+use num_traits::Signed;
+use torse_algebra::rational::{integer, ratio};
+use torse_algebra::{Fraction, Rational, Scalar as _, Symbol};
+use torse_language::syntax::Relation;
+
+/// Under which trigonometric functions a variable stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turns {
+    /// None.
+    None,
+    /// Sine and cosine of a quarter turn times it.
+    Quarter,
+    /// Sine and cosine of it, in radians.
+    Radian,
+}
+
+/// A list of fractions, as numerators and denominators.
+type Numbers = &'static [(i64, i64)];
+
+const POINTS: Numbers = &[(0, 1), (1, 1), (-1, 1), (2, 1), (3, 1), (-2, 1), (5, 1)];
+#[rustfmt::skip]
+const QUARTER: Numbers = &[
+    (1, 2), (1, 3), (2, 3), (0, 1), (1, 1), (3, 2), (4, 3), (5, 3), (2, 1),
+    (-1, 2), (-1, 3), (-2, 3), (-1, 1), (-3, 2), (-2, 1),
+];
+#[rustfmt::skip]
+const RADIAN: Numbers = &[
+    (1, 3), (1, 2), (1, 4), (1, 6), (2, 3), (1, 1), (3, 4), (4, 3), (3, 2), (5, 3), (0, 1), (2, 1),
+    (-1, 3), (-1, 2), (-1, 6), (-1, 1),
+];
+#[rustfmt::skip]
+const INTEGERS: Numbers = &[
+    (0, 1), (1, 1), (2, 1), (3, 1), (4, 1), (5, 1), (6, 1), (7, 1), (-1, 1), (-2, 1), (8, 1), (9, 1),
+];
+#[rustfmt::skip]
+const SIMPLE: Numbers = &[
+    (1, 1), (0, 1), (2, 1), (1, 2), (-1, 1), (3, 1), (1, 3), (-1, 2), (2, 3), (3, 2), (-2, 1), (1, 4),
+    (3, 4), (5, 1), (-3, 1), (1, 5), (4, 1), (-1, 3), (1, 10), (9, 10), (10, 1),
+];
+
+impl Domain<'_> {
+    /// Simple values of a symbol inside its interval, simplest first. A variable under a sine or cosine
+    /// gets values at which these are exact.
+    #[must_use]
+    pub fn candidates(&self, symbol: &Symbol, turns: Turns) -> Vec<Fraction> {
+        let interval = self.interval(symbol);
+        let is_integer = self.is_integer(symbol);
+        let numbers = match (symbol, turns) {
+            (Symbol::Indexed(..), _) => POINTS,
+            (_, Turns::Quarter) => QUARTER,
+            (_, Turns::Radian) => RADIAN,
+            _ if is_integer => INTEGERS,
+            _ => SIMPLE,
+        };
+        let unit = if turns == Turns::Radian {
+            Fraction::symbol(Symbol::Pi)
+        } else {
+            Fraction::integer(1)
+        };
+        let simple = numbers.iter().filter_map(|(n, d)| ratio(*n, *d));
+        let mut found: Vec<Fraction> = simple
+            .map(|q| unit.scaled(&q))
+            .filter(|value| inside(&interval, value))
+            .collect();
+        let own = if is_integer {
+            steps(&interval)
+        } else {
+            suggested(&interval)
+        };
+        for value in own {
+            if inside(&interval, &value) && !found.contains(&value) {
+                found.push(value);
+            }
+        }
+        found
+    }
+}
+
+fn inside(interval: &Interval, value: &Fraction) -> bool {
+    let fits = |bound: &Option<Bound>, closed: Relation, open: Relation| {
+        bound.as_ref().is_none_or(|b| {
+            let gap = value.clone() - b.value.clone();
+            truth(&gap, if b.closed { closed } else { open }) == Some(true)
+        })
+    };
+    fits(&interval.lower, Relation::AtLeast, Relation::Greater)
+        && fits(&interval.upper, Relation::AtMost, Relation::Less)
+}
+
+/// The first integers from an end on.
+fn steps(interval: &Interval) -> Vec<Fraction> {
+    let from = |bound: &Option<Bound>, direction: i64| {
+        let end = bound.as_ref().map(|b| b.value.clone());
+        let steps = (0..4).map(move |n| Fraction::integer(direction * n));
+        end.into_iter()
+            .flat_map(move |end| steps.clone().map(move |step| end.clone() + step))
+    };
+    from(&interval.lower, 1)
+        .chain(from(&interval.upper, -1))
+        .collect()
+}
+
+/// The ends, the simplest number between them, and points that divide the interval.
+fn suggested(interval: &Interval) -> Vec<Fraction> {
+    let part = |n, d| Fraction::integer(1).scaled(&ratio(n, d).unwrap_or_else(|| integer(0)));
+    match (&interval.lower, &interval.upper) {
+        (Some(a), Some(b)) => {
+            let between = a.value.as_rational().zip(b.value.as_rational());
+            let simplest = between.and_then(|(a, b)| simplest_between(&a, &b));
+            let width = b.value.clone() - a.value.clone();
+            let inner =
+                [(1, 2), (1, 4), (3, 4)].map(|(n, d)| a.value.clone() + width.clone() * part(n, d));
+            let ends = [a.value.clone(), b.value.clone()];
+            let simplest = simplest.map(Fraction::from);
+            ends.into_iter().chain(simplest).chain(inner).collect()
+        }
+        (Some(a), None) => [(0, 1), (1, 1), (1, 2), (2, 1)]
+            .map(|(n, d)| a.value.clone() + part(n, d))
+            .to_vec(),
+        (None, Some(b)) => [(0, 1), (1, 1), (1, 2), (2, 1)]
+            .map(|(n, d)| b.value.clone() - part(n, d))
+            .to_vec(),
+        (None, None) => vec![],
+    }
+}
+
+/// The rational number of least denominator (then of least size) strictly between two.
+///
+/// ```
+/// use torse_algebra::rational::ratio;
+/// use torse_prove::decide::candidates::simplest_between;
+/// let (a, b) = (ratio(314, 100).unwrap(), ratio(315, 100).unwrap());
+/// assert_eq!(simplest_between(&a, &b), ratio(22, 7));
+/// ```
+#[must_use]
+pub fn simplest_between(a: &Rational, b: &Rational) -> Option<Rational> {
+    if a >= b {
+        return None;
+    }
+    if a.is_negative() && b.is_positive() {
+        return Some(integer(0));
+    }
+    if !b.is_positive() {
+        return simplest_between(&-b, &-a).map(|q| -q);
+    }
+    // Continued fractions: the common whole part, then the reciprocals of the rests, in the other order.
+    let (mut low, mut high) = (a.clone(), Some(b.clone()));
+    let mut wholes = vec![];
+    loop {
+        let whole = low.floor();
+        let next = &whole + integer(1);
+        if high.as_ref().is_none_or(|high| next < *high) {
+            let value = wholes.into_iter().rev();
+            return Some(value.fold(next, |value: Rational, whole: Rational| {
+                whole + value.recip()
+            }));
+        }
+        let rest = high.map(|high| (high - &whole).recip())?;
+        let below = &low - &whole;
+        wholes.push(whole);
+        high = (below > integer(0)).then(|| below.recip());
+        low = rest;
+    }
+}

@@ -1,0 +1,149 @@
+//! Equality: the normal form of the difference.
+//!
+//! A zero normal form proves the identity wherever no divisor vanishes (see
+//! [`torse_algebra::polynomial`]); a nonzero one is refuted by a point of the domain. For symbolic
+//! degrees the series cancel for every degree or not at all (see [`crate::evaluate::series`]).
+
+use super::domain::Domain;
+use super::{Decision, Refutation, witness};
+use crate::evaluate::Evaluator;
+use crate::evaluate::value::{NOWHERE, Value};
+use crate::evidence::Evidence;
+use torse_algebra::Fraction;
+use torse_language::fault::Fault;
+use torse_language::syntax::Relation;
+
+/// Decides `left == right` on the domain.
+///
+/// # Errors
+/// A [`Fault`] when a divisor is zero identically.
+pub fn decide(
+    left: &Value,
+    right: &Value,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Result<Decision, Fault> {
+    let pairs: Vec<_> = left.entries().into_iter().zip(right.entries()).collect();
+    let mut conditions = vec![];
+    let mut failing = None;
+    let mut terms = 0;
+    for (position, (x, y)) in pairs.iter().enumerate() {
+        let difference = x.minus(y);
+        terms += difference.plain.numerator().len();
+        if difference
+            .vanishes()
+            .map_err(|e| Fault::exact(NOWHERE, e))?
+        {
+            conditions.extend(difference.conditions());
+            conditions.extend(x.conditions());
+            conditions.extend(y.conditions());
+        } else {
+            failing = Some((position, difference));
+            break;
+        }
+    }
+    let Some((position, difference)) = failing else {
+        conditions.sort();
+        conditions.dedup();
+        let conditions = witness::nonconstant(conditions);
+        if evaluator.met_symbolic_degree() {
+            return Ok(Decision::Proven {
+                evidence: Evidence::Induction,
+                conditions,
+                steps: vec![
+                    "both sides are written with the step of the recursion as an operator on the seeds".to_owned(),
+                    "the difference has no terms, for every degree at once".to_owned(),
+                ],
+            });
+        }
+        return Ok(Decision::identity(
+            conditions,
+            format!("the normal form of the difference has {terms} terms"),
+        ));
+    };
+    let Some(plain) = difference.as_fraction() else {
+        return Err(Fault::limit(
+            NOWHERE,
+            "two sums of symbolic degree do not cancel",
+        ));
+    };
+    let sides = |values: &Value| {
+        values
+            .entries()
+            .into_iter()
+            .map(|q| q.as_fraction().cloned())
+            .collect::<Option<Vec<Fraction>>>()
+    };
+    let (Some(lefts), Some(rights)) = (sides(left), sides(right)) else {
+        return Err(Fault::limit(
+            NOWHERE,
+            "two sums of symbolic degree do not cancel",
+        ));
+    };
+    let mut steps = vec![format!(
+        "the normal form of the difference has {} terms",
+        plain.numerator().len()
+    )];
+    if lefts.len() > 1 {
+        steps.push(format!("entry {} differs", position + 1));
+    }
+    let point = witness::find(plain, domain, Relation::Different);
+    let completed = point.and_then(|point| complete(point, &lefts, &rights, domain));
+    Ok(match completed {
+        Some(witness) => Decision::Refuted(Box::new(Refutation { witness, sides: Some((lefts, rights)), steps })),
+        None => Decision::Open {
+            reason: "the two sides differ as formulas, but no point of the domain was found where they do".to_owned(),
+            tried: vec!["simple rational points of the domain".to_owned()],
+        },
+    })
+}
+
+/// Gives the symbols that the difference does not contain a value too, and describes the point.
+fn complete(
+    mut point: witness::Point,
+    left: &[Fraction],
+    right: &[Fraction],
+    domain: &Domain<'_>,
+) -> Option<crate::evidence::Witness> {
+    let all: Vec<&Fraction> = left.iter().chain(right).collect();
+    for symbol in witness::free_symbols(&all) {
+        if point.contains_key(&symbol) {
+            continue;
+        }
+        let values = domain.candidates(&symbol, witness::turns(&all, &symbol));
+        let fits = |value: &Fraction| {
+            let mut trial = point.clone();
+            trial.insert(symbol.clone(), value.clone());
+            // A divisor may vanish: then the next candidate.
+            all.iter().all(|f| witness::at_point(f, &trial).is_some())
+        };
+        let value = values.into_iter().find(fits)?;
+        point.insert(symbol, value);
+    }
+    witness::described(&point, left, right)
+}
+
+/// Some point of the domain with both sides there.
+#[must_use]
+pub fn sample(
+    left: &Value,
+    right: &Value,
+    domain: &Domain<'_>,
+) -> Option<crate::evidence::Witness> {
+    let plain = |value: &Value| {
+        value
+            .entries()
+            .into_iter()
+            .map(|q| q.as_fraction().cloned())
+            .collect::<Option<Vec<Fraction>>>()
+    };
+    let (left, right) = (plain(left)?, plain(right)?);
+    let all = left
+        .iter()
+        .chain(&right)
+        .cloned()
+        .fold(Fraction::zero(), |sum, f| sum + f.clone() * f);
+    let point = witness::find(&all, domain, Relation::AtLeast)
+        .or_else(|| witness::find(&all, domain, Relation::Different));
+    complete(point.unwrap_or_default(), &left, &right, domain)
+}

@@ -1,0 +1,328 @@
+//! Properties of a whole basis family, for every degree.
+//!
+//! **Nonnegativity.** If the seeds and both factors of the step are nonnegative on the domain, so are the
+//! functions of every degree: the step adds products of nonnegative functions (induction).
+//!
+//! **Linear independence.** For one degree the functions are brought to normal form; they are linearly
+//! dependent at a choice of the shape parameters if and only if the matrix of their coefficients has less
+//! than full rank there. A rank drop at one admissible choice refutes the statement exactly. For a proof
+//! at every degree see [`independent`].
+
+use super::domain::Domain;
+use super::sharpness::Bounded;
+use super::sign::{self, Sign};
+use super::witness::{self, Point};
+use super::{Decision, Refutation};
+use crate::evaluate::Evaluator;
+use crate::evaluate::value::NOWHERE;
+use crate::evidence::{Evidence, Witness};
+use torse_algebra::{Fraction, Matrix, Polynomial, Symbol};
+use torse_language::derivation::declarations::Basis;
+use torse_language::fault::Fault;
+use torse_language::syntax::Relation;
+
+/// The degrees that are looked at one by one.
+pub(super) const DEGREES: u8 = 4;
+
+/// The seeds and step of a family as formulas of its own symbols.
+pub(super) fn family(
+    basis: &Basis,
+    evaluator: &Evaluator<'_>,
+) -> Result<([Fraction; 2], Vec<Fraction>), Fault> {
+    let own: Vec<Fraction> = std::iter::once(&basis.variable)
+        .chain(&basis.parameters)
+        .map(|name| Fraction::named(name))
+        .collect();
+    let ((a, b), seeds) = evaluator.family(basis, &own)?;
+    Ok(([a, b], seeds))
+}
+
+/// Decides whether every function of every degree is nonnegative on the domain.
+///
+/// # Errors
+/// [`Fault`] when the seeds cannot be evaluated.
+pub fn nonnegative(
+    basis: &Basis,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Result<Decision, Fault> {
+    let (step, seeds) = family(basis, evaluator)?;
+    let mut steps = vec![];
+    for (what, part) in step
+        .iter()
+        .map(|p| ("step factor", p))
+        .chain(seeds.iter().map(|p| ("seed", p)))
+    {
+        let text = torse_language::notation::text(&crate::formula::expression(part));
+        let proved = part.as_polynomial().and_then(|p| sign::of(p, domain));
+        if part.is_zero() || matches!(proved, Some(Sign::Positive | Sign::Nonnegative)) {
+            steps.push(format!(
+                "{what} {text} >= 0 by Bernstein coefficients in the tangent of the half angle"
+            ));
+            continue;
+        }
+        if let Some(point) = witness::find(part, domain, Relation::Less)
+            && what == "seed"
+            && let Some(witness) =
+                witness::described(&point, std::slice::from_ref(part), &[Fraction::zero()])
+        {
+            let steps = vec![format!("the seed {text} is negative somewhere")];
+            return Ok(Decision::Refuted(Box::new(Refutation {
+                witness,
+                sides: None,
+                steps,
+            })));
+        }
+        return Ok(Decision::Open {
+            reason: format!("the sign of the {what} {text} is not settled"),
+            tried: vec![
+                "Bernstein coefficients".to_owned(),
+                "simple points".to_owned(),
+            ],
+        });
+    }
+    steps.push(
+        "the step keeps nonnegative functions nonnegative: induction over the degree".to_owned(),
+    );
+    Ok(Decision::Proven {
+        evidence: Evidence::Induction,
+        conditions: vec![],
+        steps,
+    })
+}
+
+/// The seeds as quantities that are to be zero or more.
+///
+/// # Errors
+/// [`Fault`] when the seeds cannot be evaluated.
+pub fn bounded(basis: &Basis, evaluator: &Evaluator<'_>) -> Result<Vec<Bounded>, Fault> {
+    let (_, seeds) = family(basis, evaluator)?;
+    let polynomials = seeds.iter().filter_map(Fraction::as_polynomial);
+    let bounded = polynomials.map(|polynomial| Bounded {
+        polynomial: polynomial.clone(),
+        strict: false,
+    });
+    Ok(bounded.collect())
+}
+
+/// All functions of one degree.
+pub(super) fn functions(step: &[Fraction; 2], seeds: &[Fraction], raise: u8) -> Vec<Fraction> {
+    let mut row = seeds.to_vec();
+    for _ in 0..raise {
+        let mut next = vec![Fraction::zero(); row.len() + 1];
+        for (i, function) in row.iter().enumerate() {
+            for (offset, factor) in step.iter().enumerate() {
+                if let Some(slot) = next.get_mut(i + offset) {
+                    *slot = slot.clone() + factor.clone() * function.clone();
+                }
+            }
+        }
+        row = next;
+    }
+    row
+}
+
+/// Rows: functions; columns: monomials in the variable and its sine and cosine; entries: polynomials in
+/// the shape parameters.
+fn coefficient_rows(functions: &[Fraction], variable: &str) -> Option<Vec<Vec<Fraction>>> {
+    use std::collections::BTreeMap;
+    let mut columns: BTreeMap<Polynomial, Vec<Polynomial>> = BTreeMap::new();
+    for (row, function) in functions.iter().enumerate() {
+        for term in function.as_polynomial()?.terms() {
+            let (mut monomial, mut rest) = (
+                Polynomial::integer(1),
+                Polynomial::constant(&term.coefficient),
+            );
+            for (symbol, exponent) in term.powers {
+                let power = Polynomial::symbol(symbol.clone()).power(u32::from(exponent));
+                let target = if symbol.depends_on(variable) {
+                    &mut monomial
+                } else {
+                    &mut rest
+                };
+                *target = &*target * &power;
+            }
+            let column = columns
+                .entry(monomial)
+                .or_insert_with(|| vec![Polynomial::zero(); functions.len()]);
+            if let Some(slot) = column.get_mut(row) {
+                *slot = &*slot + &rest;
+            }
+        }
+    }
+    let rows = (0..functions.len())
+        .map(|row| {
+            columns
+                .values()
+                .map(|c| c.get(row).cloned().unwrap_or_else(Polynomial::zero).into())
+                .collect()
+        })
+        .collect();
+    Some(rows)
+}
+
+/// A nonzero vector c with c A = 0 for numbers A, if the rows are dependent.
+fn dependency(rows: &[Vec<Fraction>]) -> Option<Vec<Fraction>> {
+    // Eliminate on [A | I]; a row of zeros in A leaves the combination on the right.
+    let count = rows.len();
+    let mut work: Vec<(Vec<Fraction>, Vec<Fraction>)> = rows
+        .iter()
+        .enumerate()
+        .map(|(i, row)| {
+            (
+                row.clone(),
+                (0..count)
+                    .map(|j| Fraction::integer(i64::from(i == j)))
+                    .collect(),
+            )
+        })
+        .collect();
+    let width = rows.first().map_or(0, Vec::len);
+    let mut done = 0;
+    for column in 0..width {
+        let pivot = (done..count).find(|r| {
+            work.get(*r)
+                .and_then(|(a, _)| a.get(column))
+                .is_some_and(|f| !f.is_zero())
+        });
+        let Some(pivot) = pivot else { continue };
+        work.swap(done, pivot);
+        let (lead_row, lead_mark) = work.get(done)?.clone();
+        let lead = lead_row.get(column)?.clone();
+        for (row, mark) in work.iter_mut().skip(done + 1) {
+            let factor = row.get(column)?.over(&lead).ok()?;
+            if factor.is_zero() {
+                continue;
+            }
+            for (slot, f) in row
+                .iter_mut()
+                .zip(&lead_row)
+                .chain(mark.iter_mut().zip(&lead_mark))
+            {
+                *slot = slot.clone() - factor.clone() * f.clone();
+            }
+        }
+        done += 1;
+    }
+    work.into_iter()
+        .find(|(row, _)| row.iter().all(Fraction::is_zero))
+        .map(|(_, mark)| mark)
+}
+
+/// Decides whether the functions of every degree are linearly independent for all shape parameters of
+/// the domain.
+///
+/// # Errors
+/// [`Fault`] when the seeds cannot be evaluated.
+pub fn independent(
+    basis: &Basis,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Result<Decision, Fault> {
+    let (step, seeds) = family(basis, evaluator)?;
+    let not_polynomial = || Fault::limit(NOWHERE, "the functions of the family are no polynomials");
+    let mut tried = vec![];
+    for raise in 0..DEGREES {
+        let degree = basis.degree + raise;
+        let row = functions(&step, &seeds, raise);
+        let rows = coefficient_rows(&row, &basis.variable).ok_or_else(not_polynomial)?;
+        for point in parameter_points(basis, domain) {
+            let at: Option<Vec<Vec<Fraction>>> = rows
+                .iter()
+                .map(|r| r.iter().map(|f| witness::at_point(f, &point)).collect())
+                .collect();
+            let Some(combination) = at.as_deref().and_then(dependency) else {
+                continue;
+            };
+            let mut at: Vec<(String, String)> = vec![("degree".to_owned(), degree.to_string())];
+            at.extend(point.iter().map(|(s, v)| (s.to_string(), v.to_string())));
+            let terms: Vec<String> = combination
+                .iter()
+                .enumerate()
+                .filter(|(_, c)| !c.is_zero())
+                .map(|(i, c)| format!("({c})*g[{i},{degree}]"))
+                .collect();
+            let witness = Witness {
+                at,
+                left: terms.join(" + "),
+                right: "0".to_owned(),
+                left_decimal: "0".to_owned(),
+                right_decimal: "0".to_owned(),
+            };
+            let steps = vec![
+                "the coefficients of the functions in normal form are a matrix in the shape parameters".to_owned(),
+                format!("at these shape parameters its rows are dependent for degree {degree}"),
+            ];
+            return Ok(Decision::Refuted(Box::new(Refutation {
+                witness,
+                sides: None,
+                steps,
+            })));
+        }
+        match full_rank(&rows, domain) {
+            true => tried.push(format!(
+                "degree {degree}: a minor of the coefficient matrix never vanishes on the domain"
+            )),
+            false => tried.push(format!(
+                "degree {degree}: no dependency at simple shape parameters"
+            )),
+        }
+    }
+    Ok(Decision::Open {
+        reason: "independence is not proved for every degree".to_owned(),
+        tried,
+    })
+}
+
+/// Simple shape parameters, corners first.
+pub(super) fn parameter_points(basis: &Basis, domain: &Domain<'_>) -> Vec<Point> {
+    let mut points = vec![Point::new()];
+    for name in &basis.parameters {
+        let symbol = Symbol::named(name);
+        let interval = domain.interval(&symbol);
+        let mut values: Vec<Fraction> = [interval.lower, interval.upper]
+            .into_iter()
+            .flatten()
+            .map(|b| b.value)
+            .collect();
+        values.extend(
+            domain
+                .candidates(&symbol, witness::turns(&[], &symbol))
+                .into_iter()
+                .take(4),
+        );
+        points = points
+            .into_iter()
+            .flat_map(|point| {
+                let symbol = symbol.clone();
+                values
+                    .iter()
+                    .map(move |value| {
+                        let mut more = point.clone();
+                        more.insert(symbol.clone(), value.clone());
+                        more
+                    })
+                    .collect::<Vec<_>>()
+            })
+            .collect();
+    }
+    points
+}
+
+/// Whether some maximal minor is known not to vanish on the domain.
+fn full_rank(rows: &[Vec<Fraction>], domain: &Domain<'_>) -> bool {
+    let (count, width) = (rows.len(), rows.first().map_or(0, Vec::len));
+    // Windows of neighbouring columns are enough to find one in practice.
+    (0..=width.saturating_sub(count)).any(|start| {
+        let square: Vec<Vec<Fraction>> = rows
+            .iter()
+            .map(|r| r.iter().skip(start).take(count).cloned().collect())
+            .collect();
+        Matrix::from_rows(square)
+            .and_then(|m| m.determinant())
+            .is_ok_and(|d| {
+                d.as_polynomial()
+                    .is_some_and(|p| sign::never_zero(p, domain))
+            })
+    })
+}

@@ -1,0 +1,263 @@
+//! From statements to decisions.
+//!
+//! Equality is decided by normal forms ([`equality`]), printed decimals by certified enclosures
+//! ([`agreement`]), order by proofs of sign on the declared domain ([`sign`]). A refutation always
+//! comes with a point of the domain at which the statement fails ([`witness`]); "not proved" alone is
+//! never "false". Statements whose symbolic degree cannot be carried are tried at small degrees
+//! ([`instances`]), which can refute them but not prove them.
+
+pub mod agreement;
+pub mod candidates;
+pub mod conditions;
+pub mod domain;
+pub mod equality;
+pub mod family;
+pub mod instances;
+pub mod interval;
+pub mod sharpness;
+pub mod sign;
+pub mod variation;
+pub mod witness;
+
+use crate::evaluate::Evaluator;
+use crate::evaluate::value::{FamilyProperty, Statement, Value};
+use crate::evidence::{Evidence, Witness};
+use domain::Domain;
+use torse_algebra::{Fraction, Polynomial};
+use torse_language::fault::Fault;
+use torse_language::syntax::{Connective, Relation};
+
+/// What is known about a statement.
+#[derive(Debug, Clone)]
+pub enum Decision {
+    /// True on the whole domain, where the conditions do not vanish.
+    Proven {
+        /// What the proof rests on.
+        evidence: Evidence,
+        /// Divisors that were used: the proof holds where none of them is zero.
+        conditions: Vec<Polynomial>,
+        /// The steps, in words.
+        steps: Vec<String>,
+    },
+    /// False, with a point of the domain.
+    Refuted(Box<Refutation>),
+    /// No point satisfies the assumptions.
+    Vacuous {
+        /// The assumption that fails everywhere.
+        reason: String,
+    },
+    /// Neither.
+    Open {
+        /// Why.
+        reason: String,
+        /// What was tried.
+        tried: Vec<String>,
+    },
+}
+
+/// How a statement fails.
+#[derive(Debug, Clone)]
+pub struct Refutation {
+    /// The point and both sides there.
+    pub witness: Witness,
+    /// Both sides before any symbol got a value, entry by entry, where they are plain.
+    pub sides: Option<(Vec<Fraction>, Vec<Fraction>)>,
+    /// The steps, in words.
+    pub steps: Vec<String>,
+}
+
+impl Decision {
+    /// Proven, from nothing but an identity.
+    fn identity(conditions: Vec<Polynomial>, step: String) -> Self {
+        Self::Proven {
+            evidence: Evidence::Identity,
+            conditions,
+            steps: vec![step],
+        }
+    }
+
+    /// Whether this is a proof.
+    #[must_use]
+    pub fn is_proven(&self) -> bool {
+        matches!(self, Self::Proven { .. })
+    }
+
+    /// Whether this is a refutation.
+    #[must_use]
+    pub fn is_refuted(&self) -> bool {
+        matches!(self, Self::Refuted(_))
+    }
+}
+
+/// Decides a statement on a domain.
+///
+/// # Errors
+/// A [`Fault`] when an exact operation fails on the way.
+pub fn decide(
+    statement: &Statement,
+    domain: &Domain,
+    evaluator: &Evaluator<'_>,
+) -> Result<Decision, Fault> {
+    match statement {
+        Statement::Compare {
+            relation: Relation::Equal,
+            left,
+            right,
+            ..
+        } => equality::decide(left, right, domain, evaluator),
+        Statement::Compare {
+            relation,
+            left,
+            right,
+            ..
+        } => sign::compare(*relation, left, right, domain),
+        Statement::Agrees { values, printed } => Ok(agreement::decide(values, printed)),
+        Statement::Family { property, basis } => match property {
+            FamilyProperty::Nonnegative => family::nonnegative(basis, domain, evaluator),
+            FamilyProperty::Independent => family::independent(basis, domain, evaluator),
+            FamilyProperty::VariationDiminishing => {
+                variation::diminishing(basis, domain, evaluator)
+            }
+        },
+        Statement::Join(Connective::And, a, b) => {
+            let first = decide(a, domain, evaluator)?;
+            if first.is_refuted() {
+                return Ok(first);
+            }
+            let second = decide(b, domain, evaluator)?;
+            Ok(both(first, second))
+        }
+        Statement::Join(Connective::Or, a, b) => {
+            let first = decide(a, domain, evaluator)?;
+            if first.is_proven() {
+                return Ok(first);
+            }
+            let second = decide(b, domain, evaluator)?;
+            Ok(match (first, second) {
+                (_, proven @ Decision::Proven { .. }) => proven,
+                // Two refutations that need no point are refutations at every point.
+                (Decision::Refuted(a), Decision::Refuted(b)) if a.witness.at.is_empty() => {
+                    Decision::Refuted(b)
+                }
+                _ => Decision::Open {
+                    reason: "neither alternative is proved on the whole domain".to_owned(),
+                    tried: vec!["each alternative on its own".to_owned()],
+                },
+            })
+        }
+        Statement::Not(inner) => negation(inner, domain, evaluator),
+        Statement::Join(Connective::Implies, ..) => Ok(Decision::Open {
+            reason: "an implication; state its premise as an assumption".to_owned(),
+            tried: vec![],
+        }),
+    }
+}
+
+/// What is known about the ranges of the parameters of a proved statement about order, in words.
+///
+/// # Errors
+/// A [`Fault`] when the seeds of a family cannot be evaluated.
+pub fn ranges(
+    statement: &Statement,
+    domain: &Domain,
+    evaluator: &Evaluator<'_>,
+) -> Result<Vec<String>, Fault> {
+    let bounded = match statement {
+        Statement::Family {
+            property: FamilyProperty::Nonnegative,
+            basis,
+        } => family::bounded(basis, evaluator)?,
+        _ => sharpness::bounded(statement),
+    };
+    Ok(sharpness::steps(&bounded, domain))
+}
+
+/// `not p`: the formulas of p do not agree everywhere. A point where p fails proves it; a proof of p
+/// refutes it, and any point of the domain shows it.
+fn negation(
+    inner: &Statement,
+    domain: &Domain,
+    evaluator: &Evaluator<'_>,
+) -> Result<Decision, Fault> {
+    Ok(match decide(inner, domain, evaluator)? {
+        Decision::Refuted(refutation) => {
+            let at = refutation
+                .witness
+                .at
+                .iter()
+                .map(|(name, value)| format!("{name} = {value}"));
+            let point = at.collect::<Vec<_>>().join(", ");
+            let mut steps = refutation.steps;
+            steps.push(format!(
+                "a point where the negated statement fails: {point}"
+            ));
+            Decision::Proven {
+                evidence: Evidence::Witness,
+                conditions: vec![],
+                steps,
+            }
+        }
+        Decision::Proven { steps, .. } => {
+            let witness = comparisons(inner)
+                .into_iter()
+                .find_map(|(left, right)| equality::sample(left, right, domain));
+            match witness {
+                Some(witness) => {
+                    let first = "the negated statement is proved: it holds everywhere".to_owned();
+                    let steps = std::iter::once(first).chain(steps).collect();
+                    Decision::Refuted(Box::new(Refutation {
+                        witness,
+                        sides: None,
+                        steps,
+                    }))
+                }
+                None => Decision::Open {
+                    reason: "the negated statement holds, but no point of the domain was found"
+                        .to_owned(),
+                    tried: steps,
+                },
+            }
+        }
+        undecided @ (Decision::Open { .. } | Decision::Vacuous { .. }) => undecided,
+    })
+}
+
+/// The sides of all comparisons in a statement.
+fn comparisons(statement: &Statement) -> Vec<(&Value, &Value)> {
+    match statement {
+        Statement::Compare { left, right, .. } => vec![(left, right)],
+        Statement::Join(_, a, b) => [comparisons(a), comparisons(b)].concat(),
+        Statement::Not(inner) => comparisons(inner),
+        Statement::Agrees { .. } | Statement::Family { .. } => vec![],
+    }
+}
+
+/// A conjunction of decisions, neither of which is a refutation unless the second is.
+fn both(first: Decision, second: Decision) -> Decision {
+    match (first, second) {
+        (_, refuted @ Decision::Refuted(_)) => refuted,
+        (
+            Decision::Proven {
+                evidence: e1,
+                conditions: c1,
+                steps: s1,
+            },
+            Decision::Proven {
+                evidence: e2,
+                conditions: c2,
+                steps: s2,
+            },
+        ) => {
+            let mut conditions = [c1, c2].concat();
+            conditions.sort();
+            conditions.dedup();
+            // The weaker kind of evidence names the whole: an identity is the strongest.
+            Decision::Proven {
+                evidence: e1.max(e2),
+                conditions,
+                steps: [s1, s2].concat(),
+            }
+        }
+        (Decision::Proven { .. }, other) | (other, _) => other,
+    }
+}

@@ -1,0 +1,226 @@
+//! Whether the ranges of a proved order relation are the largest possible.
+//!
+//! A symbol leaves its range by small steps at each end. If the relation then fails at an exact point,
+//! the range cannot be widened so far; if it is proved on the wider range, the range says too much. The
+//! points are sought in the coordinates of the proof of sign, where a variable under a quarter turn is
+//! given by the tangent of half its angle, so that sine and cosine are exact.
+
+use super::domain::{Domain, truth};
+use super::sign::coordinates::Coordinates;
+use super::sign::prove;
+use crate::evaluate::value::Statement;
+use torse_algebra::rational::{integer, ratio};
+use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
+use torse_language::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
+use torse_language::syntax::{Connective, Relation};
+
+/// How far a range is left, one after the other.
+const STEPS: [(i64, i64); 3] = [(1, 1024), (1, 16), (1, 1)];
+/// The most points tried for one step.
+const MAX_POINTS: usize = 1_200;
+/// Longer polynomials are not examined.
+const MAX_TERMS: usize = 120;
+
+/// A polynomial that is shown to be zero or more, or more than zero.
+#[derive(Debug, Clone)]
+pub struct Bounded {
+    /// The polynomial.
+    pub polynomial: Polynomial,
+    /// Whether zero is excluded.
+    pub strict: bool,
+}
+
+/// What a conjunction of order relations bounds; nothing for other statements.
+#[must_use]
+pub fn bounded(statement: &Statement) -> Vec<Bounded> {
+    match statement {
+        Statement::Join(Connective::And, a, b) => [bounded(a), bounded(b)].concat(),
+        Statement::Compare {
+            relation,
+            left,
+            right,
+        } => {
+            let (strict, negative) = match relation {
+                Relation::Less => (true, true),
+                Relation::AtMost => (false, true),
+                Relation::Greater => (true, false),
+                Relation::AtLeast => (false, false),
+                Relation::Equal | Relation::Different => return vec![],
+            };
+            let (lefts, rights) = (left.entries(), right.entries());
+            let pairs = lefts.into_iter().zip(rights);
+            let differences = pairs.filter_map(|(x, y)| {
+                let difference = x.as_fraction()?.clone() - y.as_fraction()?.clone();
+                let polynomial = difference.as_polynomial()?.clone();
+                Some(if negative { -polynomial } else { polynomial })
+            });
+            differences
+                .map(|polynomial| Bounded { polynomial, strict })
+                .collect()
+        }
+        _ => vec![],
+    }
+}
+
+/// What leaving the ranges of the parameters at each end leads to, in words.
+#[must_use]
+pub fn steps(all: &[Bounded], domain: &Domain<'_>) -> Vec<String> {
+    if all.iter().any(|b| b.polynomial.len() > MAX_TERMS) {
+        return vec![];
+    }
+    let mut names: Vec<&str> = vec![];
+    for symbol in all.iter().flat_map(|b| b.polynomial.symbols()) {
+        if let Symbol::Named(name) = symbol
+            && !names.contains(&&**name)
+        {
+            names.push(name);
+        }
+    }
+    // A variable under a turn has the range of its angle, which is no range of a parameter.
+    let turns = |name: &str| {
+        let mut symbols = all.iter().flat_map(|b| b.polynomial.symbols());
+        symbols.any(|s| matches!(s, Symbol::Sin(n, _) | Symbol::Cos(n, _) if **n == *name))
+    };
+    let mut found = vec![];
+    for name in names.into_iter().filter(|name| !turns(name)) {
+        let Some(SymbolKind::Real(interval)) = domain.declarations.symbol(name) else {
+            continue;
+        };
+        for upper in [false, true] {
+            let end = if upper {
+                &interval.upper
+            } else {
+                &interval.lower
+            };
+            let end = end.as_ref().and_then(|b| b.value.as_rational());
+            found.extend(end.and_then(|end| beyond(all, domain, name, interval, end, upper)));
+        }
+    }
+    found
+}
+
+/// What happens beyond one end.
+fn beyond(
+    all: &[Bounded],
+    domain: &Domain<'_>,
+    name: &str,
+    interval: &Interval,
+    end: &Rational,
+    upper: bool,
+) -> Option<String> {
+    for (n, d) in STEPS {
+        let step = ratio(n, d)?;
+        let there = if upper { end + &step } else { end - &step };
+        if let Some(point) = all.iter().find_map(|b| failure(b, domain, name, &there)) {
+            return Some(format!(
+                "the range of {name} cannot be widened by {step}: it fails at {name} = {there}{point}"
+            ));
+        }
+    }
+    let step = ratio(1, 16)?;
+    let there = if upper { end + &step } else { end - &step };
+    let bound = Bound {
+        value: there.clone().into(),
+        closed: true,
+    };
+    let mut wider = interval.clone();
+    *(if upper {
+        &mut wider.upper
+    } else {
+        &mut wider.lower
+    }) = Some(bound);
+    let declarations = domain
+        .declarations
+        .with_symbol(name, SymbolKind::Real(Box::new(wider)));
+    let wider = on(&declarations, domain);
+    let holds = all.iter().all(|b| {
+        prove(&b.polynomial, &wider).is_some_and(|certificate| certificate.strict || !b.strict)
+    });
+    holds.then(|| format!("the range of {name} may be widened to {there}: it is proved there too"))
+}
+
+fn on<'a>(declarations: &'a Declarations, domain: &Domain<'_>) -> Domain<'a> {
+    Domain {
+        declarations,
+        constraints: domain.constraints.clone(),
+    }
+}
+
+/// A point with this value of the symbol at which the bound fails, in words.
+fn failure(bounded: &Bounded, domain: &Domain<'_>, name: &str, value: &Rational) -> Option<String> {
+    // Points that assumptions exclude are no counterexamples.
+    if !domain.constraints.is_empty() {
+        return None;
+    }
+    let at = Fraction::from(bounded.polynomial.clone())
+        .at(name, &value.clone().into())
+        .ok()?;
+    let polynomial = at.as_polynomial()?.clone();
+    let (moved, coordinates) = Coordinates::of(&[&polynomial], domain)?;
+    let moved = moved.into_iter().next()?;
+    let sides: Vec<&Symbol> = coordinates.sides.iter().map(|side| &side.symbol).collect();
+    // Only independent real coordinates lead back to a point: no integers, no sine beside its cosine, no
+    // tangent of a half angle beside the angle itself.
+    let torn = |side: &Symbol| {
+        let half = format!("{side}\u{bd}");
+        let turn = matches!(side, Symbol::Sin(..) | Symbol::Cos(..));
+        turn || domain.is_integer(side) || sides.iter().any(|other| other.to_string() == half)
+    };
+    let free = |s: &Symbol| !matches!(s, Symbol::Pi | Symbol::Root(_)) && !sides.contains(&s);
+    if sides.iter().any(|side| torn(side)) || moved.symbols().iter().any(free) {
+        return None;
+    }
+    let wrong = if bounded.strict {
+        Relation::AtMost
+    } else {
+        Relation::Less
+    };
+    let parts = match sides.len() {
+        0 | 1 => 32_usize,
+        2 => 16,
+        3 => 8,
+        _ => 2,
+    };
+    let count = (0..sides.len()).try_fold(1_usize, |n, _| n.checked_mul(parts + 1))?;
+    for number in 0..count.min(MAX_POINTS) {
+        let mut rest = number;
+        let mut point = vec![];
+        for _ in &sides {
+            point.push(ratio(
+                i64::try_from(rest % (parts + 1)).ok()?,
+                i64::try_from(parts).ok()?,
+            )?);
+            rest /= parts + 1;
+        }
+        let place = |s: &Symbol| {
+            let position = sides.iter().position(|side| *side == s)?;
+            point.get(position).map(Polynomial::constant)
+        };
+        let open = coordinates.sides.iter().zip(&point).any(|(side, t)| {
+            (*t == integer(0) && !side.lower_closed) || (*t == integer(1) && !side.upper_closed)
+        });
+        if !open && truth(&moved.substituted(place).into(), wrong) == Some(true) {
+            let shown = sides.iter().zip(&point);
+            return Some(
+                shown
+                    .map(|(symbol, t)| described(symbol, t, domain))
+                    .collect(),
+            );
+        }
+    }
+    None
+}
+
+/// `, x = 1/2`, or the tangent of half the angle.
+fn described(symbol: &Symbol, t: &Rational, domain: &Domain<'_>) -> String {
+    let text = symbol.to_string();
+    if let Some(variable) = text.strip_suffix('\u{bd}') {
+        return format!(", tan(pi/4*{variable}) = {t}");
+    }
+    let interval = domain.interval(symbol);
+    let value = interval.lower.zip(interval.upper).map(|(a, b)| {
+        let width = b.value - a.value.clone();
+        a.value + width * Fraction::from(t.clone())
+    });
+    value.map_or_else(String::new, |value| format!(", {text} = {value}"))
+}

@@ -1,0 +1,237 @@
+//! Signs of polynomials on the declared domain.
+//!
+//! In [`coordinates`] that start at zero a polynomial is written in Bernstein form; pi stays and is
+//! enclosed. **Theorem.** Bernstein polynomials and powers of t >= 0 are nonnegative and the Bernstein
+//! polynomials sum to one, so if all coefficients are nonnegative the polynomial is, and if moreover every
+//! face of the box has a positive coefficient it is positive. Assumed inequalities c >= 0 help in three
+//! ways: parts of the box where one fails are left out, one that divides the polynomial is split off, and
+//! multiples of one are subtracted. Every proof is a [`certificate`], which is replayed by other means.
+
+mod bernstein;
+pub mod certificate;
+pub mod coordinates;
+mod prove;
+
+use super::domain::Domain;
+use super::{Decision, Refutation, witness};
+use crate::evaluate::quantity::Quantity;
+use crate::evaluate::value::{NOWHERE, Value};
+use crate::evidence::Evidence;
+use certificate::{Certificate, CertificateError};
+use torse_algebra::{Fraction, Polynomial};
+use torse_language::fault::Fault;
+use torse_language::syntax::Relation;
+
+pub use prove::prove;
+
+/// A proved sign.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// Greater than zero everywhere.
+    Positive,
+    /// Zero or more.
+    Nonnegative,
+    /// Less than zero everywhere.
+    Negative,
+    /// Zero or less.
+    Nonpositive,
+}
+
+/// A proof of sign about one polynomial, with what shows it.
+#[derive(Debug, Clone)]
+pub struct Proof {
+    /// What is shown to be zero or more: the polynomial, or its negative.
+    pub polynomial: Polynomial,
+    /// How.
+    pub certificate: Certificate,
+}
+
+/// A sign of the polynomial on the whole domain, if one can be proved this way.
+#[must_use]
+pub fn of(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Sign> {
+    proof(polynomial, domain).map(|(sign, _)| sign)
+}
+
+/// The same with its certificate.
+#[must_use]
+pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
+    let shown = |polynomial: &Polynomial| {
+        let certificate = prove(polynomial, domain)?;
+        Some((
+            certificate.strict,
+            Proof {
+                polynomial: polynomial.clone(),
+                certificate,
+            },
+        ))
+    };
+    let (strict, weak) = match shown(polynomial) {
+        Some((true, proof)) => return Some((Sign::Positive, proof)),
+        other => (shown(&-polynomial), other),
+    };
+    match (strict, weak) {
+        (Some((true, proof)), _) => Some((Sign::Negative, proof)),
+        (_, Some((_, proof))) => Some((Sign::Nonnegative, proof)),
+        (Some((false, proof)), None) => Some((Sign::Nonpositive, proof)),
+        (None, None) => None,
+    }
+}
+
+/// Whether the polynomial never vanishes on the domain, by its sign.
+#[must_use]
+pub fn never_zero(polynomial: &Polynomial, domain: &Domain<'_>) -> bool {
+    matches!(
+        of(polynomial, domain),
+        Some(Sign::Positive | Sign::Negative)
+    )
+}
+
+/// Decides `left relation right` for an order relation or `!=`, on the domain.
+///
+/// # Errors
+/// None at present; the signature is that of the other procedures.
+pub fn compare(
+    relation: Relation,
+    left: &Value,
+    right: &Value,
+    domain: &Domain<'_>,
+) -> Result<Decision, Fault> {
+    let (lefts, rights) = (left.entries(), right.entries());
+    let ([x], [y]) = (lefts.as_slice(), rights.as_slice()) else {
+        return Ok(different(relation, &lefts, &rights, domain));
+    };
+    let (Some(x), Some(y)) = (x.as_fraction(), y.as_fraction()) else {
+        return Err(Fault::limit(
+            NOWHERE,
+            "an order relation of symbolic degree",
+        ));
+    };
+    let difference = x.clone() - y.clone();
+    let opposite = match relation {
+        Relation::Equal => Relation::Different,
+        Relation::Different => Relation::Equal,
+        Relation::Less => Relation::AtLeast,
+        Relation::AtMost => Relation::Greater,
+        Relation::Greater => Relation::AtMost,
+        Relation::AtLeast => Relation::Less,
+    };
+    if difference.is_zero() && matches!(relation, Relation::AtMost | Relation::AtLeast) {
+        return Ok(Decision::identity(
+            witness::nonconstant(difference.conditions().to_vec()),
+            "both sides are equal identically".to_owned(),
+        ));
+    }
+    if let Some((sign, proofs)) = sign_of_fraction(&difference, domain) {
+        let proven = match relation {
+            Relation::Different => matches!(sign, Sign::Positive | Sign::Negative),
+            Relation::Less => sign == Sign::Negative,
+            Relation::AtMost => matches!(sign, Sign::Negative | Sign::Nonpositive),
+            Relation::Greater => sign == Sign::Positive,
+            Relation::AtLeast => matches!(sign, Sign::Positive | Sign::Nonnegative),
+            Relation::Equal => false,
+        };
+        if proven {
+            return Ok(match replayed(&proofs, domain) {
+                Ok(steps) => Decision::Proven {
+                    evidence: Evidence::Inequality,
+                    conditions: witness::nonconstant(difference.conditions().to_vec()),
+                    steps,
+                },
+                Err(error) => Decision::Open {
+                    reason: format!("the certificate of sign does not hold: {error}"),
+                    tried: vec![],
+                },
+            });
+        }
+    }
+    if let Some(point) = witness::find(&difference, domain, opposite)
+        && let Some(witness) =
+            witness::described(&point, std::slice::from_ref(x), std::slice::from_ref(y))
+    {
+        return Ok(Decision::Refuted(Box::new(Refutation {
+            witness,
+            sides: Some((vec![x.clone()], vec![y.clone()])),
+            steps: vec!["a point of the domain at which the relation fails".to_owned()],
+        })));
+    }
+    Ok(Decision::Open {
+        reason: "the sign of the difference on the domain is not settled".to_owned(),
+        tried: vec![
+            "Bernstein coefficients on the whole domain".to_owned(),
+            "simple points".to_owned(),
+        ],
+    })
+}
+
+/// Vectors have no order; they are different wherever one coordinate is.
+fn different(
+    relation: Relation,
+    left: &[&Quantity],
+    right: &[&Quantity],
+    domain: &Domain<'_>,
+) -> Decision {
+    let open = |reason: &str| Decision::Open {
+        reason: reason.to_owned(),
+        tried: vec![],
+    };
+    if relation != Relation::Different {
+        return open("vectors and matrices have no order");
+    }
+    let never_equal = left.iter().zip(right).any(|(x, y)| {
+        let difference = x.minus(y);
+        let sign = difference
+            .as_fraction()
+            .and_then(|d| sign_of_fraction(d, domain));
+        matches!(sign, Some((Sign::Positive | Sign::Negative, _)))
+    });
+    if never_equal {
+        return Decision::Proven {
+            evidence: Evidence::Inequality,
+            conditions: vec![],
+            steps: vec!["one coordinate of the difference never vanishes on the domain".to_owned()],
+        };
+    }
+    open("no coordinate of the difference is known never to vanish")
+}
+
+/// Replays the certificates, and says what they rest on.
+fn replayed(proofs: &[Proof], domain: &Domain<'_>) -> Result<Vec<String>, CertificateError> {
+    for proof in proofs {
+        certificate::check(&proof.polynomial, domain, &proof.certificate)?;
+    }
+    let mut steps = vec![
+        "all Bernstein coefficients of the difference on the domain have the right sign".to_owned(),
+    ];
+    let assumes = proofs.iter().any(|p| p.certificate.rests_on_assumptions());
+    if assumes {
+        steps.push("the assumptions bound the domain".to_owned());
+    }
+    let pieces = proofs.iter().map(|p| p.certificate.pieces.len()).max();
+    if let Some(pieces) = pieces.filter(|n| *n > 1) {
+        steps.push(format!("on each of the {pieces} parts of the domain"));
+    }
+    Ok(steps)
+}
+
+/// The sign of a fraction from the signs of its parts, with the proofs.
+fn sign_of_fraction(value: &Fraction, domain: &Domain<'_>) -> Option<(Sign, Vec<Proof>)> {
+    let (above, first) = proof(value.numerator(), domain)?;
+    let (mut negative, mut proofs) = (false, vec![first]);
+    for (factor, exponent) in value.denominator_factors() {
+        let (sign, proof) = proof(factor, domain)?;
+        match sign {
+            Sign::Positive => {}
+            Sign::Negative => negative ^= exponent % 2 == 1,
+            _ => return None,
+        }
+        proofs.push(proof);
+    }
+    let sign = match (above, negative) {
+        (sign, false) => sign,
+        (Sign::Positive, true) => Sign::Negative,
+        (Sign::Negative, true) => Sign::Positive,
+        (Sign::Nonnegative, true) => Sign::Nonpositive,
+        (Sign::Nonpositive, true) => Sign::Nonnegative,
+    };
+    Some((sign, proofs))
+}

@@ -1,0 +1,246 @@
+//! The search for a certificate: boxes are halved where the coefficients of the whole do not tell.
+
+use super::bernstein::sign;
+use super::certificate::{Certificate, Factor, Piece, Reason, assumed};
+use super::coordinates::{Coordinates, Region};
+use crate::decide::domain::{Domain, truth};
+use crate::formula::factors;
+use torse_algebra::rational::integer;
+use torse_algebra::{Polynomial, Rational};
+use torse_language::syntax::Relation;
+
+/// How often a nonnegative box is halved to prove it positive.
+const STRICT_DEPTH: u32 = 3;
+/// The same where assumptions cut the box obliquely.
+const STRICT_CUT_DEPTH: u32 = 9;
+/// The most boxes examined in one search.
+const MAX_BOXES: usize = 200;
+/// The same where assumptions cut the box obliquely.
+const MAX_CUT_BOXES: usize = 1_000;
+/// The most multiples of one assumption that are tried.
+const MAX_MULTIPLES: usize = 6;
+
+/// A certificate that the polynomial is nowhere negative on the domain, a strict one where that is found.
+///
+/// What is cheap comes first: the box alone, an assumption split off or subtracted, and only then the box
+/// cut by the assumptions.
+#[must_use]
+pub fn prove(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate> {
+    let assumed = assumed(domain);
+    let mut best = direct(polynomial, domain, &[]);
+    let strict = |found: &Option<Certificate>| found.as_ref().is_some_and(|c| c.strict);
+    let helpful = |(_, (value, _)): &(usize, &(Polynomial, bool))| value.as_constant().is_none();
+    for (number, (value, positive)) in assumed.iter().enumerate().filter(helpful) {
+        if strict(&best) {
+            return best;
+        }
+        // p = q c
+        if let Some(quotient) = polynomial.exact_quotient(value)
+            && let Some(mut found) = direct(&quotient, domain, &[])
+        {
+            found.strict &= *positive;
+            found.factors.push(Factor::Assumed(number));
+            best = better(best, found);
+        }
+        // p = m c + rest
+        for multiple in multiples(polynomial, value) {
+            if strict(&best) {
+                return best;
+            }
+            let rest = polynomial - &value.scaled(&multiple);
+            if let Some(mut found) = direct(&rest, domain, &[]) {
+                found.strict |= *positive;
+                found.multipliers.push((number, multiple));
+                best = better(best, found);
+            }
+        }
+    }
+    if !strict(&best)
+        && !assumed.is_empty()
+        && let Some(found) = direct(polynomial, domain, &assumed)
+    {
+        best = better(best, found);
+    }
+    best.or_else(|| without_square(polynomial, domain, &assumed))
+}
+
+/// The stronger of two certificates, the first of two equal ones.
+fn better(best: Option<Certificate>, found: Certificate) -> Option<Certificate> {
+    best.filter(|own| own.strict || !found.strict)
+        .or(Some(found))
+}
+
+/// A certificate with a square split off: where it vanishes inside a box no halving may ever meet.
+fn without_square(
+    polynomial: &Polynomial,
+    domain: &Domain<'_>,
+    assumed: &[(Polynomial, bool)],
+) -> Option<Certificate> {
+    let mut squares = factors(polynomial).into_iter();
+    let (root, rest) = squares
+        .find_map(|root| Some((root.clone(), polynomial.exact_quotient(&root.power(2))?)))?;
+    let mut found =
+        direct(&rest, domain, assumed).or_else(|| without_square(&rest, domain, assumed))?;
+    found.strict = false;
+    found.factors.push(Factor::Square(root));
+    Some(found)
+}
+
+/// Positive multiples of `value` that cancel a term of the polynomial.
+fn multiples(polynomial: &Polynomial, value: &Polynomial) -> Vec<Rational> {
+    let mut found: Vec<Rational> = vec![];
+    for own in value.terms() {
+        for term in polynomial.terms().filter(|term| term.powers == own.powers) {
+            let multiple = term.coefficient / own.coefficient.clone();
+            if multiple > integer(0) && !found.contains(&multiple) {
+                found.push(multiple);
+            }
+        }
+    }
+    found.truncate(MAX_MULTIPLES);
+    found
+}
+
+/// A certificate without multipliers.
+fn direct(
+    polynomial: &Polynomial,
+    domain: &Domain<'_>,
+    assumed: &[(Polynomial, bool)],
+) -> Option<Certificate> {
+    // Symbols that are not negative themselves are split off first.
+    let (mut rest, mut factors, mut strict) = (polynomial.clone(), vec![], true);
+    for symbol in polynomial.symbols() {
+        let Some(lower) = domain.interval(symbol).lower else {
+            continue;
+        };
+        if truth(&lower.value, Relation::AtLeast) != Some(true) {
+            continue;
+        }
+        let factor = Polynomial::symbol(symbol.clone());
+        while let Some(quotient) = rest.exact_quotient(&factor) {
+            strict &= truth(&lower.value, Relation::Greater) == Some(true) || !lower.closed;
+            factors.push(Factor::Symbol(symbol.clone()));
+            rest = quotient;
+        }
+    }
+    // Assumptions that say something about the symbols of the rest, and only about bounded ones.
+    let useful = |value: &Polynomial| {
+        let shared = value.symbols().iter().any(|s| rest.symbols().contains(s));
+        shared && Coordinates::of(&[value], domain).is_some()
+    };
+    let numbers: Vec<usize> = assumed
+        .iter()
+        .enumerate()
+        .filter(|(_, (value, _))| useful(value))
+        .map(|(number, _)| number)
+        .collect();
+    let mut all = vec![&rest];
+    all.extend(
+        numbers
+            .iter()
+            .filter_map(|n| assumed.get(*n))
+            .map(|(value, _)| value),
+    );
+    let (mut moved, coordinates) = Coordinates::of(&all, domain)?;
+    let target = moved.remove(0);
+    let bounds = numbers
+        .into_iter()
+        .zip(moved)
+        .filter_map(|(number, value)| Some((number, -value, assumed.get(number)?.1)))
+        .collect::<Vec<_>>();
+    let cut = !bounds.is_empty();
+    let mut search = Search {
+        target,
+        bounds,
+        coordinates,
+        budget: 0,
+        strict_depth: 0,
+        pieces: vec![],
+    };
+    let budget = if cut { MAX_CUT_BOXES } else { MAX_BOXES };
+    let mut found = search.whole(budget, STRICT_DEPTH)?;
+    // Where an assumption cuts the box, a zero may lie on the wrong side of the cut.
+    if cut
+        && !found.0
+        && let Some(again) = search.whole(budget, STRICT_CUT_DEPTH)
+        && again.0
+    {
+        found = again;
+    }
+    let (positive, pieces) = found;
+    Some(Certificate {
+        strict: strict && positive,
+        multipliers: vec![],
+        factors,
+        rest,
+        pieces,
+    })
+}
+
+struct Search {
+    target: Polynomial,
+    /// Assumptions: number, negative, and whether it must not be zero.
+    bounds: Vec<(usize, Polynomial, bool)>,
+    coordinates: Coordinates,
+    budget: usize,
+    strict_depth: u32,
+    pieces: Vec<Piece>,
+}
+
+impl Search {
+    /// The sign on the whole box, with the pieces that show it.
+    fn whole(&mut self, budget: usize, strict_depth: u32) -> Option<(bool, Vec<Piece>)> {
+        self.budget = budget;
+        self.strict_depth = strict_depth;
+        self.pieces.clear();
+        let positive = self.run(self.coordinates.whole(), 0)?;
+        Some((positive, std::mem::take(&mut self.pieces)))
+    }
+
+    /// The sign on a region, as in [`sign`]; the pieces that show it are added.
+    fn run(&mut self, region: Region, depth: u32) -> Option<bool> {
+        self.budget = self.budget.checked_sub(1)?;
+        let outside = self.bounds.iter().find(|(_, negative, strict)| {
+            let shown = sign(negative, &self.coordinates, &region);
+            shown == Some(true) || (*strict && shown == Some(false))
+        });
+        if let Some((number, ..)) = outside {
+            let reason = Reason::Outside(*number);
+            self.pieces.push(Piece { region, reason });
+            return Some(true);
+        }
+        let whole = sign(&self.target, &self.coordinates, &region);
+        let before = self.pieces.len();
+        // A region that is known to be nonnegative is halved a few times only in search of strictness: a
+        // zero of the polynomial would use up all boxes.
+        let done = whole == Some(true) || (whole == Some(false) && depth >= self.strict_depth);
+        if !done && let Some([low, high]) = self.halves(&region) {
+            let parts = self.run(low, depth + 1).zip(self.run(high, depth + 1));
+            if let Some((a, b)) = parts {
+                return Some(a && b);
+            }
+            self.pieces.truncate(before);
+        }
+        let reason = Reason::Coefficients;
+        whole.inspect(|_| self.pieces.push(Piece { region, reason }))
+    }
+
+    /// The halves across the coordinate in which the polynomials bend most, long sides first.
+    fn halves(&self, region: &Region) -> Option<[Region; 2]> {
+        let widths = self.coordinates.sides.iter().zip(region).enumerate();
+        let weighted = widths.filter_map(|(position, (side, (low, high)))| {
+            let own = i64::from(self.target.degree_in(&side.symbol)) - 1;
+            let bounds = self.bounds.iter();
+            let degrees = bounds.map(|(_, p, _)| i64::from(p.degree_in(&side.symbol)));
+            let degree = own.max(degrees.max().unwrap_or(0));
+            (degree > 0).then(|| (position, (high - low) * integer(degree)))
+        });
+        let (position, _) = weighted.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
+        let (mut low, mut high) = (region.clone(), region.clone());
+        let (from, to) = region.get(position)?;
+        let middle = (from + to) / integer(2);
+        low.get_mut(position)?.1 = middle.clone();
+        high.get_mut(position)?.0 = middle;
+        Some([low, high])
+    }
+}

@@ -1,0 +1,294 @@
+//! Variation diminution: a curve crosses no line more often than its control polygon.
+//!
+//! **Theorem** (Schoenberg 1930). If all minors of the collocation matrices `(f_i(x_j))`, x_0 < x_1 < ...,
+//! are nonnegative (the functions are *totally positive*), every combination of the functions has at most
+//! as many changes of sign as its coefficients; for functions that sum to one this is variation
+//! diminution.
+//!
+//! **Powers.** Let the seeds be `s_l = c_l s a^(d-l) b^l` with the step factors a, b. Then the functions of
+//! degree k are the coefficients of `s a^k C(E) (1 + u E)^(k-d)` with `u = b/a` and E replaced by `u E` in
+//! `C(E) = sum c_l E^l`: `s a^k u^i` times positive numbers, if all c_l > 0. Their minors are those of
+//! generalised Vandermonde matrices times positive factors, nonnegative if u increases and a, b, s >= 0.
+//! So they are totally positive at every degree; if u decreases they are on the reversed curve.
+//!
+//! **One degree.** Functions that are rational in one variable t with a common positive denominator have
+//! minors that are polynomials, divisible by the differences of the places. Total positivity is then the
+//! nonnegativity of the quotients on a cube, for which there are certificates ([`super::sign`]).
+//!
+//! **No induction.** The step multiplies the collocation matrix with different bidiagonal matrices at
+//! different places, and that need not keep it totally positive: from the rows (1, v) it leads to
+//! (1, u + v, u v), totally positive for increasing u and v only if u v is a convex function of u + v. So
+//! higher degrees are only searched for pairs of functions whose quotient is not monotone: they give a
+//! curve that changes sign twice over control values with one change.
+
+use super::candidates::{Turns, simplest_between};
+use super::domain::{Domain, enclosure, truth};
+use super::family::{DEGREES, family, functions, parameter_points};
+use super::sign::{self, Sign};
+use super::{Decision, Refutation, witness};
+use crate::evaluate::Evaluator;
+use crate::evidence::{Evidence, Witness};
+use torse_algebra::rational::integer;
+use torse_algebra::{Angle, Fraction, Matrix, Polynomial, Rational, Scalar as _, Symbol};
+use torse_language::derivation::declarations::{Basis, Bound, Interval, SymbolKind};
+use torse_language::fault::Fault;
+use torse_language::syntax::Relation;
+
+/// The most seeds whose minors are examined.
+const MAX_SEEDS: usize = 5;
+
+/// Decides whether the functions of every degree diminish variation.
+///
+/// # Errors
+/// [`Fault`] when the seeds cannot be evaluated.
+pub fn diminishing(
+    basis: &Basis,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Result<Decision, Fault> {
+    let (step, seeds) = family(basis, evaluator)?;
+    if powers(&step, &seeds, &basis.variable, domain) {
+        let steps = vec![
+            "the functions of each degree are one function times powers of the quotient of the step factors, with positive coefficients".to_owned(),
+            "the quotient is monotone: the minors of the collocation matrices are those of generalised Vandermonde matrices, nonnegative at every degree".to_owned(),
+        ];
+        return Ok(Decision::Proven {
+            evidence: Evidence::Induction,
+            conditions: vec![],
+            steps,
+        });
+    }
+    let mut tried = vec![];
+    if let Some(minors) = totally_positive(&seeds, &basis.variable, domain) {
+        tried.push(format!(
+            "degree {}: totally positive for all shape parameters, by certificates of sign for all {minors} minors",
+            basis.degree
+        ));
+    }
+    let variable = Symbol::named(&basis.variable);
+    let mut places = domain.candidates(&variable, Turns::Quarter);
+    places.sort_by(|x, y| {
+        let less = truth(&(x.clone() - y.clone()), Relation::Less) == Some(true);
+        if less {
+            std::cmp::Ordering::Less
+        } else {
+            std::cmp::Ordering::Greater
+        }
+    });
+    for raise in 0..DEGREES {
+        let degree = basis.degree + raise;
+        let row = functions(&step, &seeds, raise);
+        for point in parameter_points(basis, domain) {
+            let fixed: Option<Vec<Fraction>> =
+                row.iter().map(|f| witness::at_point(f, &point)).collect();
+            let Some(fixed) = fixed else { continue };
+            let Some(found) = two_changes(&fixed, &basis.variable, &places) else {
+                continue;
+            };
+            let mut at: Vec<(String, String)> = vec![("degree".to_owned(), degree.to_string())];
+            at.extend(point.iter().map(|(s, v)| (s.to_string(), v.to_string())));
+            at.extend(found.at);
+            let decimal = |value: &Fraction| {
+                enclosure(value, 192).map_or_else(String::new, |b| b.decimal(12))
+            };
+            let witness = Witness {
+                at,
+                left: format!(
+                    "[{}]",
+                    found.values.each_ref().map(ToString::to_string).join(", ")
+                ),
+                right: "one change of sign".to_owned(),
+                left_decimal: format!("[{}]", found.values.each_ref().map(decimal).join(", ")),
+                right_decimal: "one change of sign".to_owned(),
+            };
+            let steps = vec![
+                "the quotient of two functions rises and falls".to_owned(),
+                "so control values with one change of sign give a curve with two: its values at three places are shown".to_owned(),
+            ];
+            return Ok(Decision::Refuted(Box::new(Refutation {
+                witness,
+                sides: None,
+                steps,
+            })));
+        }
+        tried.push(format!(
+            "degree {degree}: the quotients of all pairs of functions are monotone at simple places"
+        ));
+    }
+    Ok(Decision::Open {
+        reason: "total positivity is not proved for every degree".to_owned(),
+        tried,
+    })
+}
+
+/// Whether the seeds are positive multiples of `s a^(d-l) b^l`, all of them nonnegative, with b/a
+/// monotone.
+fn powers(step: &[Fraction; 2], seeds: &[Fraction], variable: &str, domain: &Domain<'_>) -> bool {
+    let nonnegative = |f: &Fraction| {
+        let sign = f.as_polynomial().and_then(|p| sign::of(p, domain));
+        matches!(sign, Some(Sign::Positive | Sign::Nonnegative))
+    };
+    let [a, b] = step;
+    let proportional = seeds.windows(2).all(|pair| {
+        let [low, high] = pair else { return false };
+        let Ok(ratio) = (high.clone() * a.clone()).over(&(low.clone() * b.clone())) else {
+            return false;
+        };
+        truth(&ratio, Relation::Greater) == Some(true)
+    });
+    let slope = b.derivative(variable) * a.clone() - b.clone() * a.derivative(variable);
+    let monotone = nonnegative(&slope) || nonnegative(&-slope);
+    proportional && monotone && [a, b].into_iter().chain(seeds).all(nonnegative)
+}
+
+/// The number of minors, if certificates of sign show all of them to be nonnegative.
+fn totally_positive(seeds: &[Fraction], variable: &str, domain: &Domain<'_>) -> Option<usize> {
+    let turn = Symbol::Cos(variable.into(), Angle::QuarterTurn);
+    let quarter = domain.interval(&turn).lower?.value.is_zero();
+    if !quarter || seeds.len() > MAX_SEEDS {
+        return None;
+    }
+    let seeds = over_common_denominator(seeds, variable)?;
+    let places: Vec<String> = (0..seeds.len())
+        .map(|i| format!("{variable}{i}\u{bd}"))
+        .collect();
+    let unit = |value| {
+        Some(Bound {
+            value: integer(value).into(),
+            closed: true,
+        })
+    };
+    let unit = SymbolKind::Real(Box::new(Interval {
+        lower: unit(0),
+        upper: unit(1),
+    }));
+    let declarations = places
+        .iter()
+        .fold(domain.declarations.clone(), |all, place| {
+            all.with_symbol(place, unit.clone())
+        });
+    let cube = Domain {
+        declarations: &declarations,
+        constraints: domain.constraints.clone(),
+    };
+    let half = Symbol::named(&format!("{variable}\u{bd}"));
+    let mut count = 0;
+    for chosen in subsets(seeds.len()) {
+        let rows = places.iter().take(chosen.len()).map(|place| {
+            let t = Polynomial::named(place);
+            let at = |p: &Polynomial| p.substituted(|s| (*s == half).then(|| t.clone()));
+            let row = chosen.iter().filter_map(|i| seeds.get(*i));
+            row.map(|p| Fraction::from(at(p))).collect()
+        });
+        let determinant = Matrix::from_rows(rows.collect()).ok()?.determinant().ok()?;
+        let mut quotient = determinant.as_polynomial()?.clone();
+        for (j, later) in places.iter().enumerate().take(chosen.len()) {
+            for earlier in places.iter().take(j) {
+                let gap = &Polynomial::named(later) - &Polynomial::named(earlier);
+                quotient = quotient.exact_quotient(&gap)?;
+            }
+        }
+        let certificate = sign::prove(&quotient, &cube)?;
+        sign::certificate::check(&quotient, &cube, &certificate).ok()?;
+        count += 1;
+    }
+    Some(count)
+}
+
+/// The functions in the tangent of half the angle, times their common denominator: polynomials in the
+/// symbol `variable\u{bd}`.
+fn over_common_denominator(seeds: &[Fraction], variable: &str) -> Option<Vec<Polynomial>> {
+    let t = Fraction::named(&format!("{variable}\u{bd}"));
+    let one = Fraction::integer(1);
+    let below = one.clone() + t.clone() * t.clone();
+    let sine = t.scaled(&integer(2)).over(&below).ok()?;
+    let cosine = (one - t.clone() * t).over(&below).ok()?;
+    let moved: Vec<Fraction> = seeds
+        .iter()
+        .map(|seed| {
+            let moved = seed.substituted(|s| match s {
+                Symbol::Sin(n, Angle::QuarterTurn) if **n == *variable => Some(sine.clone()),
+                Symbol::Cos(n, Angle::QuarterTurn) if **n == *variable => Some(cosine.clone()),
+                _ => None,
+            });
+            moved.ok()
+        })
+        .collect::<Option<_>>()?;
+    // A variable that stands outside of the turn as well is no function of the tangent here.
+    if moved
+        .iter()
+        .any(|f| f.symbols().iter().any(|s| s.depends_on(variable)))
+    {
+        return None;
+    }
+    let factors = moved.iter().flat_map(Fraction::denominator_factors);
+    let exponent = factors.map(|(_, n)| n).max().unwrap_or(0);
+    let common = (0..exponent).fold(Fraction::integer(1), |p, _| p * below.clone());
+    let cleared = moved
+        .into_iter()
+        .map(|f| (f * common.clone()).as_polynomial().cloned());
+    cleared.collect()
+}
+
+/// The nonempty sets of numbers below `count`, ascending.
+fn subsets(count: usize) -> Vec<Vec<usize>> {
+    (1..1_usize << count)
+        .map(|mask| (0..count).filter(|i| mask >> i & 1 == 1).collect())
+        .collect()
+}
+
+/// Control values with one change of sign, and places between which the curve changes sign twice.
+struct Failure {
+    at: Vec<(String, String)>,
+    values: [Fraction; 3],
+}
+
+/// Two functions whose quotient rises and falls: with a number r between its values, `f_j - r f_i` changes
+/// sign twice.
+fn two_changes(functions: &[Fraction], variable: &str, places: &[Fraction]) -> Option<Failure> {
+    let values: Vec<Vec<Fraction>> = functions
+        .iter()
+        .map(|f| places.iter().map(|x| f.at(variable, x).ok()).collect())
+        .collect::<Option<_>>()?;
+    for (j, upper) in values.iter().enumerate() {
+        for (i, lower) in values.iter().enumerate().take(j) {
+            // Where the quotient is defined.
+            let both = lower.iter().zip(upper).zip(places);
+            let defined: Vec<((&Fraction, &Fraction), &Fraction)> = both
+                .filter(|((f, _), _)| truth(f, Relation::Greater) == Some(true))
+                .collect();
+            for triple in defined.windows(3) {
+                let [(a, x), (b, y), (c, z)] = triple else {
+                    continue;
+                };
+                let Some(between) = turning(&[*a, *b, *c]) else {
+                    continue;
+                };
+                let value = |(f, g): (&Fraction, &Fraction)| g.clone() - f.clone().scaled(&between);
+                return Some(Failure {
+                    at: vec![
+                        (format!("control value {i}"), (-&between).to_string()),
+                        (format!("control value {j}"), "1".to_owned()),
+                        ("all others".to_owned(), "0".to_owned()),
+                        ("places".to_owned(), format!("{x}, {y}, {z}")),
+                    ],
+                    values: [value(*a), value(*b), value(*c)],
+                });
+            }
+        }
+    }
+    None
+}
+
+/// A simple positive number between the middle one of three quotients g/f and both others, if these lie on
+/// one side of it.
+fn turning(pairs: &[(&Fraction, &Fraction); 3]) -> Option<Rational> {
+    let [a, b, c] = pairs.map(|(f, g)| {
+        let quotient = enclosure(g, 128)?.divided_by(&enclosure(f, 128)?).ok()?;
+        Some((quotient.lower(), quotient.upper()))
+    });
+    let ((a, above_a), (b, above_b), (c, above_c)) = (a?, b?, c?);
+    let over = simplest_between(&above_a.max(above_c), &b);
+    let found = over.or_else(|| simplest_between(&above_b, &a.min(c)));
+    found.filter(|r| *r > integer(0))
+}

@@ -1,0 +1,252 @@
+//! Counterexamples: simple points of the domain at which a statement fails.
+//!
+//! Symbols get values one after the other, simplest candidates first; a value is kept only if the
+//! difference of the two sides stays a nonzero polynomial in the symbols that are left and no divisor
+//! vanishes. A nonzero polynomial has a nonzero value on every grid that is fine enough, so the search
+//! goes back only where assumptions bind.
+
+use super::candidates::Turns;
+use super::domain::{Domain, enclosure, truth};
+use crate::evidence::Witness;
+use crate::formula;
+use std::collections::BTreeMap;
+use torse_algebra::{Angle, Fraction, Polynomial, Symbol};
+use torse_language::notation;
+use torse_language::syntax::Relation;
+
+/// The most values tried in one search.
+const MAX_TRIES: usize = 6_000;
+/// Digits of the decimals shown.
+const DIGITS: usize = 12;
+
+/// A point: exact values of symbols, in order.
+pub type Point = BTreeMap<Symbol, Fraction>;
+
+/// Replaces a symbol (and the functions of it) by a value.
+fn placed(value: &Fraction, symbol: &Symbol, at: &Fraction) -> Option<Fraction> {
+    match symbol {
+        Symbol::Named(name) => value.at(name, at).ok(),
+        _ => value
+            .substituted(|s| (s == symbol).then(|| at.clone()))
+            .ok(),
+    }
+}
+
+/// The value of a fraction at a point.
+#[must_use]
+pub fn at_point(value: &Fraction, point: &Point) -> Option<Fraction> {
+    point.iter().try_fold(value.clone(), |value, (symbol, at)| {
+        placed(&value, symbol, at)
+    })
+}
+
+/// The free symbols of fractions: names and points, also those that occur only under a function.
+#[must_use]
+pub fn free_symbols(values: &[&Fraction]) -> Vec<Symbol> {
+    let mut all: Vec<Symbol> = values
+        .iter()
+        .flat_map(|v| {
+            v.symbols()
+                .into_iter()
+                .chain(v.conditions().iter().flat_map(|p| p.symbols().to_vec()))
+        })
+        .filter_map(|s| match s {
+            Symbol::Sin(name, _) | Symbol::Cos(name, _) => Some(Symbol::Named(name)),
+            Symbol::Pi | Symbol::Root(_) => None,
+            other => Some(other),
+        })
+        .collect();
+    all.sort();
+    all.dedup();
+    // Parameters and variables first: then the points can be as simple as possible.
+    all.sort_by_key(|s| matches!(s, Symbol::Indexed(..)));
+    all
+}
+
+/// The functions under which a variable stands.
+#[must_use]
+pub fn turns(values: &[&Fraction], symbol: &Symbol) -> Turns {
+    let Symbol::Named(name) = symbol else {
+        return Turns::None;
+    };
+    let angle = values
+        .iter()
+        .flat_map(|v| v.symbols())
+        .find_map(|s| match s {
+            Symbol::Sin(n, angle) | Symbol::Cos(n, angle) if n == *name => Some(angle),
+            _ => None,
+        });
+    match angle {
+        None => Turns::None,
+        Some(Angle::QuarterTurn) => Turns::Quarter,
+        Some(Angle::Radian) => Turns::Radian,
+    }
+}
+
+/// A point of the domain at which `wanted` holds for the fraction that is passed in, no divisor of it
+/// vanishes, and the assumptions hold.
+#[must_use]
+pub fn find(difference: &Fraction, domain: &Domain<'_>, wanted: Relation) -> Option<Point> {
+    let constraints: Vec<&Fraction> = domain.constraints.iter().map(|c| &c.value).collect();
+    let mut everything = vec![difference];
+    everything.extend(&constraints);
+    let symbols = free_symbols(&everything);
+    let candidates: Vec<(Symbol, Vec<Fraction>)> = symbols
+        .into_iter()
+        .map(|s| {
+            let values = domain.candidates(&s, turns(&everything, &s));
+            (s, values)
+        })
+        .collect();
+    let mut search = Search {
+        domain,
+        wanted,
+        tries: 0,
+        point: Point::new(),
+    };
+    let constraints: Vec<(Fraction, Relation)> = domain
+        .constraints
+        .iter()
+        .map(|c| (c.value.clone(), c.relation))
+        .collect();
+    search
+        .run(difference.clone(), &constraints, &candidates)
+        .then_some(search.point)
+}
+
+struct Search<'a> {
+    domain: &'a Domain<'a>,
+    wanted: Relation,
+    tries: usize,
+    point: Point,
+}
+
+impl Search<'_> {
+    fn run(
+        &mut self,
+        value: Fraction,
+        constraints: &[(Fraction, Relation)],
+        left: &[(Symbol, Vec<Fraction>)],
+    ) -> bool {
+        if value.is_zero()
+            && matches!(
+                self.wanted,
+                Relation::Different | Relation::Less | Relation::Greater
+            )
+        {
+            return false;
+        }
+        // An assumption that has become a number must hold.
+        let holds = |(c, relation): &(Fraction, Relation)| {
+            truth(c, *relation) != Some(false) || !free_symbols(&[c]).is_empty()
+        };
+        if !constraints.iter().all(holds) {
+            return false;
+        }
+        let Some(((symbol, values), rest)) = left.split_first() else {
+            return truth(&value, self.wanted) == Some(true);
+        };
+        for at in values {
+            self.tries += 1;
+            if self.tries > MAX_TRIES {
+                return false;
+            }
+            // Dependent ranges (i up to k): the value must respect what is already chosen.
+            if !self.in_dependent_range(symbol, at) {
+                continue;
+            }
+            let Some(next) = placed(&value, symbol, at) else {
+                continue;
+            };
+            let moved: Option<Vec<(Fraction, Relation)>> = constraints
+                .iter()
+                .map(|(c, r)| Some((placed(c, symbol, at)?, *r)))
+                .collect();
+            let Some(moved) = moved else {
+                continue;
+            };
+            self.point.insert(symbol.clone(), at.clone());
+            if self.run(next, &moved, rest) {
+                return true;
+            }
+            self.point.remove(symbol);
+        }
+        false
+    }
+
+    fn in_dependent_range(&self, symbol: &Symbol, at: &Fraction) -> bool {
+        use torse_language::derivation::declarations::SymbolKind;
+        let Symbol::Named(name) = symbol else {
+            return true;
+        };
+        let Some(SymbolKind::Integer { least, most }) = self.domain.declarations.symbol(name)
+        else {
+            return true;
+        };
+        let bound = |form: &Option<torse_algebra::Affine>, relation: Relation| {
+            form.as_ref().is_none_or(|form| {
+                let value: Fraction = crate::evaluate::series::polynomial_of(form).into();
+                match at_point(&value, &self.point) {
+                    Some(value) => truth(&(at.clone() - value), relation) != Some(false),
+                    None => true,
+                }
+            })
+        };
+        bound(least, Relation::AtLeast) && bound(most, Relation::AtMost)
+    }
+}
+
+/// An exact number as text: the formula, and its decimals.
+fn shown(value: &Fraction) -> (String, String) {
+    let text = notation::text(&formula::expression(value));
+    let decimal = enclosure(value, 192).map_or_else(String::new, |ball| ball.decimal(DIGITS));
+    (text, decimal)
+}
+
+/// The witness for two sides at a point.
+#[must_use]
+pub fn described(point: &Point, left: &[Fraction], right: &[Fraction]) -> Option<Witness> {
+    let side = |values: &[Fraction]| -> Option<(String, String)> {
+        let shown: Vec<(String, String)> = values
+            .iter()
+            .map(|v| at_point(v, point).map(|v| shown(&v)))
+            .collect::<Option<_>>()?;
+        let join = |parts: Vec<String>| match parts.as_slice() {
+            [one] => one.clone(),
+            _ => format!("[{}]", parts.join(", ")),
+        };
+        let (exact, decimal) = shown.into_iter().unzip();
+        Some((join(exact), join(decimal)))
+    };
+    let (left, left_decimal) = side(left)?;
+    let (right, right_decimal) = side(right)?;
+    let at = point
+        .iter()
+        .map(|(symbol, value)| {
+            (
+                symbol.to_string(),
+                notation::text(&formula::expression(value)),
+            )
+        })
+        .collect();
+    Some(Witness {
+        at,
+        left,
+        right,
+        left_decimal,
+        right_decimal,
+    })
+}
+
+/// Divisors that are constants are no conditions.
+#[must_use]
+pub fn nonconstant(conditions: Vec<Polynomial>) -> Vec<Polynomial> {
+    conditions
+        .into_iter()
+        .filter(|p| {
+            !p.symbols()
+                .iter()
+                .all(|s| matches!(s, Symbol::Pi | Symbol::Root(_)))
+        })
+        .collect()
+}

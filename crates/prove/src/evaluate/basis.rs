@@ -1,0 +1,174 @@
+//! Members of a basis family: `g[i,k](x, mu, nu)`.
+
+use super::quantity::Quantity;
+use super::series::{Axis, Series, Target};
+use super::value::Value;
+use super::{Bindings, Evaluator, wrong_type};
+use torse_algebra::{Affine, Fraction};
+use torse_language::derivation::declarations::Basis;
+use torse_language::fault::{Fault, Problem};
+use torse_language::syntax::{Expr, Place};
+
+/// The work of one step of the recursion, in units of a visited node.
+const ROW_WORK: u64 = 1_500;
+
+impl Evaluator<'_> {
+    /// The member `name[index, degree](arguments)`; without arguments, of the family's own variable.
+    pub(super) fn member(
+        &self,
+        name: &str,
+        basis: &Basis,
+        indices: &[Expr],
+        arguments: &[Expr],
+        place: Place,
+        bound: &Bindings,
+    ) -> Result<Value, Fault> {
+        let [index, degree] = indices else {
+            let wanted = "two indices: which function, and the degree".to_owned();
+            return Err(Fault::at(
+                place,
+                Problem::Count {
+                    name: name.to_owned(),
+                    wanted,
+                    found: indices.len(),
+                },
+            ));
+        };
+        let (index, degree) = (self.index(index, bound)?, self.index(degree, bound)?);
+        if arguments.len() > basis.parameters.len() + 1 {
+            let wanted = format!("a variable and {} shape parameters", basis.parameters.len());
+            return Err(Fault::at(
+                place,
+                Problem::Count {
+                    name: name.to_owned(),
+                    wanted,
+                    found: arguments.len(),
+                },
+            ));
+        }
+        let mut values = vec![];
+        for argument in arguments {
+            match self.in_angle(|| self.value(argument, bound))? {
+                Value::Scalar(q) => match q.as_fraction() {
+                    Some(f) => values.push(f.clone()),
+                    None => return Err(super::symbolic_degree(argument.place)),
+                },
+                other => return Err(wrong_type(argument.place, other.kind(), "a number")),
+            }
+        }
+        let (operator, seeds) = self.in_angle(|| self.seeds(basis, &values, place))?;
+        let power = degree.clone() - Affine::number(i64::from(basis.degree));
+        if let Some(n) = power.as_number() {
+            let Ok(steps) = usize::try_from(n) else {
+                let range = format!("{}..", basis.degree);
+                let name = format!("the degree of {name}");
+                return Err(Fault::at(
+                    place,
+                    Problem::IndexOutside {
+                        name,
+                        index: degree.to_string(),
+                        range,
+                    },
+                ));
+            };
+            let Some(position) = index.as_number() else {
+                return Err(Fault::limit(
+                    place,
+                    format!("the function of index {index} of degree {degree}"),
+                ));
+            };
+            if steps > 60 {
+                return Err(Fault::limit(
+                    place,
+                    format!("degree {degree} is larger than 60"),
+                ));
+            }
+            let row = self.row(name, &operator, &seeds, steps, &values);
+            // Outside 0..k the functions are zero by convention.
+            let entry = usize::try_from(position)
+                .ok()
+                .and_then(|i| row.get(i).cloned());
+            return Ok(self.at_sample(entry.unwrap_or_else(Fraction::zero)).into());
+        }
+        self.symbolic_degree.set(true);
+        let series = Series::entry(Axis {
+            operator,
+            power,
+            seeds,
+            lowest: 0,
+            target: Target::Entry(index),
+        });
+        Ok(Value::Scalar(self.settled(Quantity::from(series), place)?))
+    }
+
+    /// Step factors and seeds of a family at values of its variable and shape parameters.
+    ///
+    /// # Errors
+    /// [`Fault`] when a seed is no plain formula.
+    pub fn family(
+        &self,
+        basis: &Basis,
+        values: &[Fraction],
+    ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
+        self.seeds(basis, values, super::value::NOWHERE)
+    }
+
+    /// Step factors and seeds at the arguments (variable first, then shape parameters).
+    pub(super) fn seeds(
+        &self,
+        basis: &Basis,
+        values: &[Fraction],
+        place: Place,
+    ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
+        let bound: Bindings = std::iter::once(&basis.variable)
+            .chain(&basis.parameters)
+            .zip(values)
+            .map(|(name, value)| (name.clone(), value.clone().into()))
+            .collect();
+        let one = |written: &torse_language::derivation::Written| -> Result<Fraction, Fault> {
+            let value = self
+                .deeper(place, || self.value(&written.expr, &bound))
+                .map_err(|fault| fault.within(&written.origin))?;
+            match &value {
+                Value::Scalar(q) => q
+                    .as_fraction()
+                    .cloned()
+                    .ok_or_else(|| super::symbolic_degree(place)),
+                other => Err(wrong_type(written.expr.place, other.kind(), "a number")
+                    .within(&written.origin)),
+            }
+        };
+        let seeds = basis.seeds.iter().map(one).collect::<Result<Vec<_>, _>>()?;
+        Ok(((one(&basis.step.0)?, one(&basis.step.1)?), seeds))
+    }
+
+    /// All functions of one numeric degree, remembered.
+    fn row(
+        &self,
+        name: &str,
+        operator: &(Fraction, Fraction),
+        seeds: &[Fraction],
+        steps: usize,
+        values: &[Fraction],
+    ) -> Vec<Fraction> {
+        let key = format!("{name} {steps} {values:?}");
+        if let Some(row) = self.members.borrow().get(&key) {
+            return row.clone();
+        }
+        self.spend(ROW_WORK * (1 + steps as u64));
+        let mut row = seeds.to_vec();
+        for _ in 0..steps {
+            let mut next = vec![Fraction::zero(); row.len() + 1];
+            for (i, function) in row.iter().enumerate() {
+                for (offset, factor) in [&operator.0, &operator.1].into_iter().enumerate() {
+                    if let Some(slot) = next.get_mut(i + offset) {
+                        *slot = slot.clone() + factor.clone() * function.clone();
+                    }
+                }
+            }
+            row = next;
+        }
+        self.members.borrow_mut().insert(key, row.clone());
+        row
+    }
+}

@@ -1,0 +1,226 @@
+//! Matrices and linear systems over fractions.
+
+use super::quantity::Quantity;
+use super::value::{Value, Vector};
+use super::wrong_type;
+use std::collections::BTreeMap;
+use torse_algebra::matrix::{Matrix, MatrixError};
+use torse_algebra::{Fraction, Symbol};
+use torse_language::fault::{Fault, Problem};
+use torse_language::syntax::Place;
+
+fn matrix(rows: &[Vec<Fraction>], place: Place) -> Result<Matrix<Fraction>, Fault> {
+    Matrix::from_rows(rows.to_vec()).map_err(|e| fault(&e, place))
+}
+
+fn fault(error: &MatrixError, place: Place) -> Fault {
+    match error {
+        MatrixError::Singular { .. } => Fault::at(
+            place,
+            Problem::ZeroDivisor {
+                divisor: "the determinant".to_owned(),
+            },
+        ),
+        other => Fault::at(
+            place,
+            Problem::Shapes {
+                left: other.to_string(),
+                right: "the operation".to_owned(),
+            },
+        ),
+    }
+}
+
+/// The entries as quantities.
+fn quantities(matrix: &Matrix<Fraction>) -> Vec<Vec<Quantity>> {
+    matrix
+        .rows()
+        .map(|row| row.iter().cloned().map(Quantity::from).collect())
+        .collect()
+}
+
+/// The determinant.
+pub(super) fn determinant(rows: &[Vec<Fraction>], place: Place) -> Result<Fraction, Fault> {
+    matrix(rows, place)?
+        .determinant()
+        .map_err(|e| fault(&e, place))
+}
+
+/// The inverse, by the adjugate: the determinant is the only divisor.
+pub(super) fn inverse(rows: &[Vec<Fraction>], place: Place) -> Result<Value, Fault> {
+    Ok(Value::Matrix(quantities(&inverted(rows, place)?)))
+}
+
+fn inverted(rows: &[Vec<Fraction>], place: Place) -> Result<Matrix<Fraction>, Fault> {
+    let matrix = matrix(rows, place)?;
+    let determinant = matrix.determinant().map_err(|e| fault(&e, place))?;
+    let inverse = Fraction::integer(1)
+        .over(&determinant)
+        .map_err(|e| Fault::exact(place, e))?;
+    let adjugate = matrix.adjugate().map_err(|e| fault(&e, place))?;
+    Ok(adjugate.map(|entry| entry.clone() * inverse.clone()))
+}
+
+/// The solution x of `A x = right`, for a vector or a matrix of right sides.
+pub(super) fn solve(rows: &[Vec<Fraction>], right: &Value, place: Place) -> Result<Value, Fault> {
+    let inverse = inverted(rows, place)?;
+    let columns: Vec<Vec<Quantity>> = match right {
+        Value::Vector(v) if !v.generic => v.entries.iter().map(|q| vec![q.clone()]).collect(),
+        Value::Matrix(rows) => rows.clone(),
+        other => {
+            return Err(wrong_type(
+                place,
+                other.kind(),
+                "a vector or matrix of right sides",
+            ));
+        }
+    };
+    let left: Vec<Vec<Quantity>> = quantities(&inverse);
+    let product = super::matrix_product(&left, &columns, place)?;
+    Ok(match right {
+        Value::Vector(_) => Value::Vector(Vector {
+            entries: product.into_iter().flatten().collect(),
+            generic: false,
+        }),
+        _ => Value::Matrix(product),
+    })
+}
+
+/// The coefficients of linear forms with respect to symbols: one row a form.
+pub(super) fn coefficients(forms: &Value, unknowns: &Value, place: Place) -> Result<Value, Fault> {
+    let mut symbols = vec![];
+    for unknown in unknowns.entries() {
+        let symbol = unknown.as_fraction().and_then(single_symbol);
+        symbols.push(symbol.ok_or_else(|| wrong_type(place, "a formula", "a plain symbol"))?);
+    }
+    let mut rows = vec![];
+    for form in forms.entries() {
+        let form = form
+            .as_fraction()
+            .ok_or_else(|| super::symbolic_degree(place))?;
+        let (row, _) = linear_form(form, &symbols)
+            .ok_or_else(|| wrong_type(place, "a nonlinear formula", "a linear form"))?;
+        rows.push(row.into_iter().map(Quantity::from).collect());
+    }
+    Ok(Value::Matrix(rows))
+}
+
+/// The symbol, if the fraction is just one.
+pub(crate) fn single_symbol(value: &Fraction) -> Option<Symbol> {
+    let polynomial = value.as_polynomial()?;
+    match (polynomial.symbols(), polynomial.len()) {
+        ([symbol], 1) if *value == Fraction::symbol(symbol.clone()) => Some(symbol.clone()),
+        _ => None,
+    }
+}
+
+/// `form = sum of row[i] * symbols[i] + rest`, if it is linear in the symbols.
+fn linear_form(form: &Fraction, symbols: &[Symbol]) -> Option<(Vec<Fraction>, Fraction)> {
+    let involved = |p: &torse_algebra::Polynomial| symbols.iter().any(|s| p.degree_in(s) > 0);
+    if form.denominator_factors().any(|(p, _)| involved(p)) {
+        return None;
+    }
+    let below: Fraction = form.denominator().into();
+    let over = |p: torse_algebra::Polynomial| {
+        Fraction::from(p)
+            .over(&below)
+            .ok()
+            .map(|f| f.under(form.conditions()))
+    };
+    let mut rest = form.numerator().clone();
+    let mut row = vec![];
+    for symbol in symbols {
+        let by_power = rest.coefficients_in(symbol);
+        let coefficient = match by_power.as_slice() {
+            [] | [_] => torse_algebra::Polynomial::zero(),
+            [_, linear] => linear.clone(),
+            _ => return None,
+        };
+        if involved(&coefficient) {
+            return None;
+        }
+        if by_power.len() == 2 {
+            rest = by_power.into_iter().next()?;
+        }
+        row.push(over(coefficient)?);
+    }
+    Some((row, over(rest)?))
+}
+
+/// Solves linear equations `form = 0` for symbols.
+///
+/// # Errors
+/// A [`Fault`] when the equations are not linear, do not determine the symbols, or contradict each
+/// other.
+pub fn solve_for(
+    forms: &[Fraction],
+    symbols: &[Symbol],
+    place: Place,
+) -> Result<BTreeMap<Symbol, Fraction>, Fault> {
+    let mut rows: Vec<(Vec<Fraction>, Fraction)> = vec![];
+    for form in forms {
+        let split = linear_form(form, symbols);
+        rows.push(split.ok_or_else(|| {
+            wrong_type(
+                place,
+                "a nonlinear equation",
+                "equations linear in the unknowns",
+            )
+        })?);
+    }
+    // Gauss-Jordan elimination; every pivot is recorded by the fractions themselves.
+    let mut solution = BTreeMap::new();
+    let mut used: Vec<(usize, Vec<Fraction>, Fraction)> = vec![];
+    for column in 0..symbols.len() {
+        let pivot = rows
+            .iter()
+            .position(|(row, _)| row.get(column).is_some_and(|f| !f.is_zero()));
+        let Some(pivot) = pivot else {
+            let name = symbols
+                .get(column)
+                .map_or_else(String::new, ToString::to_string);
+            return Err(Fault::limit(
+                place,
+                format!("the given equations do not determine {name}"),
+            ));
+        };
+        let (row, constant) = rows.remove(pivot);
+        let lead = row.get(column).cloned().unwrap_or_else(Fraction::zero);
+        let exact = |e| Fault::exact(place, e);
+        let row: Vec<Fraction> = row
+            .iter()
+            .map(|f| f.over(&lead))
+            .collect::<Result<_, _>>()
+            .map_err(exact)?;
+        let constant = constant.over(&lead).map_err(exact)?;
+        let eliminate = |other: &mut Vec<Fraction>, other_constant: &mut Fraction| {
+            let factor = other.get(column).cloned().unwrap_or_else(Fraction::zero);
+            if factor.is_zero() {
+                return;
+            }
+            for (slot, f) in other.iter_mut().zip(&row) {
+                *slot = slot.clone() - factor.clone() * f.clone();
+            }
+            *other_constant = other_constant.clone() - factor * constant.clone();
+        };
+        for (other, other_constant) in &mut rows {
+            eliminate(other, other_constant);
+        }
+        for (_, other, other_constant) in &mut used {
+            eliminate(other, other_constant);
+        }
+        used.push((column, row, constant));
+    }
+    if rows.iter().any(|(_, constant)| !constant.is_zero()) {
+        return Err(Fault::limit(
+            place,
+            "the given equations contradict each other for some values",
+        ));
+    }
+    for (column, _, constant) in used {
+        if let Some(symbol) = symbols.get(column) {
+            solution.insert(symbol.clone(), -constant);
+        }
+    }
+    Ok(solution)
+}

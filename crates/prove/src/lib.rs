@@ -1,0 +1,17 @@
+//! From statements to decisions.
+//!
+//! [`evaluate`] turns trees into exact values (normal forms, and series of symbolic degree), [`case`] makes a
+//! claim ready, [`decide`] turns its statement into a decision, [`statement`] does all of it for a claim, [`formula`]
+//! leads from exact values back to a formula as one would write it by hand.
+#![warn(missing_docs)]
+
+pub mod case;
+pub mod decide;
+pub mod evaluate;
+pub mod evidence;
+pub mod formula;
+pub mod sample;
+pub mod statement;
+
+pub use evidence::{Evidence, Witness};
+pub use statement::decide_statement;

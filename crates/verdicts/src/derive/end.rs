@@ -1,0 +1,426 @@
+//! A curve of a family at the ends of its interval.
+
+use super::names::Names;
+use super::{Derivation, DeriveError, Line, MAX_ORDER};
+use num_traits::{Signed, Zero};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use torse_algebra::{Affine, Fraction, Polynomial, Rational, Symbol, rational};
+use torse_language::derivation::declarations::{Basis, Declarations, SymbolKind};
+use torse_language::syntax::{Expr, Node, Operator, Relation};
+use torse_prove::decide::interval::exact;
+use torse_prove::evaluate::Evaluator;
+use torse_prove::evaluate::quantity::Quantity;
+use torse_prove::evaluate::series::{Axis, Series, Target, here};
+use torse_prove::formula;
+
+/// A derivative is written out up to this many nodes.
+const MAX_WRITTEN_OUT: usize = 80;
+
+/// Degrees above this are not looked at for zeros of divisors.
+const MAX_ROOT: usize = 10_000;
+
+/// An end of the interval of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// Where the first control point is.
+    Start,
+    /// Where the last control point is.
+    Finish,
+}
+
+/// A curve of a family with symbolic degree: its series over the points `points[0], points[1], ...`.
+#[derive(Debug, Clone)]
+pub(super) struct Curve {
+    basis_name: String,
+    variable: String,
+    /// The two ends of the interval.
+    interval: [Fraction; 2],
+    /// The name of the degree.
+    pub degree: String,
+    /// The name of the control points.
+    pub points: String,
+    /// The degree of the seeds, the least that there is.
+    pub least_degree: u8,
+    series: Series,
+}
+
+/// A derivative at an end in differences: `parts[0] R_0 + sum of parts[i] (R_i - R_(i-1))`, indices counted
+/// from the end, differences in the direction of the curve.
+pub(super) type Differences = Vec<Fraction>;
+
+/// The basis, its interval and the symbols it depends on.
+pub(super) struct Family<'a> {
+    evaluator: Evaluator<'a>,
+    pub name: String,
+    pub basis: Arc<Basis>,
+    interval: [Fraction; 2],
+}
+
+impl<'a> Family<'a> {
+    /// Looks a basis up.
+    pub fn new(declarations: &'a Declarations, name: &str) -> Result<Self, DeriveError> {
+        let unknown = || DeriveError::UnknownBasis {
+            name: name.to_owned(),
+        };
+        let basis = Arc::clone(declarations.basis(name).ok_or_else(unknown)?);
+        let interval = match declarations.symbol(&basis.variable) {
+            Some(SymbolKind::Real(interval)) => {
+                interval.lower.as_ref().zip(interval.upper.as_ref())
+            }
+            _ => None,
+        };
+        let (lower, upper) = interval.ok_or_else(|| DeriveError::Interval {
+            variable: basis.variable.clone(),
+        })?;
+        Ok(Self {
+            evaluator: Evaluator::new(declarations),
+            name: name.to_owned(),
+            interval: [exact(&lower.value), exact(&upper.value)],
+            basis,
+        })
+    }
+
+    /// Step factors and seeds with these names for the shape parameters.
+    fn formulas(
+        &self,
+        parameters: &[String],
+    ) -> Result<((Fraction, Fraction), Vec<Fraction>), DeriveError> {
+        let values: Vec<Fraction> = std::iter::once(&self.basis.variable)
+            .chain(parameters)
+            .map(|name| Fraction::named(name))
+            .collect();
+        self.evaluator
+            .family(&self.basis, &values)
+            .map_err(|fault| DeriveError::Basis {
+                name: self.name.clone(),
+                fault: Box::new(fault),
+            })
+    }
+
+    /// The real symbols that the family depends on: its shape parameters, then all others.
+    pub fn symbols(&self) -> Result<Vec<String>, DeriveError> {
+        let mut all = self.basis.parameters.clone();
+        let ((a, b), seeds) = self.formulas(&self.basis.parameters)?;
+        for symbol in [a, b].iter().chain(&seeds).flat_map(Fraction::symbols) {
+            if let Symbol::Named(name) | Symbol::Sin(name, _) | Symbol::Cos(name, _) = symbol
+                && *name != *self.basis.variable
+                && !all.contains(&name.to_string())
+            {
+                all.push(name.to_string());
+            }
+        }
+        Ok(all)
+    }
+
+    /// The names that must not be given to anything else.
+    pub fn names(&self) -> Result<Names, DeriveError> {
+        let variable = std::iter::once(self.basis.variable.clone());
+        Ok(Names::of(variable.chain(self.symbols()?)))
+    }
+
+    /// The curve of this degree over these points, with these names for the shape parameters.
+    pub fn curve(
+        &self,
+        degree: &str,
+        points: &str,
+        parameters: &[String],
+    ) -> Result<Curve, DeriveError> {
+        let (operator, seeds) = self.formulas(parameters)?;
+        let point = Symbol::indexed(points, vec![Affine::symbol(&here(0))]);
+        Ok(Curve {
+            basis_name: self.name.clone(),
+            variable: self.basis.variable.clone(),
+            interval: self.interval.clone(),
+            degree: degree.to_owned(),
+            points: points.to_owned(),
+            least_degree: self.basis.degree,
+            series: Series {
+                axes: vec![Axis {
+                    operator,
+                    power: Affine::symbol(degree) - Affine::number(i64::from(self.basis.degree)),
+                    seeds,
+                    lowest: 0,
+                    target: Target::Sum,
+                }],
+                factor: Fraction::integer(1),
+                points: Fraction::symbol(point),
+            },
+        })
+    }
+}
+
+impl Curve {
+    /// The parameter value of an end.
+    fn value(&self, end: End) -> &Fraction {
+        let [lower, upper] = &self.interval;
+        match end {
+            End::Start => lower,
+            End::Finish => upper,
+        }
+    }
+
+    /// The index of the point `i` steps from an end.
+    fn index(&self, end: End, i: usize) -> Affine {
+        let i = Affine::number(i64::try_from(i).unwrap_or(i64::MAX));
+        match end {
+            End::Start => i,
+            End::Finish => Affine::symbol(&self.degree) - i,
+        }
+    }
+
+    /// The point `i` steps from an end.
+    pub fn point(&self, end: End, i: usize) -> Fraction {
+        Fraction::symbol(Symbol::indexed(&self.points, vec![self.index(end, i)]))
+    }
+
+    /// The curve and its derivatives up to `order` at an end, as combinations of control points.
+    pub fn derivatives(&self, end: End, order: u8) -> Result<Vec<Fraction>, DeriveError> {
+        let exact = |source| DeriveError::End {
+            name: self.basis_name.clone(),
+            source,
+        };
+        let mut derivative = Quantity::from(self.series.clone());
+        let mut all = vec![];
+        for _ in 0..=order {
+            let at_end = derivative
+                .mapped(|f| f.at(&self.variable, self.value(end)))
+                .map_err(exact)?;
+            let mut total = at_end.plain;
+            for series in at_end.series {
+                let (value, left) = series.settled(&|_| None, &|_| None).map_err(exact)?;
+                if !left.is_empty() {
+                    return Err(DeriveError::NoCollapse {
+                        name: self.basis_name.clone(),
+                        variable: self.variable.clone(),
+                        value: self.value(end).to_string(),
+                    });
+                }
+                total = total + value;
+            }
+            all.push(total);
+            derivative = derivative.derivative(&self.variable);
+        }
+        Ok(all)
+    }
+
+    /// The coefficients of the points counted from an end.
+    fn weights(&self, combination: &Fraction, end: End) -> Vec<Fraction> {
+        let below = Fraction::from(combination.denominator());
+        let mut weights: BTreeMap<usize, Fraction> = BTreeMap::new();
+        for symbol in combination.symbols() {
+            let Symbol::Indexed(_, index) = &symbol else {
+                continue;
+            };
+            let steps = index.first().and_then(|index| {
+                let from = self.index(end, 0);
+                let steps = match end {
+                    End::Start => index.clone() - from,
+                    End::Finish => from - index.clone(),
+                };
+                usize::try_from(steps.as_number()?).ok()
+            });
+            let weight = Fraction::from(combination.numerator().partial(&symbol)).over(&below);
+            if let (Some(steps), Ok(weight)) = (steps, weight) {
+                weights.insert(steps, weight.under(combination.conditions()));
+            }
+        }
+        let count = weights.last_key_value().map_or(0, |(last, _)| last + 1);
+        (0..count)
+            .map(|i| weights.remove(&i).unwrap_or_else(Fraction::zero))
+            .collect()
+    }
+
+    /// A combination of points in differences.
+    pub fn differences(&self, combination: &Fraction, end: End) -> Differences {
+        let weights = self.weights(combination, end);
+        let mut sum = Fraction::zero();
+        let mut parts: Differences = weights
+            .into_iter()
+            .rev()
+            .map(|weight| {
+                sum = sum.clone() + weight;
+                sum.clone()
+            })
+            .collect();
+        parts.reverse();
+        if end == End::Finish {
+            // R_k - R_(k-1) points along the curve, against the count from the end.
+            for part in parts.iter_mut().skip(1) {
+                *part = -part.clone();
+            }
+        }
+        parts
+    }
+
+    /// The difference that the part `i` belongs to; the point itself for 0.
+    pub fn difference(&self, end: End, i: usize) -> Fraction {
+        let point = self.point(end, i);
+        match (i.checked_sub(1), end) {
+            (None, _) => point,
+            (Some(before), End::Start) => point - self.point(end, before),
+            (Some(before), End::Finish) => self.point(end, before) - point,
+        }
+    }
+
+    /// A derivative in differences with named coefficients, whose lines are added.
+    fn abbreviated(
+        &self,
+        derivative: &Fraction,
+        end: End,
+        order: usize,
+        label: &str,
+        names: &mut Names,
+        lines: &mut Vec<Line>,
+    ) -> Expr {
+        let letter = match end {
+            End::Start => "a",
+            End::Finish => "b",
+        };
+        let parts = self.differences(derivative, end).into_iter().enumerate();
+        let terms = parts.filter(|(_, part)| !part.is_zero()).map(|(i, part)| {
+            let left = Expr::name(&names.fresh(&format!("{letter}{order}{i}")));
+            lines.push(Line {
+                label: format!("{label}, coefficient of difference {i}"),
+                left: left.clone(),
+                right: formula::expression(&part),
+            });
+            left.with(
+                Operator::Multiply,
+                formula::expression(&self.difference(end, i)),
+            )
+        });
+        let sum = terms.reduce(|sum, term| sum.with(Operator::Add, term));
+        sum.unwrap_or_else(|| formula::expression(&Fraction::zero()))
+    }
+
+    /// Whether a divisor can be zero for a degree that is allowed: a polynomial in the degree alone is
+    /// looked at up to Cauchy's bound of its roots, `1 + max |c_i| / |c_n|`.
+    pub fn can_vanish(&self, divisor: &Polynomial, least: usize) -> bool {
+        if divisor.as_constant().is_some() {
+            return divisor.is_zero();
+        }
+        let degree = Symbol::named(&self.degree);
+        if divisor.symbols() != std::slice::from_ref(&degree) {
+            return true;
+        }
+        let coefficients: Vec<Rational> = divisor
+            .coefficients_in(&degree)
+            .iter()
+            .filter_map(Polynomial::as_constant)
+            .collect();
+        let lead = coefficients.last().map_or_else(Rational::zero, Signed::abs);
+        let largest = coefficients.iter().map(Signed::abs).max();
+        let bound = largest.unwrap_or_else(Rational::zero) / lead + rational::integer(1);
+        let least = least.max(usize::from(self.least_degree));
+        (least..=MAX_ROOT)
+            .map(|n| rational::integer(i64::try_from(n).unwrap_or(i64::MAX)))
+            .take_while(|n| *n <= bound)
+            .any(|n| {
+                let horner = |value: Rational, c: &Rational| value * &n + c;
+                coefficients
+                    .iter()
+                    .rev()
+                    .fold(Rational::zero(), horner)
+                    .is_zero()
+            })
+    }
+
+    /// `degree >= least`.
+    pub fn degree_at_least(&self, least: usize) -> Expr {
+        let least = least.max(usize::from(self.least_degree));
+        compared(&self.degree, Relation::AtLeast, least)
+    }
+}
+
+/// `name relation number`.
+fn compared(name: &str, relation: Relation, number: usize) -> Expr {
+    let number = rational::integer(i64::try_from(number).unwrap_or(i64::MAX));
+    Expr::made(Node::Compare(
+        Arc::new(Expr::name(name)),
+        vec![(relation, Expr::number(&number))],
+    ))
+}
+
+/// `polynomial != 0`.
+pub(super) fn nonzero(polynomial: &Polynomial) -> Expr {
+    different_from_zero(formula::expression_of(polynomial))
+}
+
+/// `formula != 0`.
+pub(super) fn different_from_zero(formula: Expr) -> Expr {
+    let zero = Expr::number(&rational::integer(0));
+    Expr::made(Node::Compare(
+        Arc::new(formula),
+        vec![(Relation::Different, zero)],
+    ))
+}
+
+/// Checks an order that was asked for.
+pub(super) fn checked(order: u8, most: u8) -> Result<u8, DeriveError> {
+    if (1..=most).contains(&order) {
+        Ok(order)
+    } else {
+        Err(DeriveError::Order { order, most })
+    }
+}
+
+/// Value and derivatives up to `order` of the curve `G` over the points `R[0], ..., R[k]` at both ends.
+///
+/// # Errors
+/// [`DeriveError`]: no such basis, an order outside 1..=[`MAX_ORDER`], a basis without values at the ends.
+pub fn end_derivatives(
+    declarations: &Declarations,
+    basis: &str,
+    order: u8,
+) -> Result<Derivation, DeriveError> {
+    let order = checked(order, MAX_ORDER)?;
+    let family = Family::new(declarations, basis)?;
+    let mut names = family.names()?;
+    let degree = names.fresh("k");
+    let points = names.fresh("R");
+    let head = names.fresh("G");
+    let curve = family.curve(&degree, &points, &family.basis.parameters)?;
+    let (mut lines, mut used, mut conditions, mut reach) = (vec![], vec![], vec![], 0);
+    for (end, word) in [(End::Start, "start"), (End::Finish, "end")] {
+        let derivatives = curve.derivatives(end, order)?;
+        let count = derivatives
+            .iter()
+            .map(|d| curve.weights(d, end).len())
+            .max()
+            .unwrap_or(0);
+        reach = reach.max(count.saturating_sub(1));
+        used.extend((0..count).map(|i| formula::expression(&curve.point(end, i))));
+        for (n, derivative) in derivatives.iter().enumerate() {
+            conditions.extend(derivative.conditions().iter().cloned());
+            let label = match n {
+                0 => format!("the curve at the {word}"),
+                _ => format!("derivative {n} at the {word}"),
+            };
+            let mut right = formula::expression(derivative);
+            if right.size() > MAX_WRITTEN_OUT {
+                right = curve.abbreviated(derivative, end, n, &label, &mut names, &mut lines);
+            }
+            let function = Expr::name(&format!("{head}{}", "'".repeat(n)));
+            let place = formula::expression(curve.value(end));
+            lines.push(Line {
+                label,
+                left: Expr::made(Node::Call(Arc::new(function), vec![place])),
+                right,
+            });
+        }
+    }
+    conditions.sort();
+    conditions.dedup();
+    let bound = std::iter::once(curve.degree_at_least(reach));
+    Ok(Derivation {
+        title: format!(
+            "Derivatives up to order {order} at the ends of a curve of the family {basis}, degree {degree}"
+        ),
+        degrees: vec![degree],
+        parameters: family.symbols()?,
+        points: used,
+        lines,
+        conditions: bound.chain(conditions.iter().map(nonzero)).collect(),
+    })
+}

@@ -1,0 +1,379 @@
+//! Joins of two curves (or plane families) of one basis family, solved for the next control points.
+//!
+//! With `e_0 = Q1[0]`, `e_i = Q1[i] - Q1[i-1]` at the start of the second and `d_0 = Q[m]`,
+//! `d_i = Q[m-i+1] - Q[m-i]` at the end of the first,
+//!
+//! `F1^(j)(0) = sum over i <= j of a[j,i] e_i`, `F^(j)(1) = sum over i of b[j,i] d_i`.
+//!
+//! The condition `F1^(j)(0) = sum over l of t[j,l] F^(l)(1)` is triangular in the e_j, so forward
+//! substitution solves it for every degree: `e_j = sum over i of c[j,i] d_i` with
+//!
+//! `c[j,i] = (sum over l of t[j,l] b[l,i] - sum over l < j of a[j,l] c[l,i]) / a[j,j]`.
+//!
+//! Small solutions are written out. Larger ones keep a, b and c as names, so that the conditions of
+//! order three stay a page of short lines.
+
+use super::end::{Curve, Differences, End, Family, checked, different_from_zero, nonzero};
+use super::names::Names;
+use super::{Derivation, DeriveError, Line};
+use std::sync::Arc;
+use torse_algebra::{Fraction, Polynomial};
+use torse_language::derivation::declarations::Declarations;
+use torse_language::syntax::{Expr, Operator};
+use torse_prove::formula;
+
+/// A solution is written out if no point takes more nodes than this.
+const MAX_WRITTEN_OUT: usize = 60;
+
+/// The highest order of a join.
+const MAX_JOIN: u8 = 3;
+
+/// A condition of geometric continuity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Geometric {
+    /// A common tangent (plane) at the join: `F1' = gamma F'`.
+    G1,
+    /// Farin-Boehm: the homogeneous coordinates join with equal first and second derivatives.
+    FarinBoehm,
+    /// The beta constraints: `F1' = gamma F'`, `F1'' = gamma^2 F'' + lambda F'`.
+    Beta,
+}
+
+/// The join of order `order` (C1, C2 or C3) of two curves of the family, with degrees m and n: the next
+/// control points `Q1[0], ..., Q1[order]`. The shape parameters of the second curve carry the suffix 1.
+///
+/// # Errors
+/// [`DeriveError`]: no such basis, an order outside 1..=3, ends that are not determined by the points.
+pub fn continuity(
+    declarations: &Declarations,
+    basis: &str,
+    order: u8,
+) -> Result<Derivation, DeriveError> {
+    let order = checked(order, MAX_JOIN)?;
+    let one = Fraction::integer(1);
+    let rows = (0..=usize::from(order)).map(|j| vec![(j, one.clone())]);
+    let title = format!("C{order} join of two curves of the family {basis}");
+    solved(declarations, basis, &title, &rows.collect::<Vec<_>>())
+}
+
+/// A join with geometric continuity of two plane families (or curves in homogeneous coordinates).
+///
+/// # Errors
+/// [`DeriveError`]: no such basis, ends that are not determined by the points.
+pub fn geometric(
+    declarations: &Declarations,
+    basis: &str,
+    condition: Geometric,
+) -> Result<Derivation, DeriveError> {
+    let one = Fraction::integer(1);
+    let gamma = Fraction::named("gamma");
+    let point = vec![(0, one.clone())];
+    let tangent = vec![(1, gamma.clone())];
+    let (title, rows) = match condition {
+        Geometric::G1 => ("G1 join", vec![point, tangent]),
+        Geometric::FarinBoehm => (
+            "Farin-Boehm G2 join",
+            vec![point, vec![(1, one.clone())], vec![(2, one)]],
+        ),
+        Geometric::Beta => {
+            let curvature = vec![(1, Fraction::named("lambda")), (2, gamma.clone() * gamma)];
+            ("G2-beta join", vec![point, tangent, curvature])
+        }
+    };
+    let title = format!("{title} of two plane families over the basis {basis}");
+    solved(declarations, basis, &title, &rows)
+}
+
+/// The row j of a condition: `F1^(j) = sum of factor F^(l)`.
+type Row = Vec<(usize, Fraction)>;
+
+fn solved(
+    declarations: &Declarations,
+    basis: &str,
+    title: &str,
+    rows: &[Row],
+) -> Result<Derivation, DeriveError> {
+    let family = Family::new(declarations, basis)?;
+    let mut names = family.names()?;
+    let mut parameters = family.symbols()?;
+    let factors = rows.iter().flatten().flat_map(|(_, f)| f.symbols());
+    let mut chosen: Vec<String> = factors.map(|s| s.to_string()).collect();
+    chosen.sort();
+    chosen.dedup();
+    for name in &chosen {
+        names.fresh(name);
+    }
+    let own = |names: &mut Names| -> Vec<String> {
+        let renamed = family.basis.parameters.iter();
+        renamed.map(|p| names.fresh(&format!("{p}1"))).collect()
+    };
+    let second_parameters = own(&mut names);
+    let (m, n) = (names.fresh("m"), names.fresh("n"));
+    let (q, q1) = (names.fresh("Q"), names.fresh("Q1"));
+    let first = family.curve(&m, &q, &family.basis.parameters)?;
+    let second = family.curve(&n, &q1, &second_parameters)?;
+    let join = Join::new(&first, &second, rows)?;
+    let written_out = join.written_out()?;
+    let small = |line: &Line| line.right.size() <= MAX_WRITTEN_OUT;
+    let (lines, divisors) = match written_out {
+        Some(lines) if lines.iter().all(small) => (lines, join.divisors()),
+        _ => join.abbreviated(&mut names),
+    };
+    let reach = join.b.iter().map(Vec::len).max().unwrap_or(1) - 1;
+    let degrees = [
+        first.degree_at_least(reach),
+        second.degree_at_least(rows.len() - 1),
+    ];
+    parameters.extend(second_parameters);
+    parameters.extend(chosen);
+    let conditions = degrees.into_iter().chain(divisors).collect();
+    let points = (0..=reach).map(|i| formula::expression(&first.point(End::Finish, i)));
+    Ok(Derivation {
+        title: format!("{title}, degrees {m} and {n}"),
+        points: points.collect(),
+        degrees: vec![m, n],
+        parameters,
+        lines,
+        conditions,
+    })
+}
+
+/// The triangular system of a join.
+struct Join<'a> {
+    first: &'a Curve,
+    second: &'a Curve,
+    rows: &'a [Row],
+    /// `a[j][i]`: the start of the second curve.
+    a: Vec<Differences>,
+    /// `b[j][i]`: the end of the first curve.
+    b: Vec<Differences>,
+}
+
+/// The entry `i`, zero where there is none.
+fn entry(row: &[Fraction], i: usize) -> Fraction {
+    row.get(i).cloned().unwrap_or_else(Fraction::zero)
+}
+
+impl<'a> Join<'a> {
+    fn new(first: &'a Curve, second: &'a Curve, rows: &'a [Row]) -> Result<Self, DeriveError> {
+        let order = u8::try_from(rows.len() - 1).unwrap_or(MAX_JOIN);
+        let all = |curve: &Curve, end: End| -> Result<Vec<Differences>, DeriveError> {
+            let derivatives = curve.derivatives(end, order)?;
+            let parts = derivatives.iter().map(|d| curve.differences(d, end));
+            Ok(parts.collect())
+        };
+        let (a, b) = (all(second, End::Start)?, all(first, End::Finish)?);
+        for (j, row) in a.iter().enumerate() {
+            if row.len() > j + 1 {
+                return Err(DeriveError::NotTriangular {
+                    order: j,
+                    index: row.len() - 1,
+                });
+            }
+            if entry(row, j).is_zero() {
+                return Err(DeriveError::Undetermined { order: j });
+            }
+        }
+        Ok(Self {
+            first,
+            second,
+            rows,
+            a,
+            b,
+        })
+    }
+
+    /// The next points as formulas of the given ones; `None` where a divisor is the zero function.
+    fn written_out(&self) -> Result<Option<Vec<Line>>, DeriveError> {
+        // A guard before the work: what is long already is not going to get short.
+        let longest = self.a.iter().chain(&self.b).flatten();
+        if longest.map(|f| f.numerator().len()).max() > Some(8) {
+            return Ok(None);
+        }
+        let width = self.b.iter().map(Vec::len).max().unwrap_or(0);
+        let mut c: Vec<Differences> = vec![];
+        let mut point = Fraction::zero();
+        let mut lines = vec![];
+        for (j, row) in self.rows.iter().enumerate() {
+            let a = self.a.get(j).map_or(&[][..], Vec::as_slice);
+            let mut solution = vec![];
+            for i in 0..width {
+                let wanted = row.iter().fold(Fraction::zero(), |sum, (l, factor)| {
+                    let b = self.b.get(*l).map_or(&[][..], Vec::as_slice);
+                    sum + factor.clone() * entry(b, i)
+                });
+                let known = c.iter().zip(a).fold(Fraction::zero(), |sum, (c, a)| {
+                    sum + a.clone() * entry(c, i)
+                });
+                let Ok(quotient) = (wanted - known).over(&entry(a, j)) else {
+                    return Ok(None);
+                };
+                point = point + quotient.clone() * self.first.difference(End::Finish, i);
+                solution.push(quotient);
+            }
+            c.push(solution);
+            lines.push(self.line(j, formula::expression(&point)));
+        }
+        Ok(Some(lines))
+    }
+
+    /// The divisors a[j,j] that can vanish, as conditions.
+    fn divisors(&self) -> Vec<Expr> {
+        let diagonal = self.a.iter().enumerate().map(|(j, row)| entry(row, j));
+        let mut all: Vec<Polynomial> = diagonal
+            .flat_map(|f| {
+                let own = std::iter::once(f.numerator().primitive().1);
+                own.chain(f.conditions().iter().cloned())
+                    .collect::<Vec<_>>()
+            })
+            .chain(
+                self.b
+                    .iter()
+                    .flatten()
+                    .flat_map(|f| f.conditions().to_vec()),
+            )
+            .filter(|p| self.second.can_vanish(p, self.rows.len() - 1))
+            .collect();
+        all.sort();
+        all.dedup();
+        all.iter().map(nonzero).collect()
+    }
+
+    fn line(&self, j: usize, right: Expr) -> Line {
+        Line {
+            label: format!("next point {j}"),
+            left: formula::expression(&self.second.point(End::Start, j)),
+            right,
+        }
+    }
+
+    /// The solution with names for the coefficients, and the divisors by name.
+    fn abbreviated(&self, names: &mut Names) -> (Vec<Line>, Vec<Expr>) {
+        let mut lines = vec![];
+        let mut named = |letter: &str, rows: &[Differences], of: &str| -> Vec<Vec<Option<Expr>>> {
+            let mut name = |j: usize, i: usize, value: &Fraction| {
+                if value.is_zero() {
+                    return None;
+                }
+                if value.as_rational().is_some() {
+                    return Some(formula::expression(value));
+                }
+                let name = Expr::name(&names.fresh(&format!("{letter}{j}{i}")));
+                lines.push(Line {
+                    label: format!("derivative {j} at {of}, coefficient of difference {i}"),
+                    left: name.clone(),
+                    right: formula::expression(value),
+                });
+                Some(name)
+            };
+            let rows = rows.iter().enumerate();
+            rows.map(|(j, row)| (0..).zip(row).map(|(i, v)| name(j, i, v)).collect())
+                .collect()
+        };
+        let a = named("a", &self.a, "the start of the second");
+        let b = named("b", &self.b, "the end of the first");
+        let width = b.iter().map(Vec::len).max().unwrap_or(0);
+        let mut c: Vec<Vec<Option<Expr>>> = vec![];
+        let mut divisors = vec![];
+        let (mut coefficients, mut points) = (vec![], vec![]);
+        for (j, row) in self.rows.iter().enumerate() {
+            let divisor = cell(&a, j, j);
+            let pivot = self
+                .a
+                .get(j)
+                .map_or_else(Fraction::zero, |row| entry(row, j));
+            let can_vanish = self
+                .second
+                .can_vanish(pivot.numerator(), self.rows.len() - 1);
+            divisors.extend(
+                divisor
+                    .clone()
+                    .filter(|_| can_vanish)
+                    .map(different_from_zero),
+            );
+            let mut solution = vec![];
+            for i in 0..width {
+                let wanted = row.iter().filter_map(|(l, factor)| {
+                    Some((
+                        Operator::Add,
+                        times(formula::expression(factor), cell(&b, *l, i)?),
+                    ))
+                });
+                let known = (0..j).filter_map(|l| {
+                    Some((Operator::Subtract, times(cell(&a, j, l)?, cell(&c, l, i)?)))
+                });
+                let Some(sum) = total(wanted.chain(known)) else {
+                    solution.push(None);
+                    continue;
+                };
+                let value = over(sum, divisor.clone());
+                if value.names().is_empty() {
+                    solution.push(Some(value));
+                    continue;
+                }
+                let name = Expr::name(&names.fresh(&format!("c{j}{i}")));
+                coefficients.push(Line {
+                    label: format!(
+                        "difference {j} of the next points, coefficient of difference {i}"
+                    ),
+                    left: name.clone(),
+                    right: value,
+                });
+                solution.push(Some(name));
+            }
+            let parts = solution.iter().enumerate().filter_map(|(i, c)| {
+                let difference = formula::expression(&self.first.difference(End::Finish, i));
+                Some((Operator::Add, times(c.clone()?, difference)))
+            });
+            let before = j.checked_sub(1).map(|before| {
+                let before = self.second.point(End::Start, before);
+                (Operator::Add, formula::expression(&before))
+            });
+            if let Some(right) = total(before.into_iter().chain(parts)) {
+                points.push(self.line(j, right));
+            }
+            c.push(solution);
+        }
+        lines.extend(coefficients);
+        lines.extend(points);
+        (lines, divisors)
+    }
+}
+
+fn cell(rows: &[Vec<Option<Expr>>], j: usize, i: usize) -> Option<Expr> {
+    rows.get(j)?.get(i)?.clone()
+}
+
+fn is_one(expr: &Expr) -> bool {
+    *expr == Expr::number(&torse_algebra::rational::integer(1))
+}
+
+/// The product, without factors one.
+fn times(a: Expr, b: Expr) -> Expr {
+    match (is_one(&a), is_one(&b)) {
+        (true, _) => b,
+        (_, true) => a,
+        _ => a.with(Operator::Multiply, b),
+    }
+}
+
+/// The quotient, without a divisor one.
+fn over(above: Expr, below: Option<Expr>) -> Expr {
+    match below {
+        Some(below) if !is_one(&below) => above.with(Operator::Divide, below),
+        _ => above,
+    }
+}
+
+/// The sum of signed terms; `None` without any.
+fn total(terms: impl Iterator<Item = (Operator, Expr)>) -> Option<Expr> {
+    terms.fold(None, |sum, (operator, term)| {
+        Some(match (sum, operator) {
+            (None, Operator::Subtract) => {
+                Expr::made(torse_language::syntax::Node::Negative(Arc::new(term)))
+            }
+            (None, _) => term,
+            (Some(sum), operator) => sum.with(operator, term),
+        })
+    })
+}

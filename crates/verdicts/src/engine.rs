@@ -1,0 +1,200 @@
+//! Running claims: from a loaded paper to outcomes.
+
+use crate::outcome::{Outcome, PaperOutcome};
+use crate::repair;
+use rayon::prelude::*;
+use std::sync::Arc;
+use torse_algebra::{Fraction, Polynomial};
+use torse_language::derivation::{Claim, DerivationError, Figure, Paper, Written};
+use torse_language::notation::{self, Formula};
+use torse_language::words::{Kind, Verdict};
+use torse_prove::decide::{Decision, Refutation};
+use torse_prove::evidence::Evidence;
+use torse_prove::{decide_statement, formula};
+
+/// Formulas with more terms than this are not shown.
+const MAX_SHOWN_TERMS: usize = 120;
+
+/// Decides all claims of a paper, in parallel; the outcomes are in the order of the file. `done` is
+/// called once a claim, from any thread.
+///
+/// # Errors
+/// The first claim, in file order, whose formulas do not make sense.
+pub fn run(paper: &Paper, done: &(dyn Fn() + Sync)) -> Result<PaperOutcome, Box<DerivationError>> {
+    let outcomes: Vec<Result<Outcome, Box<DerivationError>>> = paper
+        .claims
+        .par_iter()
+        .map(|claim| {
+            let outcome = decide_claim(&paper.head.id, claim);
+            done();
+            outcome
+        })
+        .collect();
+    Ok(PaperOutcome {
+        slug: paper.head.id.clone(),
+        title: paper.head.title.clone(),
+        authors: paper.head.authors.clone(),
+        venue: paper.head.venue.clone(),
+        claims: outcomes.into_iter().collect::<Result<_, _>>()?,
+    })
+}
+
+/// Decides one claim.
+///
+/// # Errors
+/// A [`DerivationError`] when a formula of the claim does not make sense.
+pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<DerivationError>> {
+    let entry = &claim.entry;
+    let mut outcome = Outcome {
+        id: entry.id.get_ref().clone(),
+        paper: paper.to_owned(),
+        at: entry.at.clone(),
+        kind: entry.kind,
+        verdict: Verdict::Undecided,
+        evidence: None,
+        printed: entry.printed.clone(),
+        reading: entry.reading.clone(),
+        parsed: claim.statement.as_ref().map(|s| notation::formula(&s.expr)),
+        assumed: claim
+            .assumptions
+            .iter()
+            .map(|a| notation::formula(&a.expr))
+            .collect(),
+        correction: None,
+        data: None,
+        derived: None,
+        difference: None,
+        conditions: vec![],
+        witness: None,
+        steps: vec![],
+        note: entry.note.clone(),
+        uses: claim.uses(),
+        expect: entry.expect,
+    };
+    if let Some(figure) = &claim.figure {
+        outcome.steps.extend(entry.underspecified.clone());
+        drawn(&mut outcome, figure);
+        return Ok(outcome);
+    }
+    if let Some(missing) = &entry.underspecified {
+        outcome.verdict = Verdict::Underspecified;
+        outcome.steps.push(missing.clone());
+        return Ok(outcome);
+    }
+    if let Some(reason) = &entry.out_of_scope {
+        outcome.verdict = Verdict::OutOfScope;
+        outcome.steps.push(reason.clone());
+        return Ok(outcome);
+    }
+    let Some(statement) = &claim.statement else {
+        if entry.kind == Kind::Figure {
+            outcome
+                .steps
+                .push("all data are printed; deciding a figure means drawing it".to_owned());
+            return Ok(outcome);
+        }
+        outcome.verdict = Verdict::Definition;
+        return Ok(outcome);
+    };
+    let decision = decide_statement(claim, statement)
+        .map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
+    conclude(&mut outcome, claim, statement, decision);
+    Ok(outcome)
+}
+
+/// What had to be assumed or replaced makes the verdict of a figure.
+fn drawn(outcome: &mut Outcome, figure: &Figure) {
+    outcome.verdict = figure.verdict();
+    let entry = &figure.entry;
+    let listed = |what: &str, list: &[String]| -> Vec<String> {
+        list.iter().map(|item| format!("{what}: {item}")).collect()
+    };
+    let replaced = listed("our own in place of what is not printed", &entry.stand_in);
+    outcome.steps.extend(replaced);
+    outcome.steps.extend(listed("assumed", &entry.assumes));
+}
+
+/// Writes a decision into the outcome.
+fn conclude(outcome: &mut Outcome, claim: &Claim, statement: &Written, decision: Decision) {
+    match decision {
+        Decision::Proven {
+            evidence,
+            conditions,
+            steps,
+        } => {
+            outcome.evidence = Some(evidence);
+            outcome.steps = steps;
+            outcome.conditions = conditions.iter().map(nonzero).collect();
+            outcome.verdict = if outcome.conditions.is_empty() {
+                Verdict::Holds
+            } else {
+                Verdict::Conditional
+            };
+            if outcome.kind == Kind::Definition {
+                outcome.verdict = Verdict::Definition;
+            }
+        }
+        Decision::Refuted(refutation) => {
+            outcome.verdict = Verdict::False;
+            outcome.evidence = Some(Evidence::Witness);
+            refute(outcome, claim, statement, *refutation);
+        }
+        Decision::Vacuous { reason } => {
+            outcome.verdict = Verdict::Vacuous;
+            outcome.steps = vec![reason];
+        }
+        Decision::Open { reason, tried } => {
+            outcome.verdict = Verdict::Undecided;
+            outcome.evidence = (!tried.is_empty()).then_some(Evidence::CheckedRange);
+            outcome.steps = std::iter::once(reason).chain(tried).collect();
+        }
+    }
+}
+
+fn refute(outcome: &mut Outcome, claim: &Claim, statement: &Written, refutation: Refutation) {
+    // A statement in words is our formula, not the paper's: correcting it would say nothing.
+    let printed_formula = matches!(
+        outcome.kind,
+        Kind::Identity | Kind::Value | Kind::Construction | Kind::Definition
+    );
+    if printed_formula {
+        outcome.correction = repair::search(claim, statement);
+    }
+    if outcome.correction.is_some() {
+        outcome.verdict = Verdict::Misprint;
+    } else if printed_formula {
+        // Derived anew is no slip of printing: the statement is false.
+        outcome.correction = repair::ansatz::search(claim, statement);
+    }
+    if outcome.kind == Kind::Value && outcome.correction.is_none() {
+        outcome.data = repair::data::search(claim, statement);
+    }
+    outcome.steps = refutation.steps;
+    outcome.witness = Some(refutation.witness);
+    if let Some((left, right)) = refutation.sides {
+        let differing = left.iter().zip(&right).find(|(x, y)| x != y);
+        if let Some((x, y)) = differing {
+            outcome.difference = readable(&(x.clone() - y.clone()));
+            outcome.derived = readable(x);
+        }
+    }
+}
+
+/// The formula, unless it is too long for anyone to read.
+fn readable(value: &Fraction) -> Option<Formula> {
+    (value.numerator().len() <= MAX_SHOWN_TERMS)
+        .then(|| notation::formula(&formula::expression(value)))
+}
+
+/// `p != 0`, as a formula.
+fn nonzero(polynomial: &Polynomial) -> Formula {
+    use torse_language::syntax::Expr;
+    use torse_language::syntax::Node;
+    use torse_language::syntax::Relation;
+    let left = formula::expression(&polynomial.clone().into());
+    let zero = Expr::number(&torse_algebra::rational::integer(0));
+    notation::formula(&Expr::made(Node::Compare(
+        Arc::new(left),
+        vec![(Relation::Different, zero)],
+    )))
+}

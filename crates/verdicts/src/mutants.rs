@@ -1,0 +1,146 @@
+//! Does the engine see a slip? Statements that hold, with one slip made on purpose.
+//!
+//! The edits that repair a misprint ([`crate::repair::edits`]) are made to a statement that holds. A changed
+//! statement that says something else must be refuted. One that is not is a survivor: either it is true
+//! as well, which is explained by a proof that the changed side equals the printed one, or the engine is
+//! too weak for it, or contradicts itself.
+
+use crate::repair::alphabet::alphabet;
+use crate::repair::canonical::canonical;
+use crate::repair::edits::{placed, single};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use torse_language::derivation::{Claim, Written};
+use torse_language::notation;
+use torse_language::syntax::{Connective, Expr, Node, Relation};
+use torse_prove::decide::Decision;
+use torse_prove::decide_statement;
+
+/// Why a changed statement was not refuted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Survival {
+    /// The changed side is proved equal to the printed one: another true statement.
+    Equivalent,
+    /// The statement is neither proved nor refuted.
+    Open {
+        /// What the engine says about it.
+        reason: String,
+    },
+    /// The statement is proved, but that both sides are equal is not: a contradiction if it is refuted.
+    Unexplained,
+}
+
+/// A changed statement that was not refuted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Survivor {
+    /// The changed statement, in the language of the derivation files.
+    pub statement: String,
+    /// The change in words.
+    pub change: String,
+    /// Why it was not refuted.
+    pub survival: Survival,
+}
+
+/// The survivors among at most `most` changed statements of a claim, spread evenly over all of them, and
+/// how many were decided. Changes that make no sense, or none, are not counted. A claim whose statement
+/// has no equality has no changed statements.
+#[must_use]
+pub fn survivors(claim: &Claim, most: usize) -> (Vec<Survivor>, usize) {
+    let Some(statement) = &claim.statement else {
+        return (vec![], 0);
+    };
+    let mutants = mutants(claim, &statement.expr);
+    let step = mutants.len().div_ceil(most.max(1)).max(1);
+    let (mut survivors, mut decided) = (vec![], 0);
+    for mutant in mutants.iter().step_by(step) {
+        let survival = match decide_written(claim, statement, &mutant.statement) {
+            None => continue,
+            Some(Decision::Refuted(_)) => None,
+            Some(Decision::Proven { .. }) => {
+                let equal = decide_written(claim, statement, &mutant.equality());
+                let proved = equal.is_some_and(|d| d.is_proven());
+                Some(if proved {
+                    Survival::Equivalent
+                } else {
+                    Survival::Unexplained
+                })
+            }
+            Some(Decision::Open { reason, .. } | Decision::Vacuous { reason }) => {
+                Some(Survival::Open { reason })
+            }
+        };
+        decided += 1;
+        survivors.extend(survival.map(|survival| Survivor {
+            statement: notation::text(&mutant.statement),
+            change: mutant.change.clone(),
+            survival,
+        }));
+    }
+    (survivors, decided)
+}
+
+/// A statement with one change, and the side that was changed.
+struct Mutant {
+    statement: Expr,
+    printed: Expr,
+    changed: Expr,
+    change: String,
+}
+
+impl Mutant {
+    /// The statement that the change changes nothing.
+    fn equality(&self) -> Expr {
+        let right = vec![(Relation::Equal, self.changed.clone())];
+        Expr::made(Node::Compare(Arc::new(self.printed.clone()), right))
+    }
+}
+
+/// The statement with one edit of one right side, edits that only reorder left out.
+fn mutants(claim: &Claim, statement: &Expr) -> Vec<Mutant> {
+    let mut result = vec![];
+    for (path, printed) in right_sides(statement) {
+        let alphabet = alphabet(claim, statement, printed);
+        let mut seen = BTreeSet::from([canonical(printed)]);
+        for edit in single(printed, &alphabet) {
+            if seen.insert(canonical(&edit.expr)) {
+                result.push(Mutant {
+                    statement: placed(statement, &path, edit.expr.clone()),
+                    printed: printed.clone(),
+                    changed: edit.expr,
+                    change: edit.change,
+                });
+            }
+        }
+    }
+    result
+}
+
+/// The right sides of the equalities of a conjunction, with the ways to them.
+fn right_sides(statement: &Expr) -> Vec<(Vec<usize>, &Expr)> {
+    let mut found = vec![];
+    let mut pending = vec![(vec![], statement)];
+    while let Some((path, expr)) = pending.pop() {
+        match &expr.node {
+            Node::Join(Connective::And, a, b) => {
+                pending.push(([path.as_slice(), &[1]].concat(), b));
+                pending.push(([path.as_slice(), &[0]].concat(), a));
+            }
+            Node::Compare(_, rest) => {
+                if let [(Relation::Equal, right)] = rest.as_slice() {
+                    found.push(([path.as_slice(), &[1]].concat(), right));
+                }
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// The decision on a formula in the setting of a claim; none for one that makes no sense.
+fn decide_written(claim: &Claim, like: &Written, expr: &Expr) -> Option<Decision> {
+    let written = Written {
+        expr: expr.clone(),
+        origin: like.origin.clone(),
+    };
+    decide_statement(claim, &written).ok()
+}

@@ -1,0 +1,149 @@
+//! What the engine found out about one claim: plain data, handed to the report and the command.
+//!
+//! Verdict and evidence are two axes and never merged: the verdict says what is true of the printed
+//! statement, the evidence says what the answer rests on.
+
+use serde::Serialize;
+use torse_language::notation::Formula;
+use torse_language::words::{Kind, Verdict};
+use torse_prove::evidence::{Evidence, Witness};
+
+/// A corrected form of a refuted formula, itself proved.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Correction {
+    /// The corrected statement.
+    pub statement: Formula,
+    /// What was changed, in words, one entry an edit ("the factor 4 added", "k replaced by l").
+    pub edits: Vec<String>,
+    /// Whether no other repair with as few edits was found.
+    pub unique: bool,
+}
+
+/// A change of printed data that explains a printed value: the value is wrong for the data as printed and
+/// right for the changed ones.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct DataCorrection {
+    /// The changed data.
+    pub changes: Vec<DataChange>,
+    /// How the printed value agrees then, in words.
+    pub steps: Vec<String>,
+    /// Whether no other change of as few numbers, as near to the print, was found that explains as much.
+    pub unique: bool,
+    /// The ids of the refuted values of the same example that this change explains, this one included.
+    pub explains: Vec<String>,
+    /// The ids of the values of the same example that hold for the data as printed and no longer do.
+    pub contradicts: Vec<String>,
+    /// Whether all refuted values of the example are explained, and none contradicted.
+    pub explains_example: bool,
+}
+
+impl DataCorrection {
+    /// What to change and what it explains, a line each.
+    #[must_use]
+    pub fn in_words(&self) -> Vec<String> {
+        let change = |c: &DataChange| {
+            format!(
+                "`{}` reads `{}` instead of `{}`",
+                c.name, c.new.text, c.old.text
+            )
+        };
+        let mut lines: Vec<String> = self.changes.iter().map(change).collect();
+        lines.extend(self.steps.iter().cloned());
+        lines.push(match (self.explains_example, self.explains.as_slice()) {
+            (true, [_, _, ..]) => {
+                "this one change explains every wrong value of the example".to_owned()
+            }
+            (_, [_, _, ..]) => format!("it explains {}", self.explains.join(", ")),
+            _ => "it explains this value alone".to_owned(),
+        });
+        if !self.contradicts.is_empty() {
+            lines.push(format!("it contradicts {}", self.contradicts.join(", ")));
+        }
+        lines.push(match self.unique {
+            true => "no other change of as few numbers, as near to the print, was found".to_owned(),
+            false => {
+                "other changes of as few numbers, as near to the print, explain it too".to_owned()
+            }
+        });
+        lines
+    }
+}
+
+/// One datum as printed and as it should read.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct DataChange {
+    /// The name of the datum.
+    pub name: String,
+    /// As printed.
+    pub old: Formula,
+    /// As it should read.
+    pub new: Formula,
+}
+
+/// Everything known about one claim after a run.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Outcome {
+    /// The id of the inventory, `paper/name`.
+    pub id: String,
+    /// The paper's slug.
+    pub paper: String,
+    /// Where the paper says it.
+    pub at: String,
+    /// What kind of statement it is.
+    pub kind: Kind,
+    /// What is true of it.
+    pub verdict: Verdict,
+    /// What that rests on; none for definitions and figures.
+    pub evidence: Option<Evidence>,
+    /// The statement as printed, verbatim.
+    pub printed: String,
+    /// How our copy of the text was read, where it is garbled or unclear.
+    pub reading: Option<String>,
+    /// The statement as the engine understood it.
+    pub parsed: Option<Formula>,
+    /// The assumptions under which it was decided, as understood.
+    pub assumed: Vec<Formula>,
+    /// A proved correction, for a refuted claim.
+    pub correction: Option<Correction>,
+    /// A change of the data that explains a refuted value.
+    pub data: Option<DataCorrection>,
+    /// The derived right side in the paper's own shape, for a refuted claim.
+    pub derived: Option<Formula>,
+    /// Left side minus right side in normal form, for a refuted claim.
+    pub difference: Option<Formula>,
+    /// The extra conditions of a `conditional` verdict, and divisors that must not vanish.
+    pub conditions: Vec<Formula>,
+    /// A counterexample, for a refuted claim.
+    pub witness: Option<Witness>,
+    /// The steps of the decision, in words, in order.
+    pub steps: Vec<String>,
+    /// Anything a reader should know.
+    pub note: Option<String>,
+    /// Claims this one rests on.
+    pub uses: Vec<String>,
+    /// The verdict the derivation file expects, if it states one.
+    pub expect: Option<Verdict>,
+}
+
+impl Outcome {
+    /// Whether the computed verdict is the expected one (true where none is stated).
+    #[must_use]
+    pub fn as_expected(&self) -> bool {
+        self.expect.is_none_or(|expected| expected == self.verdict)
+    }
+}
+
+/// A paper and its decided claims, in file order.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct PaperOutcome {
+    /// The paper's slug, for instance `gbt-developable`.
+    pub slug: String,
+    /// The title.
+    pub title: String,
+    /// The authors, one line.
+    pub authors: String,
+    /// Where it appeared.
+    pub venue: String,
+    /// The outcomes.
+    pub claims: Vec<Outcome>,
+}

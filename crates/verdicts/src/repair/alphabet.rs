@@ -1,0 +1,117 @@
+//! What the edits of a claim may put in: the names that occur in it, through definitions.
+
+use super::edits::Alphabet;
+use std::collections::BTreeSet;
+use torse_language::derivation::Claim;
+use torse_language::derivation::declarations::SymbolKind;
+use torse_language::syntax::{Expr, Node};
+
+/// The most names of a kind that edits may put in.
+const MAX_NAMES: usize = 16;
+
+/// Numbers, vectors and families that occur in the claim, through definitions; those of the formula
+/// itself first.
+#[must_use]
+pub fn alphabet(claim: &Claim, statement: &Expr, edited: &Expr) -> Alphabet {
+    let mut seen: BTreeSet<String> = BTreeSet::new();
+    let mut alphabet = Alphabet::default();
+    let mut level: Vec<&Expr> = [edited, statement]
+        .into_iter()
+        .chain(claim.given.iter().map(|w| &w.expr))
+        .collect();
+    let mut first = true;
+    while !level.is_empty() {
+        let mut deeper = vec![];
+        for expr in &level {
+            collect_pairs(expr, &mut alphabet.pairs);
+        }
+        for name in level.iter().flat_map(|e| e.names()) {
+            if !seen.insert(name.to_owned()) {
+                continue;
+            }
+            match claim.declarations.symbol(name) {
+                Some(SymbolKind::Real(_) | SymbolKind::Integer { .. } | SymbolKind::Vector(_)) => {
+                    alphabet.names.push(name.to_owned());
+                }
+                Some(SymbolKind::Family { .. }) => alphabet.families.push(name.to_owned()),
+                None => {}
+            }
+            if let Some(definition) = claim.declarations.definition(name) {
+                if definition.parameters.is_empty() && first {
+                    alphabet.names.push(name.to_owned());
+                }
+                deeper.push(&definition.body.expr);
+            }
+        }
+        level = deeper;
+        first = false;
+    }
+    // A name is usually one of a pair.
+    for (one, other) in [
+        ("mu", "nu"),
+        ("mu1", "nu1"),
+        ("mu2", "nu2"),
+        ("k", "l"),
+        ("m", "n"),
+    ] {
+        for (present, absent) in [(one, other), (other, one)] {
+            if seen.contains(present)
+                && claim.declarations.symbol(absent).is_some()
+                && seen.insert(absent.to_owned())
+            {
+                alphabet.names.push(absent.to_owned());
+            }
+        }
+    }
+    alphabet.names.truncate(MAX_NAMES);
+    alphabet.families.truncate(MAX_NAMES);
+    alphabet.pairs.truncate(MAX_NAMES);
+    alphabet.members = members(edited, &alphabet.families);
+    let bases = claim.declarations.bases().map(|(name, basis)| {
+        let arguments = basis.parameters.len() + 1;
+        (name.to_owned(), basis.degree, arguments)
+    });
+    alphabet.bases = bases.collect();
+    alphabet
+}
+
+/// Neighbouring names among the arguments of calls, in the order of the text.
+fn collect_pairs(expr: &Expr, into: &mut Vec<[String; 2]>) {
+    if let Node::Call(_, arguments) = &expr.node {
+        for pair in arguments.windows(2) {
+            let [a, b] = pair else { continue };
+            if let (Node::Name(a), Node::Name(b)) = (&a.node, &b.node) {
+                let pair = [a.clone(), b.clone()];
+                if !into.contains(&pair) {
+                    into.push(pair);
+                }
+            }
+        }
+    }
+    for part in expr.parts() {
+        collect_pairs(part, into);
+    }
+}
+
+/// The families at every list of indices that occurs in the formula.
+fn members(expr: &Expr, families: &[String]) -> Vec<Expr> {
+    let mut found: Vec<Expr> = vec![];
+    let mut pending = vec![expr];
+    while let Some(part) = pending.pop() {
+        pending.extend(part.parts());
+        let Node::Index(head, indices) = &part.node else {
+            continue;
+        };
+        if !matches!(&head.node, Node::Name(name) if families.contains(name)) {
+            continue;
+        }
+        for family in families {
+            let member = Expr::made(Node::Index(Expr::name(family).into(), indices.clone()));
+            if !found.iter().any(|e| e.node == member.node) {
+                found.push(member);
+            }
+        }
+    }
+    found.truncate(MAX_NAMES);
+    found
+}

@@ -1,0 +1,104 @@
+//! When are two edits the same correction? When the formulas differ only in the order and grouping of
+//! factors and terms, and in where a sign stands.
+
+use std::sync::Arc;
+use torse_algebra::Rational;
+use torse_algebra::rational::integer;
+use torse_language::syntax::{Expr, Node, Operator};
+
+/// A text that is the same for formulas that differ only in order, grouping and place of signs.
+#[must_use]
+pub fn canonical(expr: &Expr) -> String {
+    let mut terms = vec![];
+    collect_terms(expr, &integer(1), &mut terms);
+    let mut texts: Vec<String> = terms
+        .iter()
+        .map(|(number, rest)| format!("{number} {rest}"))
+        .collect();
+    texts.sort();
+    texts.join(" + ")
+}
+
+/// Splits a sum into terms: a number and the rest of the product as text.
+fn collect_terms(expr: &Expr, factor: &Rational, into: &mut Vec<(Rational, String)>) {
+    match &expr.node {
+        Node::Binary(operator @ (Operator::Add | Operator::Subtract), a, b) => {
+            collect_terms(a, factor, into);
+            let sign = if *operator == Operator::Add {
+                factor.clone()
+            } else {
+                -factor.clone()
+            };
+            collect_terms(b, &sign, into);
+        }
+        Node::Negative(inner) => collect_terms(inner, &-factor.clone(), into),
+        _ => {
+            let mut number = factor.clone();
+            let mut factors = vec![];
+            collect_factors(expr, false, &mut number, &mut factors);
+            factors.sort();
+            into.push((number, factors.join(" ")));
+        }
+    }
+}
+
+fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mut Vec<String>) {
+    let mark = if inverted { "/" } else { "" };
+    match &expr.node {
+        Node::Binary(Operator::Multiply, a, b) => {
+            collect_factors(a, inverted, number, into);
+            collect_factors(b, inverted, number, into);
+        }
+        Node::Binary(Operator::Divide, a, b) => {
+            collect_factors(a, inverted, number, into);
+            collect_factors(b, !inverted, number, into);
+        }
+        Node::Negative(inner) => {
+            *number = -number.clone();
+            collect_factors(inner, inverted, number, into);
+        }
+        Node::Number { value, .. } if !num_traits::Zero::is_zero(value) => {
+            *number = if inverted {
+                &*number / value
+            } else {
+                &*number * value
+            };
+        }
+        Node::Binary(Operator::Add | Operator::Subtract, ..) => {
+            // A sum as a factor: its sign is pulled out so that a - b and -(b - a) agree.
+            let text = canonical(expr);
+            let negated = canonical(&Expr::made(Node::Negative(Arc::new(expr.clone()))));
+            if negated < text {
+                *number = -number.clone();
+                into.push(format!("{mark}({negated})"));
+            } else {
+                into.push(format!("{mark}({text})"));
+            }
+        }
+        Node::Number { value, .. } => into.push(format!("{mark}{value}")),
+        Node::Name(name) => into.push(format!("{mark}{name}")),
+        Node::Binary(Operator::Power, base, exponent) => {
+            into.push(format!(
+                "{mark}({})^({})",
+                canonical(base),
+                canonical(exponent)
+            ));
+        }
+        _ => {
+            let parts: Vec<String> = expr.parts().into_iter().map(canonical).collect();
+            into.push(format!("{mark}{}<{}>", kind(&expr.node), parts.join(";")));
+        }
+    }
+}
+
+fn kind(node: &Node) -> &'static str {
+    match node {
+        Node::Call(..) => "call",
+        Node::Index(..) => "index",
+        Node::List(_) => "list",
+        Node::Compare(..) => "compare",
+        Node::Join(..) => "join",
+        Node::Not(_) => "not",
+        _ => "",
+    }
+}

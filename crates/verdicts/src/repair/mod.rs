@@ -1,0 +1,152 @@
+//! Corrections of refuted formulas.
+//!
+//! The printed side of a refuted equality ([`subject`]) is edited, first once, then twice; candidates are
+//! filtered at a sample point ([`target`]) and the survivors **proved** like any statement. The smallest
+//! number of edits wins; whether another correction with as few edits exists is reported. A wrong value
+//! may be the right value of other data: see [`data`].
+
+pub(crate) mod alphabet;
+pub mod ansatz;
+pub mod canonical;
+pub mod data;
+pub mod edits;
+mod rates;
+mod residue;
+pub mod slips;
+pub mod subject;
+pub mod target;
+mod terms;
+pub mod throughout;
+
+use crate::outcome::Correction;
+use edits::Edit;
+use std::cmp::Reverse;
+use std::collections::BTreeSet;
+use subject::Subject;
+use target::Target;
+use torse_language::derivation::{Claim, Written};
+use torse_language::notation;
+use torse_language::syntax::{Expr, Node};
+use torse_prove::decide_statement;
+
+/// The most candidates evaluated with one edit.
+const MAX_SINGLE: usize = 6_000;
+/// The most first edits that are combined with a second one.
+const MAX_FIRST: usize = 150;
+/// The most candidates evaluated with two edits.
+const MAX_DOUBLE: usize = 12_000;
+/// How many survivors of the sample point are proved before the search ends.
+const MAX_PROOFS: usize = 8;
+/// A comparison whose left side has at most so many nodes is a tautology when both sides are equal.
+const MAX_TAUTOLOGY: usize = 5;
+/// Formulas larger than this are corrected with one edit at most.
+const MAX_SIZE_DOUBLE: usize = 60;
+
+/// Searches a correction of a refuted statement.
+#[must_use]
+pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
+    let subject = Subject::of(claim, statement)?;
+    let printed = &subject.formula;
+    let target = Target::new(claim, statement, &subject.path)?;
+    let alphabet = alphabet::alphabet(claim, &statement.expr, printed);
+    let mut singles = vec![];
+    let mut once = vec![];
+    for edit in edits::single(printed, &alphabet)
+        .into_iter()
+        .take(MAX_SINGLE)
+    {
+        let side = subject.side(&edit.expr);
+        let entries = target.entries_agreeing(&side);
+        if entries > 0 && target.agrees(&side) {
+            once.push((edit.clone(), vec![edit.change.clone()]));
+        }
+        singles.push((entries, edit));
+    }
+    if let Some(found) = proved(claim, statement, &subject, once) {
+        return Some(found);
+    }
+    if printed.size() > MAX_SIZE_DOUBLE {
+        return None;
+    }
+    // First edits that put an entry of a vector right come first.
+    singles.sort_by_key(|(entries, _)| Reverse(*entries));
+    let second_alphabet = alphabet.without_names();
+    let mut twice = vec![];
+    let mut budget = MAX_DOUBLE;
+    for (_, first) in singles.iter().take(MAX_FIRST) {
+        for second in edits::single(&first.expr, &second_alphabet) {
+            budget = budget.saturating_sub(1);
+            if budget == 0 || twice.len() >= MAX_PROOFS {
+                break;
+            }
+            if second.expr != *printed && target.agrees(&subject.side(&second.expr)) {
+                let changes = vec![first.change.clone(), second.change.clone()];
+                twice.push((second, changes));
+            }
+        }
+    }
+    proved(claim, statement, &subject, twice)
+}
+
+/// Proves candidates; the first proved one is the correction, a second essentially different one makes
+/// it not unique.
+fn proved(
+    claim: &Claim,
+    statement: &Written,
+    subject: &Subject,
+    candidates: Vec<(Edit, Vec<String>)>,
+) -> Option<Correction> {
+    let mut seen = BTreeSet::new();
+    let mut found: Option<Correction> = None;
+    for (edit, changes) in candidates {
+        if seen.len() >= MAX_PROOFS {
+            break;
+        }
+        let key = canonical::canonical(&edit.expr);
+        if !seen.insert(key) {
+            continue;
+        }
+        let expr = subject.statement(&statement.expr, &edit.expr);
+        if is_tautology(&expr, &subject.path) {
+            continue;
+        }
+        let trial = Written {
+            expr: expr.clone(),
+            origin: statement.origin.clone(),
+        };
+        if !decide_statement(claim, &trial).is_ok_and(|d| d.is_proven()) {
+            continue;
+        }
+        if let Some(first) = &mut found {
+            first.unique = false;
+            return found;
+        }
+        let mut edits = changes;
+        if let Some(name) = subject.defined_as() {
+            edits.push(format!("`{name}` then is `{}`", notation::text(&edit.expr)));
+        }
+        found = Some(Correction {
+            statement: notation::formula(&expr),
+            edits,
+            unique: true,
+        });
+    }
+    found
+}
+
+/// Whether the comparison at the end of the path says the same thing twice: no correction.
+fn is_tautology(expr: &Expr, path: &[usize]) -> bool {
+    let parent = path.split_last().map_or(path, |(_, parent)| parent);
+    let comparison = parent
+        .iter()
+        .try_fold(expr, |e, position| e.parts().into_iter().nth(*position));
+    match comparison.map(|e| &e.node) {
+        // A long formula that comes to repeat the left side is a corrected restatement; a short one
+        // says nothing.
+        Some(Node::Compare(left, _)) if left.size() > MAX_TAUTOLOGY => false,
+        Some(Node::Compare(left, rest)) => rest
+            .iter()
+            .any(|(_, right)| canonical::canonical(left) == canonical::canonical(right)),
+        _ => false,
+    }
+}

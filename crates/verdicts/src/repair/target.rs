@@ -1,0 +1,112 @@
+//! What an edited side must come to: the other side of the equation at the sample point.
+
+use std::collections::BTreeMap;
+use torse_algebra::Fraction;
+use torse_language::derivation::{Claim, Written};
+use torse_language::syntax::Expr;
+use torse_prove::case::Case;
+use torse_prove::evaluate::Evaluator;
+use torse_prove::evaluate::quantity::Quantity;
+use torse_prove::evaluate::value::{Statement, Value};
+use torse_prove::sample;
+
+/// The work one search may do, in units of a visited node of a formula.
+const MAX_WORK: u64 = 400_000;
+
+/// The side that is not edited, at a few instances of the integers, at the sample point.
+pub struct Target<'a> {
+    instances: Vec<(Evaluator<'a>, Vec<Fraction>)>,
+}
+
+impl<'a> Target<'a> {
+    /// The other side of the comparison that the path leads into; none where it is no plain formula.
+    #[must_use]
+    pub fn new(claim: &'a Claim, statement: &Written, path: &[usize]) -> Option<Self> {
+        let exprs: Vec<&Expr> = std::iter::once(statement)
+            .chain(&claim.given)
+            .map(|w| &w.expr)
+            .collect();
+        let integers = torse_prove::decide::instances::integers_used(&exprs, &claim.declarations);
+        let mut instances = vec![];
+        for shift in 0..2_i64 {
+            // Different integers for different symbols, above the special small degrees.
+            let fixed: BTreeMap<String, Fraction> = integers
+                .iter()
+                .enumerate()
+                .map(|(position, name)| {
+                    let spread = i64::try_from(position).unwrap_or(0);
+                    let form = torse_algebra::Affine::symbol(name);
+                    let top = claim.declarations.greatest(&form).unwrap_or(i64::MAX);
+                    let least = claim.declarations.least(&form).unwrap_or(2);
+                    (
+                        name.clone(),
+                        Fraction::integer((least + 2 + spread + shift).min(top)),
+                    )
+                })
+                .collect();
+            // An assumption may fix an integer: then there is one instance.
+            let spread = Case::new(claim, statement, fixed);
+            let alone = integers.is_empty() || spread.is_err();
+            let case = spread
+                .or_else(|_| Case::new(claim, statement, BTreeMap::new()))
+                .ok()?;
+            let left = other_side(&case.statement, path)?;
+            let values = left
+                .entries()
+                .into_iter()
+                .map(|q| q.as_fraction().and_then(sample::at_sample))
+                .collect::<Option<Vec<_>>>()?;
+            instances.push((case.evaluator.sampling(), values));
+            if alone {
+                break;
+            }
+        }
+        Some(Self { instances })
+    }
+
+    /// Whether a candidate agrees with the other side at every instance; never once the work is used up.
+    #[must_use]
+    pub fn agrees(&self, candidate: &Expr) -> bool {
+        self.within_budget()
+            && self.instances.iter().all(|(evaluator, other)| {
+                agreeing(evaluator, other, candidate) == Some(other.len())
+            })
+    }
+
+    /// How many entries of a candidate agree with the other side at the first instance.
+    #[must_use]
+    pub fn entries_agreeing(&self, candidate: &Expr) -> usize {
+        let first = self.instances.first().filter(|_| self.within_budget());
+        first
+            .and_then(|(evaluator, other)| agreeing(evaluator, other, candidate))
+            .unwrap_or(0)
+    }
+
+    fn within_budget(&self) -> bool {
+        let work = self.instances.iter().map(|(e, _)| e.work());
+        work.sum::<u64>() <= MAX_WORK
+    }
+}
+
+/// How many entries agree; none for a candidate that makes no sense or has another shape.
+fn agreeing(evaluator: &Evaluator<'_>, other: &[Fraction], candidate: &Expr) -> Option<usize> {
+    let value = evaluator.evaluate(candidate).ok()?;
+    let entries = value.entries();
+    let agree = |(q, wanted): &(&Quantity, &Fraction)| {
+        let at_sample = q.as_fraction().and_then(sample::at_sample);
+        at_sample.is_some_and(|found| found == **wanted)
+    };
+    (entries.len() == other.len()).then(|| entries.into_iter().zip(other).filter(agree).count())
+}
+
+/// The side of the comparison that the path does not lead into.
+pub(super) fn other_side<'s>(statement: &'s Statement, path: &[usize]) -> Option<&'s Value> {
+    match (statement, path) {
+        (Statement::Join(_, a, b), [first, rest @ ..]) => {
+            other_side(if *first == 0 { a } else { b }, rest)
+        }
+        (Statement::Compare { left, .. }, [1]) => Some(left),
+        (Statement::Compare { right, .. }, [0]) => Some(right),
+        _ => None,
+    }
+}

@@ -1,0 +1,193 @@
+//! Corrections of the papers' refuted claims, one claim at a time.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use std::path::Path;
+use std::sync::LazyLock;
+use torse_language::derivation::{Claim, Paper, load};
+use torse_language::words::Verdict;
+use torse_verdicts::engine::decide_claim;
+use torse_verdicts::outcome::Outcome;
+
+/// The papers, and one with slips on purpose.
+static PAPERS: LazyLock<Vec<Paper>> = LazyLock::new(|| {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut papers = load(&here.join("../../derivations")).unwrap();
+    papers.extend(load(&here.join("tests/repairs")).unwrap());
+    papers
+});
+
+fn claim(id: &str) -> &'static Claim {
+    let claims = PAPERS.iter().flat_map(|p| &p.claims);
+    claims
+        .into_iter()
+        .find(|c| c.entry.id.get_ref() == id)
+        .unwrap()
+}
+
+fn decided(id: &str) -> Outcome {
+    decide_claim(id.split_once('/').unwrap().0, claim(id)).unwrap()
+}
+
+/// The changes of the data that explain a value, as text.
+fn data_changes(id: &str) -> Vec<String> {
+    let data = decided(id).data.unwrap();
+    assert!(data.unique, "{id}");
+    let changes = data.changes.iter();
+    changes
+        .map(|c| format!("{}: {} -> {}", c.name, c.old.text, c.new.text))
+        .collect()
+}
+
+#[test]
+fn the_tangent_vectors_of_the_oblique_example_belong_to_other_data() {
+    for (id, change) in [
+        ("ex-4.r0u", "q0u: [0, -60, 90] -> [0, -50, 60]"),
+        ("ex-4.ru", "qu: [0, -50, 70] -> [0, -60, 80]"),
+        ("ex-4.r1u", "q1u: [0, -50, -30] -> [0, -50, -60]"),
+    ] {
+        let id = format!("hermite-developable/{id}");
+        assert_eq!(data_changes(&id), [change], "{id}");
+    }
+}
+
+#[test]
+fn each_changed_tangent_vector_explains_one_value_and_contradicts_none() {
+    let data = decided("hermite-developable/ex-4.r1u").data.unwrap();
+    assert_eq!(data.explains, ["hermite-developable/ex-4.r1u"]);
+    assert_eq!(data.contradicts, Vec::<String>::new());
+    assert!(!data.explains_example);
+}
+
+#[test]
+fn a_value_with_changed_data_is_still_refuted_as_printed() {
+    assert_eq!(
+        decided("hermite-developable/ex-4.ru").verdict,
+        Verdict::False
+    );
+}
+
+#[test]
+fn one_exchange_of_digits_explains_all_wrong_values_of_an_example() {
+    for id in ["slips/one.area", "slips/one.slope"] {
+        assert_eq!(data_changes(id), ["q: [3, 12] -> [3, 21]"], "{id}");
+        let data = decided(id).data.unwrap();
+        assert_eq!(data.explains, ["slips/one.area", "slips/one.slope"], "{id}");
+        assert!(data.explains_example && data.contradicts.is_empty(), "{id}");
+        let words = data.in_words();
+        assert!(words.contains(&"`q` reads `[3, 21]` instead of `[3, 12]`".to_owned()));
+        assert!(
+            words.contains(&"this one change explains every wrong value of the example".to_owned())
+        );
+    }
+}
+
+#[test]
+fn a_value_far_from_every_slip_stays_unexplained() {
+    assert_eq!(decided("slips/far").data, None);
+}
+
+/// The corrected statement of a misprint and the edits that lead to it.
+fn corrected(id: &str) -> (String, Vec<String>) {
+    let outcome = decided(id);
+    assert_eq!(outcome.verdict, Verdict::Misprint, "{id}");
+    let correction = outcome.correction.unwrap();
+    assert!(correction.unique, "{id}");
+    (correction.statement.text, correction.edits)
+}
+
+#[test]
+fn a_printed_definition_is_corrected_where_it_is_defined() {
+    let corrected_body = "b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k])";
+    for id in ["gbt-surfaces/eq-18", "gbt-surfaces/alg-3"] {
+        let (_, edits) = corrected(id);
+        assert_eq!(
+            edits,
+            [
+                "`f[k,m](z, mu, nu)` replaced by `f[k,m](z, mu1, nu1)`".to_owned(),
+                format!("`printed` then is `{corrected_body}`"),
+            ],
+            "{id}"
+        );
+    }
+}
+
+#[test]
+fn the_cylinder_is_a_tensor_product_with_functions_of_order_one() {
+    let (statement, edits) = corrected("gbt-surfaces/eq-11");
+    assert_eq!(
+        statement,
+        "T(z, z1) == sum(k, 0, m, f[k,m](z, mu, nu)*(b[0,1](z1)*net(k, 0) + b[1,1](z1)*net(k, 1)))"
+    );
+    let edit = "the functions `f[i,n](z1, mu1, nu1)` replaced by `b[i,1](z1)`";
+    assert_eq!(edits.first().unwrap(), edit);
+}
+
+#[test]
+fn a_zero_in_place_of_a_coordinate_and_the_wrong_curve_are_two_edits() {
+    let (_, edits) = corrected("gbt-surfaces/eq-25.4");
+    assert_eq!(edits, ["`X` replaced by `U`", "`0` replaced by `V[l]`"]);
+}
+
+#[test]
+fn exchanged_indices_turned_quotients_and_squares_for_pairs_are_one_edit() {
+    for (id, edit) in [
+        (
+            "gbt-surfaces/eq-20.trajectory",
+            "`P[1,l]` replaced by `P[l,1]`",
+        ),
+        ("bezier/join.C1.slip", "the quotient `n/m` turned over"),
+        ("bezier/curve.d2.slip", "`m^2` replaced by `m*(m - 1)`"),
+    ] {
+        assert_eq!(corrected(id).1, [edit], "{id}");
+    }
+}
+
+#[test]
+fn one_factor_of_each_power_stays_a_sine_in_the_derivative_by_mu() {
+    let (statement, edits) = corrected("gbt-developable/eq-2.3");
+    assert_eq!(
+        edits,
+        ["`sin(pi/2*x)` replaced by `x` in the powers, one factor of each kept"]
+    );
+    assert!(
+        statement.contains("(1 - sin(pi/2*x))*(1 - x)^(k - 2 - i)"),
+        "{statement}"
+    );
+    assert!(statement.contains("sin(pi/2*x)*x^i"), "{statement}");
+}
+
+/// The right side derived anew for a false claim, and the words for it.
+fn anew(id: &str) -> (String, Vec<String>) {
+    let outcome = decided(id);
+    assert_eq!(outcome.verdict, Verdict::False, "{id}");
+    let correction = outcome.correction.unwrap();
+    let (_, right) = correction.statement.text.split_once(" == ").unwrap();
+    (right.to_owned(), correction.edits)
+}
+
+#[test]
+fn a_coefficient_of_the_join_is_derived_anew_in_its_printed_terms() {
+    let (right, edits) = anew("gbt-surfaces/thm-2.a3");
+    assert_eq!(right, "a*(2*a1 - pi^2*(1 - 2*mu1 - nu1)) + 2*pi^2*nu");
+    assert_eq!(edits, ["the right side derived anew in the printed terms"]);
+    for id in ["gbt-surfaces/eq-5.Q12", "gbt-surfaces/eq-6.Q12"] {
+        let edit = "`a3` derived anew in its printed terms: `a*(2*a1 - pi^2*(1 - 2*mu1 - nu1)) + 2*pi^2*nu`";
+        assert_eq!(anew(id).1, [edit], "{id}");
+    }
+}
+
+#[test]
+fn the_determinant_of_the_quartic_system_keeps_two_of_its_three_powers() {
+    assert_eq!(anew("hermite-developable/eq-3.6.det").0, "16*k^3*(1 - k)");
+}
+
+#[test]
+fn a_factor_before_a_derivative_is_found_at_the_sample_point() {
+    let (statement, edits) = corrected("gbt-developable/alg-5.4.s4");
+    assert_eq!(
+        statement,
+        "H2''(0) == gamma^2*H1''(1) + 1/4*(lambda*H1'(1))"
+    );
+    assert_eq!(edits, ["the factor `1/4` inserted before `lambda*H1'(1)`"]);
+}
