@@ -1,0 +1,101 @@
+//! A claim in core terms: a statement, and the one domain on which it is meant.
+//!
+//! The claim says that its statement is true for **all** values in the declared sets that satisfy every hypothesis
+//! and at which every term of the statement is defined. `given` equations are hypotheses like `assume` ones; their
+//! unknowns range over all values that satisfy them.
+
+use super::elaborate::Elaborator;
+use super::{Set, Statement, Term};
+use crate::derivation::{self, Origin, Written};
+use crate::fault::Fault;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A claim in core terms.
+#[derive(Debug, Clone)]
+pub struct Claim {
+    /// The declared symbols that occur in the statement, the hypotheses and the unknowns, and those in whose terms
+    /// their sets and index ranges are declared.
+    pub symbols: BTreeMap<Arc<str>, Set>,
+    /// What is assumed, in the order of the file: `assume`, then `given`.
+    pub hypotheses: Vec<Hypothesis>,
+    /// The unknowns of the `given` equations: scalar symbols, coordinates or members.
+    pub unknowns: Vec<Term>,
+    /// The statement.
+    pub statement: Statement,
+}
+
+/// One hypothesis.
+#[derive(Debug, Clone)]
+pub struct Hypothesis {
+    /// What is assumed.
+    pub statement: Statement,
+    /// In which field it stands.
+    pub source: Source,
+    /// Where it was written.
+    pub origin: Origin,
+}
+
+/// The field of a hypothesis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Source {
+    /// `assume`
+    Assume,
+    /// `given`
+    Given,
+}
+
+impl Claim {
+    /// The core of a claim of a derivation file, with `statement` as its statement (the claim's own, or another one
+    /// about the same domain, such as a correction).
+    ///
+    /// # Errors
+    /// [`Fault`], pointing into the text that caused it: unknown names, wrong kinds, wrong numbers of arguments.
+    pub fn new(claim: &derivation::Claim, statement: &Written) -> Result<Self, Fault> {
+        let elaborator = Elaborator::new(&claim.declarations);
+        Self::elaborated(&elaborator, claim, statement)
+    }
+
+    /// The same with an elaborator that has opened the definitions before.
+    ///
+    /// # Errors
+    /// As [`Claim::new`].
+    pub fn elaborated(
+        elaborator: &Elaborator<'_>,
+        claim: &derivation::Claim,
+        statement: &Written,
+    ) -> Result<Self, Fault> {
+        let within = |w: &Written| {
+            elaborator
+                .statement(&w.expr)
+                .map_err(|f| f.within(&w.origin))
+        };
+        let mut hypotheses = vec![];
+        for (source, texts) in [
+            (Source::Assume, &claim.assumptions),
+            (Source::Given, &claim.given),
+        ] {
+            for text in texts {
+                hypotheses.push(Hypothesis {
+                    statement: within(text)?,
+                    source,
+                    origin: text.origin.clone(),
+                });
+            }
+        }
+        let unknowns = claim
+            .unknowns
+            .iter()
+            .map(|w| elaborator.term(&w.expr).map_err(|f| f.within(&w.origin)))
+            .collect::<Result<Vec<_>, _>>()?;
+        let statement = within(statement)?;
+        let mut all = Self {
+            symbols: BTreeMap::new(),
+            hypotheses,
+            unknowns,
+            statement,
+        };
+        all.symbols = elaborator.symbols_of(&all);
+        Ok(all)
+    }
+}
