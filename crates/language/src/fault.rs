@@ -41,6 +41,14 @@ pub enum Problem {
         /// How many there are.
         found: usize,
     },
+    /// A shape parameter that was left out where a parameter of a definition has its name.
+    #[error("`{family}` leaves out its argument `{argument}`, which is ambiguous here: write it")]
+    LeftOut {
+        /// The basis family.
+        family: String,
+        /// The argument.
+        argument: String,
+    },
     /// An index outside its range.
     #[error("the index {index} of `{name}` is outside {range}")]
     IndexOutside {

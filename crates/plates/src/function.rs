@@ -36,11 +36,11 @@ impl Function {
     ///
     /// ```
     /// use torse_algebra::Fraction;
-    /// use crate::Function;
+    /// use torse_plates::Function;
     /// let (u, v) = (Fraction::named("u"), Fraction::named("v"));
     /// let f = Function::new(&(u.clone() * u * v), &["u", "v"])?;
     /// assert_eq!(f.grid(&[2.0, 3.0], &[1.0, 10.0]), [4.0, 40.0, 9.0, 90.0]);
-    /// # Ok::<(), crate::PlateError>(())
+    /// # Ok::<(), torse_plates::PlateError>(())
     /// ```
     pub fn new(formula: &Fraction, variables: &[&str]) -> Result<Self, PlateError> {
         let denominator = formula

@@ -1,0 +1,129 @@
+//! Walks over core terms and statements.
+
+use super::{Node, Statement, Term};
+use std::sync::Arc;
+
+impl Term {
+    /// The direct parts, in the order of the text.
+    #[must_use]
+    pub fn parts(&self) -> Vec<&Term> {
+        match &*self.node {
+            Node::Number(_)
+            | Node::Pi
+            | Node::Symbol(_)
+            | Node::Variable(_)
+            | Node::Vector(..) => vec![],
+            Node::Member(_, items) | Node::List(items) | Node::Apply(_, items) => {
+                items.iter().collect()
+            }
+            Node::Basis {
+                index,
+                degree,
+                arguments,
+                ..
+            } => [index, degree].into_iter().chain(arguments).collect(),
+            Node::Negative(inner) | Node::Opened { body: inner, .. } => vec![inner],
+            Node::Binary(_, a, b) => vec![a, b],
+            Node::Entry(of, indices) => std::iter::once(of).chain(indices).collect(),
+            Node::Sum {
+                low, high, term, ..
+            } => vec![low, high, term],
+            Node::Let { value, body, .. } => vec![value, body],
+            Node::Derivative {
+                order, body, at, ..
+            } => vec![order, body, at],
+        }
+    }
+
+    /// Calls `found` with the name of every declared symbol that occurs, those of the seeds and steps of basis families
+    /// included. Shared parts are visited once.
+    pub fn declared_names(&self, found: &mut impl FnMut(&Arc<str>)) {
+        let mut seen = std::collections::BTreeSet::new();
+        let mut pending = vec![self.clone()];
+        while let Some(term) = pending.pop() {
+            if !seen.insert(Arc::as_ptr(&term.node).addr()) {
+                continue;
+            }
+            match &*term.node {
+                Node::Symbol(name) | Node::Vector(name, _) => found(name),
+                Node::Member(points, _) => found(&points.name),
+                Node::Basis { family, .. } => {
+                    pending.extend(family.seeds.iter().cloned());
+                    pending.extend([family.step.0.clone(), family.step.1.clone()]);
+                }
+                _ => {}
+            }
+            pending.extend(term.parts().into_iter().cloned());
+        }
+    }
+}
+
+impl Statement {
+    /// The same statement with every term changed.
+    #[must_use]
+    pub fn mapped(&self, change: &dyn Fn(&Term) -> Term) -> Self {
+        match self {
+            Self::Compare {
+                relation,
+                left,
+                right,
+            } => Self::Compare {
+                relation: *relation,
+                left: change(left),
+                right: change(right),
+            },
+            Self::Agrees {
+                value,
+                printed,
+                place,
+            } => Self::Agrees {
+                value: change(value),
+                printed: printed.clone(),
+                place: *place,
+            },
+            Self::Family(property, family) => Self::Family(*property, Arc::clone(family)),
+            Self::Join(connective, a, b) => Self::Join(
+                *connective,
+                Box::new(a.mapped(change)),
+                Box::new(b.mapped(change)),
+            ),
+            Self::Not(inner) => Self::Not(Box::new(inner.mapped(change))),
+        }
+    }
+
+    /// All terms, in the order of the text.
+    #[must_use]
+    pub fn terms(&self) -> Vec<&Term> {
+        match self {
+            Self::Compare { left, right, .. } => vec![left, right],
+            Self::Agrees { value, .. } => vec![value],
+            Self::Family(..) => vec![],
+            Self::Join(_, a, b) => [a.terms(), b.terms()].concat(),
+            Self::Not(inner) => inner.terms(),
+        }
+    }
+
+    /// Calls `found` with the name of every declared symbol that occurs; for a property of a basis, with those of the
+    /// names of its variables, whose declared sets it is about.
+    pub fn declared_names(&self, found: &mut impl FnMut(&Arc<str>)) {
+        match self {
+            Self::Family(_, family) => {
+                for variable in &family.variables {
+                    found(&variable.name);
+                }
+                let parts = family.seeds.iter().chain([&family.step.0, &family.step.1]);
+                parts.for_each(|part| part.declared_names(found));
+            }
+            Self::Join(_, a, b) => {
+                a.declared_names(found);
+                b.declared_names(found);
+            }
+            Self::Not(inner) => inner.declared_names(found),
+            Self::Compare { .. } | Self::Agrees { .. } => {
+                self.terms()
+                    .into_iter()
+                    .for_each(|t| t.declared_names(found));
+            }
+        }
+    }
+}
