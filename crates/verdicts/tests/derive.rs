@@ -42,7 +42,15 @@ fn value(evaluator: &Evaluator<'_>, formula: &Expr) -> Fraction {
 
 /// The values of the results, abbreviations put in.
 fn results(declarations: &Declarations, derivation: &Derivation) -> Vec<Fraction> {
-    let mut evaluator = Evaluator::new(declarations);
+    let abbreviations = derivation
+        .lines
+        .iter()
+        .filter(|line| line.is_abbreviation());
+    let mut declarations = declarations.clone();
+    for line in abbreviations {
+        declarations.declare_number(line.left.names().concat());
+    }
+    let mut evaluator = Evaluator::new(&declarations);
     let mut all = vec![];
     for line in &derivation.lines {
         let value = value(&evaluator, &line.right);

@@ -368,9 +368,9 @@ impl<'a> Elaborator<'a> {
         {
             let order = i64::try_from(name.len() - base.len()).unwrap_or(i64::MAX);
             let order = self.made(Node::Number(rational::integer(order)), place);
-            return Ok(Meaning::Function(self.differentiated(
-                &function, &parameter, order, place,
-            )));
+            return Ok(Meaning::Function(
+                self.differentiated(&function, &parameter, order, place),
+            ));
         }
         Err(self.unknown(name, place, scope))
     }
@@ -418,8 +418,11 @@ impl<'a> Elaborator<'a> {
             return Err(Fault::at(place, Problem::Circular { limit: MAX_DEPTH }));
         }
         self.depth.set(self.depth.get() + 1);
-        let parameters: Vec<Variable> =
-            definition.parameters.iter().map(|p| self.fresh(p)).collect();
+        let parameters: Vec<Variable> = definition
+            .parameters
+            .iter()
+            .map(|p| self.fresh(p))
+            .collect();
         let inside = definition
             .parameters
             .iter()
@@ -514,14 +517,16 @@ impl<'a> Elaborator<'a> {
         }
         // Variables of their own: no value can mention the parameter of another one.
         let bound = function.parameters.iter().zip(values).rev();
-        Ok(bound.fold(function.body.clone(), |body, (parameter, value)| {
-            let node = Node::Let {
-                variable: parameter.clone(),
-                value,
-                body,
-            };
-            self.made(node, place)
-        }))
+        Ok(
+            bound.fold(function.body.clone(), |body, (parameter, value)| {
+                let node = Node::Let {
+                    variable: parameter.clone(),
+                    value,
+                    body,
+                };
+                self.made(node, place)
+            }),
+        )
     }
 
     fn indexed(
@@ -850,7 +855,9 @@ impl<'a> Elaborator<'a> {
                 Some((syntax::Node::Name(name), _)) => {
                     function.parameters.iter().find(|p| p.name() == name)
                 }
-                Some((_, place)) => return Err(wrong(place, "a formula", "the name of a variable")),
+                Some((_, place)) => {
+                    return Err(wrong(place, "a formula", "the name of a variable"));
+                }
             };
             if let Some(parameter) = parameter.cloned() {
                 return Ok(Meaning::Function(

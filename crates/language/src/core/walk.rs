@@ -1,6 +1,6 @@
 //! Walks over core terms and statements.
 
-use super::{Node, Statement, Term};
+use super::{Family, Node, Statement, Term, Variable};
 use std::sync::Arc;
 
 impl Term {
@@ -8,11 +8,9 @@ impl Term {
     #[must_use]
     pub fn parts(&self) -> Vec<&Term> {
         match &*self.node {
-            Node::Number(_)
-            | Node::Pi
-            | Node::Symbol(_)
-            | Node::Variable(_)
-            | Node::Vector(..) => vec![],
+            Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Variable(_) | Node::Vector(..) => {
+                vec![]
+            }
             Node::Member(_, items) | Node::List(items) | Node::Apply(_, items) => {
                 items.iter().collect()
             }
@@ -55,6 +53,19 @@ impl Term {
             }
             pending.extend(term.parts().into_iter().cloned());
         }
+    }
+}
+
+impl Family {
+    /// The name of the variable.
+    #[must_use]
+    pub fn variable(&self) -> &str {
+        self.variables.first().map_or("", Variable::name)
+    }
+
+    /// The names of the shape parameters.
+    pub fn parameters(&self) -> impl Iterator<Item = &str> {
+        self.variables.iter().skip(1).map(Variable::name)
     }
 }
 

@@ -11,7 +11,11 @@ use crate::evidence::{Evidence, Witness};
 use num_traits::Signed;
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Rational};
+use torse_language::core::Printed;
 use torse_language::syntax::Relation;
+
+/// The most printed decimals.
+const MAX_DIGITS: u32 = 2_000;
 
 /// How a printed number agrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,56 +25,68 @@ enum Agreement {
     CutOff,
 }
 
-fn agreement(value: &Fraction, printed: &Rational, decimals: u32) -> Option<Agreement> {
-    let gap = value.clone() - Fraction::from(printed.clone());
+/// How the number agrees: `Some(None)` if it does not, `None` if the enclosures do not tell.
+fn agreement(value: &Fraction, printed: &Printed, decimals: u32) -> Option<Option<Agreement>> {
+    let gap = value.clone() - Fraction::from(printed.value.clone());
     if gap.is_zero() {
-        return Some(Agreement::Exact);
+        return Some(Some(Agreement::Exact));
     }
     if decimals == 0 {
-        return None;
+        return Some(None);
     }
     let unit = Rational::new(
         1.into(),
         torse_algebra::Integer::from(10).pow(decimals as usize),
     );
-    let below = |value: Fraction, bound: Rational| {
-        truth(&(value - Fraction::from(bound)), Relation::AtMost) == Some(true)
+    let below = |value: Fraction, bound: &Rational, relation: Relation| {
+        truth(&(value - Fraction::from(bound.clone())), relation)
     };
     let half = &unit / integer(2);
-    if below(gap.clone(), half.clone()) && below(-gap.clone(), half) {
-        return Some(Agreement::Rounded);
+    let rounded = below(gap.clone(), &half, Relation::AtMost)?
+        && below(-gap.clone(), &half, Relation::AtMost)?;
+    if rounded {
+        return Some(Some(Agreement::Rounded));
     }
-    let outward = if printed.is_negative() { -gap } else { gap };
-    let positive = truth(&outward, Relation::AtLeast) == Some(true);
-    (positive && truth(&(outward - Fraction::from(unit)), Relation::Less) == Some(true))
-        .then_some(Agreement::CutOff)
+    let outward = if printed.negative { -gap } else { gap };
+    let cut = truth(&outward, Relation::AtLeast)? && below(outward, &unit, Relation::Less)?;
+    Some(cut.then_some(Agreement::CutOff))
 }
 
 /// Decides whether the printed numbers agree with the values.
 #[must_use]
-pub fn decide(values: &[Fraction], printed: &[(Rational, u32)]) -> Decision {
-    let digits = printed.iter().map(|(_, d)| *d).max().unwrap_or(0);
+pub fn decide(values: &[Fraction], printed: &[Printed]) -> Decision {
+    let digits = printed.iter().filter_map(|p| p.decimals).max().unwrap_or(0);
+    let open = |reason: &str| Decision::Open {
+        reason: reason.to_owned(),
+        tried: vec!["an enclosure of the value".to_owned()],
+    };
+    if digits > MAX_DIGITS {
+        return open(&format!(
+            "numbers with more than {MAX_DIGITS} decimals are not compared"
+        ));
+    }
     let shown = |value: &Fraction| {
         enclosure(value, 256).map(|ball| ball.decimal(usize::try_from(digits).unwrap_or(0) + 8))
     };
     let decimals: Option<Vec<String>> = values.iter().map(shown).collect();
     let Some(decimals) = decimals else {
-        return Decision::Open {
-            reason: "the value still depends on symbols".to_owned(),
-            tried: vec!["an enclosure of the value".to_owned()],
-        };
+        return open("the value still depends on symbols");
     };
-    let found: Vec<Option<Agreement>> = values
+    // An integer without a point among decimals is read with as many digits as its neighbours.
+    let found: Option<Vec<Option<Agreement>>> = values
         .iter()
         .zip(printed)
-        .map(|(v, (p, _))| agreement(v, p, digits))
+        .map(|(v, p)| agreement(v, p, p.decimals.unwrap_or(digits)))
         .collect();
-    let as_printed = |(value, decimals): &(Rational, u32)| {
-        let scaled = value
-            * Rational::from_integer(torse_algebra::Integer::from(10).pow(*decimals as usize));
+    let Some(found) = found else {
+        return open("the value is too near to the border between two printed numbers");
+    };
+    let as_printed = |printed: &Printed| {
+        let decimals = printed.decimals.unwrap_or(0) as usize;
+        let scaled =
+            &printed.value * Rational::from_integer(torse_algebra::Integer::from(10).pow(decimals));
         let digits = scaled.to_integer().abs().to_string();
-        let sign = if value.is_negative() { "-" } else { "" };
-        let decimals = *decimals as usize;
+        let sign = if printed.negative { "-" } else { "" };
         if decimals == 0 {
             return format!("{sign}{digits}");
         }

@@ -7,8 +7,8 @@ use torse_algebra::{Affine, Ball, Fraction, Polynomial, Rational, Scalar as _, S
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::syntax::Relation;
 
-/// Bits of the enclosures that decide signs of constants.
-const BITS: usize = 256;
+/// Bits of the enclosures that decide signs of constants, tried in turn.
+const BITS: [usize; 4] = [256, 1024, 4096, 16_384];
 
 /// A condition `value relation 0` from the assumptions.
 #[derive(Debug, Clone)]
@@ -174,7 +174,8 @@ pub fn truth(value: &Fraction, relation: Relation) -> Option<bool> {
     let order = if value.is_zero() {
         Ordering::Equal
     } else {
-        enclosure(value, BITS)?.sign()?
+        BITS.into_iter()
+            .find_map(|bits| enclosure(value, bits).and_then(|ball| ball.sign()))?
     };
     Some(match relation {
         Relation::Equal => order == Ordering::Equal,

@@ -8,7 +8,7 @@
 //! than full rank there. A rank drop at one admissible choice refutes the statement exactly. For a proof
 //! at every degree see [`independent`].
 
-use super::domain::Domain;
+use super::domain::{Domain, truth};
 use super::sharpness::Bounded;
 use super::sign::{self, Sign};
 use super::witness::{self, Point};
@@ -17,7 +17,7 @@ use crate::evaluate::Evaluator;
 use crate::evaluate::value::NOWHERE;
 use crate::evidence::{Evidence, Witness};
 use torse_algebra::{Fraction, Matrix, Polynomial, Symbol};
-use torse_language::derivation::declarations::Basis;
+use torse_language::core::Family;
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
 
@@ -26,12 +26,13 @@ pub(super) const DEGREES: u8 = 4;
 
 /// The seeds and step of a family as formulas of its own symbols.
 pub(super) fn family(
-    basis: &Basis,
+    basis: &Family,
     evaluator: &Evaluator<'_>,
 ) -> Result<([Fraction; 2], Vec<Fraction>), Fault> {
-    let own: Vec<Fraction> = std::iter::once(&basis.variable)
-        .chain(&basis.parameters)
-        .map(|name| Fraction::named(name))
+    let own: Vec<Fraction> = basis
+        .variables
+        .iter()
+        .map(|variable| Fraction::named(variable.name()))
         .collect();
     let ((a, b), seeds) = evaluator.family(basis, &own)?;
     Ok(([a, b], seeds))
@@ -42,7 +43,7 @@ pub(super) fn family(
 /// # Errors
 /// [`Fault`] when the seeds cannot be evaluated.
 pub fn nonnegative(
-    basis: &Basis,
+    basis: &Family,
     domain: &Domain<'_>,
     evaluator: &Evaluator<'_>,
 ) -> Result<Decision, Fault> {
@@ -95,7 +96,7 @@ pub fn nonnegative(
 ///
 /// # Errors
 /// [`Fault`] when the seeds cannot be evaluated.
-pub fn bounded(basis: &Basis, evaluator: &Evaluator<'_>) -> Result<Vec<Bounded>, Fault> {
+pub fn bounded(basis: &Family, evaluator: &Evaluator<'_>) -> Result<Vec<Bounded>, Fault> {
     let (_, seeds) = family(basis, evaluator)?;
     let polynomials = seeds.iter().filter_map(Fraction::as_polynomial);
     let bounded = polynomials.map(|polynomial| Bounded {
@@ -215,7 +216,7 @@ fn dependency(rows: &[Vec<Fraction>]) -> Option<Vec<Fraction>> {
 /// # Errors
 /// [`Fault`] when the seeds cannot be evaluated.
 pub fn independent(
-    basis: &Basis,
+    basis: &Family,
     domain: &Domain<'_>,
     evaluator: &Evaluator<'_>,
 ) -> Result<Decision, Fault> {
@@ -225,7 +226,7 @@ pub fn independent(
     for raise in 0..DEGREES {
         let degree = basis.degree + raise;
         let row = functions(&step, &seeds, raise);
-        let rows = coefficient_rows(&row, &basis.variable).ok_or_else(not_polynomial)?;
+        let rows = coefficient_rows(&row, basis.variable()).ok_or_else(not_polynomial)?;
         for point in parameter_points(basis, domain) {
             let at: Option<Vec<Vec<Fraction>>> = rows
                 .iter()
@@ -275,16 +276,13 @@ pub fn independent(
 }
 
 /// Simple shape parameters, corners first.
-pub(super) fn parameter_points(basis: &Basis, domain: &Domain<'_>) -> Vec<Point> {
+pub(super) fn parameter_points(basis: &Family, domain: &Domain<'_>) -> Vec<Point> {
     let mut points = vec![Point::new()];
-    for name in &basis.parameters {
+    for name in basis.parameters() {
         let symbol = Symbol::named(name);
         let interval = domain.interval(&symbol);
-        let mut values: Vec<Fraction> = [interval.lower, interval.upper]
-            .into_iter()
-            .flatten()
-            .map(|b| b.value)
-            .collect();
+        let ends = [interval.lower, interval.upper].into_iter().flatten();
+        let mut values: Vec<Fraction> = ends.filter(|b| b.closed).map(|b| b.value).collect();
         values.extend(
             domain
                 .candidates(&symbol, witness::turns(&[], &symbol))
@@ -306,6 +304,12 @@ pub(super) fn parameter_points(basis: &Basis, domain: &Domain<'_>) -> Vec<Point>
             })
             .collect();
     }
+    points.retain(|point| {
+        domain.constraints.iter().all(|c| {
+            witness::at_point(&c.value, point)
+                .is_some_and(|value| truth(&value, c.relation) == Some(true))
+        })
+    });
     points
 }
 

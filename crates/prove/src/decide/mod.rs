@@ -20,10 +20,11 @@ pub mod variation;
 pub mod witness;
 
 use crate::evaluate::Evaluator;
-use crate::evaluate::value::{FamilyProperty, Statement, Value};
+use crate::evaluate::value::{Statement, Value};
 use crate::evidence::{Evidence, Witness};
 use domain::Domain;
 use torse_algebra::{Fraction, Polynomial};
+use torse_language::core::FamilyProperty;
 use torse_language::fault::Fault;
 use torse_language::syntax::{Connective, Relation};
 
@@ -112,7 +113,10 @@ pub fn decide(
             ..
         } => sign::compare(*relation, left, right, domain),
         Statement::Agrees { values, printed } => Ok(agreement::decide(values, printed)),
-        Statement::Family { property, basis } => match property {
+        Statement::Family {
+            property,
+            family: basis,
+        } => match property {
             FamilyProperty::Nonnegative => family::nonnegative(basis, domain, evaluator),
             FamilyProperty::Independent => family::independent(basis, domain, evaluator),
             FamilyProperty::VariationDiminishing => {
@@ -165,7 +169,7 @@ pub fn ranges(
     let bounded = match statement {
         Statement::Family {
             property: FamilyProperty::Nonnegative,
-            basis,
+            family: basis,
         } => family::bounded(basis, evaluator)?,
         _ => sharpness::bounded(statement),
     };

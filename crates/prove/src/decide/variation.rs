@@ -30,7 +30,8 @@ use crate::evaluate::Evaluator;
 use crate::evidence::{Evidence, Witness};
 use torse_algebra::rational::integer;
 use torse_algebra::{Angle, Fraction, Matrix, Polynomial, Rational, Scalar as _, Symbol};
-use torse_language::derivation::declarations::{Basis, Bound, Interval, SymbolKind};
+use torse_language::core::Family;
+use torse_language::derivation::declarations::{Bound, Interval, SymbolKind};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
 
@@ -42,12 +43,12 @@ const MAX_SEEDS: usize = 5;
 /// # Errors
 /// [`Fault`] when the seeds cannot be evaluated.
 pub fn diminishing(
-    basis: &Basis,
+    basis: &Family,
     domain: &Domain<'_>,
     evaluator: &Evaluator<'_>,
 ) -> Result<Decision, Fault> {
     let (step, seeds) = family(basis, evaluator)?;
-    if powers(&step, &seeds, &basis.variable, domain) {
+    if powers(&step, &seeds, basis.variable(), domain) {
         let steps = vec![
             "the functions of each degree are one function times powers of the quotient of the step factors, with positive coefficients".to_owned(),
             "the quotient is monotone: the minors of the collocation matrices are those of generalised Vandermonde matrices, nonnegative at every degree".to_owned(),
@@ -59,13 +60,13 @@ pub fn diminishing(
         });
     }
     let mut tried = vec![];
-    if let Some(minors) = totally_positive(&seeds, &basis.variable, domain) {
+    if let Some(minors) = totally_positive(&seeds, basis.variable(), domain) {
         tried.push(format!(
             "degree {}: totally positive for all shape parameters, by certificates of sign for all {minors} minors",
             basis.degree
         ));
     }
-    let variable = Symbol::named(&basis.variable);
+    let variable = Symbol::named(basis.variable());
     let mut places = domain.candidates(&variable, Turns::Quarter);
     places.sort_by(|x, y| {
         let less = truth(&(x.clone() - y.clone()), Relation::Less) == Some(true);
@@ -82,7 +83,7 @@ pub fn diminishing(
             let fixed: Option<Vec<Fraction>> =
                 row.iter().map(|f| witness::at_point(f, &point)).collect();
             let Some(fixed) = fixed else { continue };
-            let Some(found) = two_changes(&fixed, &basis.variable, &places) else {
+            let Some(found) = two_changes(&fixed, basis.variable(), &places) else {
                 continue;
             };
             let mut at: Vec<(String, String)> = vec![("degree".to_owned(), degree.to_string())];

@@ -2,11 +2,12 @@
 
 use super::quantity::Quantity;
 use super::value::{Value, Vector};
-use super::{Bindings, Evaluator, Outcome, shapes, symbolic_degree, wrong_type};
+use super::{Environment, Evaluator, Outcome, shapes, symbolic_degree, wrong_type};
 use std::cell::RefCell;
 use torse_algebra::Fraction;
+use torse_language::core::Term;
 use torse_language::fault::Fault;
-use torse_language::syntax::{Expr, Operator, Place};
+use torse_language::syntax::{Operator, Place};
 
 /// The most term products one multiplication may cost.
 const MAX_PRODUCTS: usize = 4_000_000;
@@ -17,9 +18,9 @@ impl Evaluator<'_> {
     pub(super) fn binary(
         &self,
         operator: Operator,
-        a: &Expr,
-        b: &Expr,
-        bound: &Bindings,
+        a: &Term,
+        b: &Term,
+        bound: &Environment,
     ) -> Outcome<Value> {
         let place = a.place.to(b.place);
         let left = self.value(a, bound)?;
@@ -99,9 +100,9 @@ impl Evaluator<'_> {
     pub(super) fn power(
         &self,
         base: &Value,
-        a: &Expr,
-        b: &Expr,
-        bound: &Bindings,
+        a: &Term,
+        b: &Term,
+        bound: &Environment,
     ) -> Outcome<Value> {
         let Value::Scalar(quantity) = base else {
             return Err(wrong_type(a.place, base.kind(), "a number"));
@@ -137,7 +138,7 @@ impl Evaluator<'_> {
 
 pub(super) fn numeric(value: &Value, place: Place) -> Outcome<()> {
     match value {
-        Value::Function(_) | Value::Truth(_) => Err(wrong_type(
+        Value::Truth(_) => Err(wrong_type(
             place,
             value.kind(),
             "a number, vector or matrix",

@@ -3,49 +3,28 @@
 use super::quantity::Quantity;
 use super::series::{Axis, Series, Target};
 use super::value::Value;
-use super::{Bindings, Evaluator, wrong_type};
+use super::{Environment, Evaluator, wrong_type};
 use torse_algebra::{Affine, Fraction};
-use torse_language::derivation::declarations::Basis;
+use torse_language::core::{Family, Term};
 use torse_language::fault::{Fault, Problem};
-use torse_language::syntax::{Expr, Place};
+use torse_language::syntax::Place;
 
 /// The work of one step of the recursion, in units of a visited node.
 const ROW_WORK: u64 = 1_500;
 
 impl Evaluator<'_> {
-    /// The member `name[index, degree](arguments)`; without arguments, of the family's own variable.
+    /// The function of this index and degree at its arguments.
     pub(super) fn member(
         &self,
-        name: &str,
-        basis: &Basis,
-        indices: &[Expr],
-        arguments: &[Expr],
+        family: &Family,
+        index: &Term,
+        degree: &Term,
+        arguments: &[Term],
         place: Place,
-        bound: &Bindings,
+        bound: &Environment,
     ) -> Result<Value, Fault> {
-        let [index, degree] = indices else {
-            let wanted = "two indices: which function, and the degree".to_owned();
-            return Err(Fault::at(
-                place,
-                Problem::Count {
-                    name: name.to_owned(),
-                    wanted,
-                    found: indices.len(),
-                },
-            ));
-        };
+        let name = &*family.name;
         let (index, degree) = (self.index(index, bound)?, self.index(degree, bound)?);
-        if arguments.len() > basis.parameters.len() + 1 {
-            let wanted = format!("a variable and {} shape parameters", basis.parameters.len());
-            return Err(Fault::at(
-                place,
-                Problem::Count {
-                    name: name.to_owned(),
-                    wanted,
-                    found: arguments.len(),
-                },
-            ));
-        }
         let mut values = vec![];
         for argument in arguments {
             match self.in_angle(|| self.value(argument, bound))? {
@@ -56,11 +35,11 @@ impl Evaluator<'_> {
                 other => return Err(wrong_type(argument.place, other.kind(), "a number")),
             }
         }
-        let (operator, seeds) = self.in_angle(|| self.seeds(basis, &values, place))?;
-        let power = degree.clone() - Affine::number(i64::from(basis.degree));
+        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place))?;
+        let power = degree.clone() - Affine::number(i64::from(family.degree));
         if let Some(n) = power.as_number() {
             let Ok(steps) = usize::try_from(n) else {
-                let range = format!("{}..", basis.degree);
+                let range = format!("{}..", family.degree);
                 let name = format!("the degree of {name}");
                 return Err(Fault::at(
                     place,
@@ -90,6 +69,16 @@ impl Evaluator<'_> {
                 .and_then(|i| row.get(i).cloned());
             return Ok(self.at_sample(entry.unwrap_or_else(Fraction::zero)).into());
         }
+        // The operator is a power: it says nothing below the degree of the seeds.
+        if !self.declarations.least(&power).is_some_and(|n| n >= 0) {
+            return Err(Fault::limit(
+                place,
+                format!(
+                    "the degree {degree} of {name} may be less than {}",
+                    family.degree
+                ),
+            ));
+        }
         self.symbolic_degree.set(true);
         let series = Series::entry(Axis {
             operator,
@@ -107,39 +96,40 @@ impl Evaluator<'_> {
     /// [`Fault`] when a seed is no plain formula.
     pub fn family(
         &self,
-        basis: &Basis,
+        family: &Family,
         values: &[Fraction],
     ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
-        self.seeds(basis, values, super::value::NOWHERE)
+        self.seeds(family, values, super::value::NOWHERE)
     }
 
     /// Step factors and seeds at the arguments (variable first, then shape parameters).
     pub(super) fn seeds(
         &self,
-        basis: &Basis,
+        family: &Family,
         values: &[Fraction],
         place: Place,
     ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
-        let bound: Bindings = std::iter::once(&basis.variable)
-            .chain(&basis.parameters)
+        let bound: Environment = family
+            .variables
+            .iter()
             .zip(values)
-            .map(|(name, value)| (name.clone(), value.clone().into()))
+            .map(|(variable, value)| (variable.number(), value.clone().into()))
             .collect();
-        let one = |written: &torse_language::derivation::Written| -> Result<Fraction, Fault> {
-            let value = self
-                .deeper(place, || self.value(&written.expr, &bound))
-                .map_err(|fault| fault.within(&written.origin))?;
-            match &value {
+        let one = |term: &Term| -> Result<Fraction, Fault> {
+            match self.value(term, &bound)? {
                 Value::Scalar(q) => q
                     .as_fraction()
                     .cloned()
                     .ok_or_else(|| super::symbolic_degree(place)),
-                other => Err(wrong_type(written.expr.place, other.kind(), "a number")
-                    .within(&written.origin)),
+                other => Err(wrong_type(term.place, other.kind(), "a number")),
             }
         };
-        let seeds = basis.seeds.iter().map(one).collect::<Result<Vec<_>, _>>()?;
-        Ok(((one(&basis.step.0)?, one(&basis.step.1)?), seeds))
+        let seeds = family
+            .seeds
+            .iter()
+            .map(one)
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(((one(&family.step.0)?, one(&family.step.1)?), seeds))
     }
 
     /// All functions of one numeric degree, remembered.

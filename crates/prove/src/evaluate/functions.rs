@@ -1,117 +1,26 @@
 //! The built-in functions.
 
 use super::quantity::Quantity;
-use super::value::{FamilyProperty, Function, Statement, Value};
-use super::{Bindings, Evaluator, linear, symbolic_degree, wrong_type};
-use std::sync::Arc;
+use super::value::{Statement, Value};
+use super::{Environment, Evaluator, linear, symbolic_degree, wrong_type};
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Polynomial, Rational};
-use torse_language::fault::{Fault, Problem};
-use torse_language::syntax::{Expr, Node, Place};
-
-/// The names of the built-in functions.
-pub(super) const NAMES: [&str; 21] = [
-    "sum",
-    "D",
-    "at",
-    "binom",
-    "factorial",
-    "sin",
-    "cos",
-    "sqrt",
-    "dot",
-    "cross",
-    "det",
-    "transpose",
-    "inverse",
-    "solve",
-    "norm",
-    "agrees",
-    "coefficients",
-    "identity",
-    "nonnegative",
-    "independent",
-    "variation_diminishing",
-];
+use torse_language::core::{BuiltIn, Printed, Term, Variable};
+use torse_language::fault::Fault;
+use torse_language::syntax::Place;
 
 impl Evaluator<'_> {
-    /// The value of `head(arguments)`.
-    pub(super) fn call(
+    /// The value of a built-in function.
+    pub(super) fn apply(
         &self,
-        expr: &Expr,
-        head: &Expr,
-        arguments: &[Expr],
-        bound: &Bindings,
-    ) -> Result<Value, Fault> {
-        if let Node::Index(family, indices) = &head.node
-            && let Node::Name(name) = &family.node
-            && let Some(basis) = self.declarations.basis(name)
-        {
-            return self.member(name, basis, indices, arguments, expr.place, bound);
-        }
-        if let Node::Name(name) = &head.node
-            && NAMES.contains(&name.as_str())
-            && !bound.contains_key(name)
-            && self.declarations.definition(name).is_none()
-        {
-            return self.built_in(name, arguments, expr.place, bound);
-        }
-        match self.value(head, bound)? {
-            Value::Function(function) => {
-                let values = arguments
-                    .iter()
-                    .map(|a| self.value(a, bound))
-                    .collect::<Result<Vec<_>, _>>()?;
-                self.apply(&function, &values, expr.place)
-            }
-            other => Err(wrong_type(head.place, other.kind(), "a function")),
-        }
-    }
-
-    fn built_in(
-        &self,
-        name: &str,
-        arguments: &[Expr],
+        function: BuiltIn,
+        arguments: &[Term],
         place: Place,
-        bound: &Bindings,
+        bound: &Environment,
     ) -> Result<Value, Fault> {
-        let count = |wanted: &str| {
-            Fault::at(
-                place,
-                Problem::Count {
-                    name: name.to_owned(),
-                    wanted: wanted.to_owned(),
-                    found: arguments.len(),
-                },
-            )
-        };
-        match (name, arguments) {
-            ("sum", [index, low, high, term]) => match &index.node {
-                Node::Name(index) => self.sum(index, low, high, term, place, bound),
-                _ => Err(wrong_type(index.place, "a formula", "the name of an index")),
-            },
-            ("sum", _) => Err(count("sum(index, low, high, term)")),
-            ("D", [function, rest @ ..]) if rest.len() <= 2 => {
-                self.symbolically(|| self.derivative(function, rest, place, bound))
-            }
-            ("D", _) => Err(count("D(F, variable, order)")),
-            ("at", [inner, variable, point]) => {
-                let Node::Name(variable) = &variable.node else {
-                    return Err(wrong_type(
-                        variable.place,
-                        "a formula",
-                        "the name of a variable",
-                    ));
-                };
-                self.symbolically(|| {
-                    let value = self.value(inner, bound)?;
-                    let point = self.number(point, bound)?;
-                    self.placed(&value, variable, &point, place)
-                })
-            }
-            ("at", _) => Err(count("at(formula, variable, point)")),
-            ("binom", [top, bottom]) => self.binomial(top, bottom, bound),
-            ("factorial", [n]) => {
+        match (function, arguments) {
+            (BuiltIn::Binomial, [top, bottom]) => self.binomial(top, bottom, bound),
+            (BuiltIn::Factorial, [n]) => {
                 let form = self.index(n, bound)?;
                 let n = form.as_number().filter(|n| (0..=200).contains(n));
                 let n = n.ok_or_else(|| Fault::limit(place, format!("the factorial of {form}")))?;
@@ -120,21 +29,25 @@ impl Evaluator<'_> {
                         .into(),
                 )
             }
-            ("sin" | "cos", [argument]) => {
+            (BuiltIn::Sine | BuiltIn::Cosine, [argument]) => {
                 let value = self.in_angle(|| self.number(argument, bound))?;
                 let (sine, cosine) = value
                     .sine_cosine()
                     .map_err(|e| Fault::exact(argument.place, e))?;
                 Ok(self
-                    .at_sample(if name == "sin" { sine } else { cosine })
+                    .at_sample(if function == BuiltIn::Sine {
+                        sine
+                    } else {
+                        cosine
+                    })
                     .into())
             }
-            ("sqrt", [radicand]) => {
+            (BuiltIn::SquareRoot, [radicand]) => {
                 let value = self.number(radicand, bound)?;
                 square_root(&value, radicand.place).map(Value::from)
             }
-            ("dot", [a, b]) => self.dot(a, b, bound).map(Value::Scalar),
-            ("cross", [a, b]) => {
+            (BuiltIn::Dot, [a, b]) => self.dot(a, b, bound).map(Value::Scalar),
+            (BuiltIn::Cross, [a, b]) => {
                 let (a, b) = (self.coordinates(a, bound)?, self.coordinates(b, bound)?);
                 let ([a1, a2, a3], [b1, b2, b3]) = (a.as_slice(), b.as_slice()) else {
                     return Err(super::shapes(place, "cross(a, b)", "two vectors of 3"));
@@ -148,20 +61,22 @@ impl Evaluator<'_> {
                     minor(a1, a2, b1, b2)?,
                 ]))
             }
-            ("norm", [v]) => {
+            (BuiltIn::Norm, [v]) => {
                 let square = self.dot(v, v, bound)?;
                 let square = square
                     .as_fraction()
                     .ok_or_else(|| symbolic_degree(v.place))?;
                 square_root(square, v.place).map(Value::from)
             }
-            ("det", [m]) => linear::determinant(&self.matrix(m, bound)?, m.place).map(Value::from),
-            ("inverse", [m]) => linear::inverse(&self.matrix(m, bound)?, m.place),
-            ("solve", [m, right]) => {
+            (BuiltIn::Determinant, [m]) => {
+                linear::determinant(&self.matrix(m, bound)?, m.place).map(Value::from)
+            }
+            (BuiltIn::Inverse, [m]) => linear::inverse(&self.matrix(m, bound)?, m.place),
+            (BuiltIn::Solve, [m, right]) => {
                 let right_value = self.value(right, bound)?;
                 linear::solve(&self.matrix(m, bound)?, &right_value, right.place)
             }
-            ("transpose", [m]) => {
+            (BuiltIn::Transpose, [m]) => {
                 let rows = match self.value(m, bound)? {
                     Value::Matrix(rows) => rows,
                     other => return Err(wrong_type(m.place, other.kind(), "a matrix")),
@@ -170,7 +85,7 @@ impl Evaluator<'_> {
                 let column = |c: usize| rows.iter().filter_map(|row| row.get(c).cloned()).collect();
                 Ok(Value::Matrix((0..width).map(column).collect()))
             }
-            ("identity", [n]) => {
+            (BuiltIn::Identity, [n]) => {
                 let n = self
                     .index(n, bound)?
                     .as_number()
@@ -184,42 +99,20 @@ impl Evaluator<'_> {
                         .collect(),
                 ))
             }
-            ("agrees", [value, printed]) => self.agreement(value, printed, bound),
-            ("nonnegative" | "independent" | "variation_diminishing", [family]) => {
-                self.family_property(name, family)
-            }
-            ("coefficients", [forms, unknowns]) => {
+            (BuiltIn::Coefficients, [forms, unknowns]) => {
                 let (forms, unknowns) = (self.value(forms, bound)?, self.value(unknowns, bound)?);
                 linear::coefficients(&forms, &unknowns, place)
             }
-            _ => Err(count(match name {
-                "binom" | "dot" | "cross" | "solve" | "agrees" | "coefficients" => "two arguments",
-                _ => "one argument",
-            })),
+            _ => Err(wrong_type(
+                place,
+                "these arguments",
+                "as many as the function takes",
+            )),
         }
     }
 
-    /// A statement about a whole basis family.
-    fn family_property(&self, name: &str, family: &Expr) -> Result<Value, Fault> {
-        let basis = match &family.node {
-            Node::Name(name) => self.declarations.basis(name),
-            _ => None,
-        };
-        let basis =
-            basis.ok_or_else(|| wrong_type(family.place, "a formula", "the name of a basis"))?;
-        let property = match name {
-            "nonnegative" => FamilyProperty::Nonnegative,
-            "independent" => FamilyProperty::Independent,
-            _ => FamilyProperty::VariationDiminishing,
-        };
-        Ok(Value::Truth(Box::new(Statement::Family {
-            property,
-            basis: Arc::clone(basis),
-        })))
-    }
-
     /// A plain scalar.
-    fn number(&self, expr: &Expr, bound: &Bindings) -> Result<Fraction, Fault> {
+    fn number(&self, expr: &Term, bound: &Environment) -> Result<Fraction, Fault> {
         match self.value(expr, bound)? {
             Value::Scalar(q) => q
                 .as_fraction()
@@ -230,7 +123,7 @@ impl Evaluator<'_> {
     }
 
     /// The coordinates of a vector.
-    fn coordinates(&self, expr: &Expr, bound: &Bindings) -> Result<Vec<Quantity>, Fault> {
+    fn coordinates(&self, expr: &Term, bound: &Environment) -> Result<Vec<Quantity>, Fault> {
         match self.value(expr, bound)? {
             Value::Vector(v) if !v.generic => Ok(v.entries),
             Value::Vector(_) => Err(wrong_type(
@@ -242,7 +135,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn dot(&self, a: &Expr, b: &Expr, bound: &Bindings) -> Result<Quantity, Fault> {
+    fn dot(&self, a: &Term, b: &Term, bound: &Environment) -> Result<Quantity, Fault> {
         let place = a.place.to(b.place);
         let (a, b) = (self.coordinates(a, bound)?, self.coordinates(b, bound)?);
         if a.len() != b.len() {
@@ -259,7 +152,7 @@ impl Evaluator<'_> {
             })
     }
 
-    fn matrix(&self, expr: &Expr, bound: &Bindings) -> Result<Vec<Vec<Fraction>>, Fault> {
+    fn matrix(&self, expr: &Term, bound: &Environment) -> Result<Vec<Vec<Fraction>>, Fault> {
         match self.value(expr, bound)? {
             Value::Matrix(rows) => rows
                 .iter()
@@ -277,94 +170,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// `D(F, x, n)` of a function is a function; of a formula, a formula.
-    fn derivative(
-        &self,
-        inner: &Expr,
-        rest: &[Expr],
-        place: Place,
-        bound: &Bindings,
-    ) -> Result<Value, Fault> {
-        let value = self.value(inner, bound)?;
-        let order = match rest.get(1) {
-            None => 1,
-            Some(order) => {
-                let form = self.index(order, bound)?;
-                let order = form
-                    .as_number()
-                    .and_then(|n| u32::try_from(n).ok())
-                    .filter(|n| *n <= 12);
-                order.ok_or_else(|| Fault::limit(place, format!("a derivative of order {form}")))?
-            }
-        };
-        let variable = match rest.first().map(|e| (&e.node, e.place)) {
-            Some((Node::Name(name), _)) => Some(name.clone()),
-            Some((_, place)) => {
-                return Err(wrong_type(place, "a formula", "the name of a variable"));
-            }
-            None => None,
-        };
-        match value {
-            Value::Function(mut function) => {
-                let parameter = variable.or_else(|| function.parameters.first().cloned());
-                let known = parameter.filter(|p| function.parameters.contains(p));
-                match known {
-                    Some(parameter) => {
-                        function.derivatives.push((parameter, order));
-                        Ok(Value::Function(function))
-                    }
-                    None => self.parameter_derivative(&function, rest, order, place, bound),
-                }
-            }
-            value => {
-                let variable = variable.ok_or_else(|| {
-                    wrong_type(place, "a formula", "a variable to differentiate by")
-                })?;
-                (0..order).try_fold(value, |value, _| {
-                    value.mapped(&|q: &Quantity| Ok(q.derivative(&variable)))
-                })
-            }
-        }
-    }
-
-    /// The derivative of a function by a symbol that is no parameter of it: by a shape parameter, say.
-    fn parameter_derivative(
-        &self,
-        function: &Function,
-        rest: &[Expr],
-        order: u32,
-        place: Place,
-        _bound: &Bindings,
-    ) -> Result<Value, Fault> {
-        let symbol = rest.first().map(|e| e.node.clone());
-        let Some(Node::Name(symbol)) = symbol else {
-            return Err(wrong_type(
-                place,
-                "a function",
-                "a parameter to differentiate by",
-            ));
-        };
-        if self.declarations.symbol(&symbol).is_none() {
-            return Err(self.unknown(
-                &symbol,
-                rest.first().map_or(place, |e| e.place),
-                &Bindings::new(),
-            ));
-        }
-        // D(F, mu) is the function whose body is D(body, mu).
-        let made = Expr::made;
-        let n = Rational::from_integer(order.into());
-        let body = made(Node::Call(
-            Arc::new(Expr::name("D")),
-            vec![function.body.clone(), Expr::name(&symbol), Expr::number(&n)],
-        ));
-        Ok(Value::Function(Box::new(Function {
-            body,
-            ..function.clone()
-        })))
-    }
-
-    fn binomial(&self, top: &Expr, bottom: &Expr, bound: &Bindings) -> Result<Value, Fault> {
+    fn binomial(&self, top: &Term, bottom: &Term, bound: &Environment) -> Result<Value, Fault> {
         let place = top.place.to(bottom.place);
         let (n, j) = (self.index(top, bound)?, self.index(bottom, bound)?);
         let Some(chosen) = j.as_number() else {
@@ -391,10 +197,16 @@ impl Evaluator<'_> {
         Ok(Fraction::from(product).into())
     }
 
-    /// `agrees(value, printed)`: the printed numbers are read with their digits.
-    fn agreement(&self, value: &Expr, printed: &Expr, bound: &Bindings) -> Result<Value, Fault> {
-        let values: Vec<Fraction> = match self.value(value, bound)? {
-            Value::Function(_) | Value::Truth(_) => {
+    /// The values that are compared with printed numbers, as many.
+    pub(super) fn agreement(
+        &self,
+        value: &Term,
+        printed: &[Printed],
+        place: Place,
+        bound: &Environment,
+    ) -> Result<Statement, Fault> {
+        let values = match self.value(value, bound)? {
+            Value::Truth(_) => {
                 return Err(wrong_type(value.place, "no number", "a number or vector"));
             }
             numbers => numbers
@@ -405,37 +217,45 @@ impl Evaluator<'_> {
                         .cloned()
                         .ok_or_else(|| symbolic_degree(value.place))
                 })
-                .collect::<Result<_, _>>()?,
+                .collect::<Result<Vec<_>, _>>()?,
         };
-        let items: Vec<&Expr> = match &printed.node {
-            Node::List(items) => items.iter().collect(),
-            _ => vec![printed],
-        };
-        let digits = |item: &Expr| -> Result<(Rational, u32), Fault> {
-            match &item.node {
-                Node::Number { value, decimals } => Ok((value.clone(), decimals.unwrap_or(0))),
-                Node::Negative(inner) => match &inner.node {
-                    Node::Number { value, decimals } => Ok((-value.clone(), decimals.unwrap_or(0))),
-                    _ => Err(wrong_type(item.place, "a formula", "a printed number")),
-                },
-                _ => Err(wrong_type(item.place, "a formula", "a printed number")),
-            }
-        };
-        let printed_values = items
-            .into_iter()
-            .map(digits)
-            .collect::<Result<Vec<_>, _>>()?;
-        if values.len() != printed_values.len() {
+        if values.len() != printed.len() {
             let (left, right) = (
                 format!("{} values", values.len()),
-                format!("{} printed numbers", printed_values.len()),
+                format!("{} printed numbers", printed.len()),
             );
-            return Err(super::shapes(printed.place, &left, &right));
+            return Err(super::shapes(place, &left, &right));
         }
-        Ok(Value::Truth(Box::new(Statement::Agrees {
+        Ok(Statement::Agrees {
             values,
-            printed: printed_values,
-        })))
+            printed: printed.to_vec(),
+        })
+    }
+
+    /// The derivative of the body by its variable: at a symbol that nothing else has, then its value is put in.
+    pub(super) fn derivative(
+        &self,
+        variable: &Variable,
+        order: &Term,
+        body: &Term,
+        at: &Term,
+        place: Place,
+        bound: &Environment,
+    ) -> Result<Value, Fault> {
+        let form = self.index(order, bound)?;
+        let order = form
+            .as_number()
+            .and_then(|n| u32::try_from(n).ok())
+            .filter(|n| *n <= 12)
+            .ok_or_else(|| Fault::limit(place, format!("a derivative of order {form}")))?;
+        let name = self.fresh(variable.name());
+        let mut inner = bound.clone();
+        inner.insert(variable.number(), Fraction::named(&name).into());
+        let value = (0..order).try_fold(self.value(body, &inner)?, |value, _| {
+            value.mapped(&|q: &Quantity| Ok::<_, Fault>(q.derivative(&name)))
+        })?;
+        let point = self.number(at, bound)?;
+        self.placed(&value, &name, &point, place)
     }
 }
 

@@ -1,80 +1,70 @@
 //! Indices: members of families and bases, entries of vectors and matrices, integer-affine forms.
 
 use super::value::{Value, Vector};
-use super::{Bindings, Evaluator, Outcome, generic, wrong_type};
+use super::{Environment, Evaluator, Outcome, generic, wrong_type};
 use torse_algebra::{Affine, Fraction, Symbol};
-use torse_language::derivation::declarations::SymbolKind;
+use torse_language::core::{Points, Term};
 use torse_language::fault::{Fault, Problem};
-use torse_language::syntax::{Expr, Node, Place};
+use torse_language::syntax::Place;
+
+/// An end of a range.
+#[derive(Debug, Clone, Copy)]
+enum End {
+    First,
+    Last,
+}
 
 impl Evaluator<'_> {
-    pub(super) fn indexed(
+    /// The member of a declared family.
+    pub(super) fn point(
         &self,
-        expr: &Expr,
-        head: &Expr,
-        indices: &[Expr],
-        bound: &Bindings,
+        points: &Points,
+        indices: &[Term],
+        bound: &Environment,
     ) -> Outcome<Value> {
-        if let Node::Name(name) = &head.node
-            && !bound.contains_key(name)
-            && self.declarations.definition(name).is_none()
-        {
-            if let Some(basis) = self.declarations.basis(name) {
-                return self.member(name, basis, indices, &[], expr.place, bound);
+        let name = &*points.name;
+        let index = indices
+            .iter()
+            .map(|i| self.index(i, bound))
+            .collect::<Outcome<Vec<_>>>()?;
+        self.check_ranges(points, &index, indices)?;
+        Ok(match points.dimension {
+            Some(1) => self.leaf(Symbol::indexed(name, index)).into(),
+            None => generic(self.leaf(Symbol::indexed(name, index))),
+            Some(dimension) => {
+                let entry = |c: u8| {
+                    let mut full = index.clone();
+                    full.push(Affine::number(i64::from(c)));
+                    self.leaf(Symbol::indexed(name, full)).into()
+                };
+                Value::Vector(Vector {
+                    entries: (1..=dimension).map(entry).collect(),
+                    generic: false,
+                })
             }
-            if let Some(SymbolKind::Family { dimension, ranges }) = self.declarations.symbol(name) {
-                let index = indices
-                    .iter()
-                    .map(|i| self.index(i, bound))
-                    .collect::<Outcome<Vec<_>>>()?;
-                self.check_ranges(name, &index, ranges, indices)?;
-                return Ok(match dimension {
-                    Some(1) => self.leaf(Symbol::indexed(name, index)).into(),
-                    None => generic(self.leaf(Symbol::indexed(name, index))),
-                    Some(dimension) => {
-                        let entry = |c: u8| {
-                            let mut full = index.clone();
-                            full.push(Affine::number(i64::from(c)));
-                            self.leaf(Symbol::indexed(name, full)).into()
-                        };
-                        Value::Vector(Vector {
-                            entries: (1..=*dimension).map(entry).collect(),
-                            generic: false,
-                        })
-                    }
-                });
-            }
-        }
-        self.entry(expr, head, indices, bound)
+        })
     }
 
-    pub(super) fn check_ranges(
-        &self,
-        name: &str,
-        index: &[Affine],
-        ranges: &[(Affine, Affine)],
-        at: &[Expr],
-    ) -> Outcome<()> {
-        let place = at.first().map_or_else(Place::default, |e| e.place);
-        if !ranges.is_empty() && ranges.len() != index.len() {
-            return Err(Fault::at(
-                place,
-                Problem::Count {
-                    name: name.to_owned(),
-                    wanted: format!("{} indices", ranges.len()),
-                    found: index.len(),
-                },
-            ));
-        }
-        for ((index, (least, most)), expr) in index.iter().zip(ranges).zip(at) {
-            let fix = |form: &Affine| self.affine_fixed(form);
-            let (least, most) = (fix(least), fix(most));
-            let outside = |gap: Affine| self.declarations.least(&gap).is_some_and(|gap| gap > 0);
-            if outside(least.clone() - index.clone()) || outside(index.clone() - most.clone()) {
+    /// Refuses an index that leaves its declared range, for all values of the integers.
+    fn check_ranges(&self, points: &Points, index: &[Affine], at: &[Term]) -> Outcome<()> {
+        for ((index, (least, most)), term) in index.iter().zip(&points.ranges).zip(at) {
+            let (least, most) = (self.affine_fixed(least), self.affine_fixed(most));
+            // Where the index of a sum of symbolic length stands in it, both of its ends count.
+            let outside = [
+                self.end_of(index, End::Last),
+                self.end_of(index, End::First),
+            ]
+            .into_iter()
+            .any(|end| {
+                let outside =
+                    |gap: Affine| self.declarations.least(&gap).is_some_and(|gap| gap > 0);
+                outside(least.clone() - end.clone()) || outside(end - most.clone())
+            });
+            if outside {
                 return Err(Fault::at(
-                    expr.place,
+                    term.place,
                     Problem::IndexOutside {
-                        name: name.to_owned(),
+                        name: points.name.to_string(),
                         index: index.to_string(),
                         range: format!("{least}..{most}"),
                     },
@@ -82,6 +72,22 @@ impl Evaluator<'_> {
             }
         }
         Ok(())
+    }
+
+    /// The index form with the indices of enclosing sums at their first or last value.
+    fn end_of(&self, form: &Affine, end: End) -> Affine {
+        let sums = self.sums.borrow();
+        sums.iter()
+            .rev()
+            .fold(form.clone(), |form, (name, low, high)| {
+                form.substituted(
+                    name,
+                    match end {
+                        End::First => low,
+                        End::Last => high,
+                    },
+                )
+            })
     }
 
     /// An index form with the fixed integers put in.
@@ -101,13 +107,13 @@ impl Evaluator<'_> {
     /// The entry of a vector or matrix, counted from 1.
     pub(super) fn entry(
         &self,
-        expr: &Expr,
-        head: &Expr,
-        indices: &[Expr],
-        bound: &Bindings,
+        place: Place,
+        head: &Term,
+        indices: &[Term],
+        bound: &Environment,
     ) -> Outcome<Value> {
         let value = self.value(head, bound)?;
-        let position = |expr: &Expr, length: usize, what: &str| -> Outcome<usize> {
+        let position = |expr: &Term, length: usize, what: &str| -> Outcome<usize> {
             let index = self.index(expr, bound)?;
             let outside = || {
                 Fault::at(
@@ -156,11 +162,11 @@ impl Evaluator<'_> {
                 ));
             }
         }
-        .ok_or_else(|| wrong_type(expr.place, "nothing", "an entry"))
+        .ok_or_else(|| wrong_type(place, "nothing", "an entry"))
     }
 
     /// An integer-affine index.
-    pub(super) fn index(&self, expr: &Expr, bound: &Bindings) -> Outcome<Affine> {
+    pub(super) fn index(&self, expr: &Term, bound: &Environment) -> Outcome<Affine> {
         let value = self.value(expr, bound)?;
         let Value::Scalar(quantity) = &value else {
             return Err(wrong_type(expr.place, value.kind(), "an integer"));

@@ -1,14 +1,15 @@
-//! From syntax to exact values.
+//! From core terms to exact values.
 //!
-//! One walk over the tree: [`scope`] says what names mean, [`value`] what comes out, [`series`] carries
-//! symbolic degrees, `sum` and [`basis`] make them, `functions` holds the built-in functions.
+//! One walk over the term: [`value`] says what comes out, [`series`] carries symbolic degrees, `sum` and [`basis`]
+//! make them, `functions` holds the built-in functions. A variable of a binder has the value that the
+//! [`Environment`] gives it; a derivative gives it a symbol that nothing else has, and puts the value in afterwards.
 
-mod apply;
 mod arithmetic;
 pub mod basis;
 mod functions;
 mod index;
 pub mod linear;
+mod place;
 pub mod quantity;
 pub mod series;
 mod sum;
@@ -17,24 +18,27 @@ pub mod value;
 use quantity::Quantity;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Symbol};
-use torse_language::derivation::declarations::{Declarations, SymbolKind};
+use torse_language::core::{self, Elaborator, Meaning, Node, Term};
+use torse_language::derivation::declarations::Declarations;
 use torse_language::fault::{Fault, Problem};
-use torse_language::syntax::{Connective, Expr, Node, Place};
-use value::{Function, Statement, Value, Vector};
+use torse_language::syntax::{Expr, Place};
+use value::{Statement, Value, Vector};
 
-/// How deep definitions may call each other.
-const MAX_DEPTH: usize = 80;
 /// How many nodes one formula may visit: formulas of papers stay far below.
 const MAX_NODES: u64 = 400_000;
 
-/// Values of bound names: parameters of functions and indices of sums.
-pub type Bindings = BTreeMap<String, Value>;
+/// Values of the variables of enclosing binders, by their numbers.
+pub type Environment = BTreeMap<u32, Value>;
 
 /// Evaluates formulas under declarations, with some symbols fixed and some unknowns solved for.
 pub struct Evaluator<'a> {
     /// What names mean.
     pub declarations: &'a Declarations,
+    /// Opens formulas.
+    elaborator: Rc<Elaborator<'a>>,
     /// Symbols with a value: instantiated integers, assumed equalities, witness points.
     fixed: BTreeMap<String, Fraction>,
     /// Unknowns that the given equations determine.
@@ -45,12 +49,15 @@ pub struct Evaluator<'a> {
     in_angle: Cell<bool>,
     /// Whether a series of symbolic degree was met.
     symbolic_degree: Cell<bool>,
-    depth: Cell<usize>,
     nodes: Cell<u64>,
     work: Cell<u64>,
+    /// How many symbols of the engine's own were made.
+    made: Cell<u64>,
+    /// The sums of symbolic length that are being evaluated: the symbol of the index, its first and last value.
+    sums: RefCell<Vec<(String, Affine, Affine)>>,
     members: RefCell<BTreeMap<String, Vec<Fraction>>>,
-    /// Values of definitions without parameters, in and outside of angles.
-    named: RefCell<BTreeMap<(String, bool), Value>>,
+    /// Values of definitions without parameters, in and outside of angles. The term keeps its address taken.
+    opened: RefCell<BTreeMap<(usize, bool), (Term, Value)>>,
 }
 
 use arithmetic::{fitted, matrix_product, multiplied, numeric, refilled};
@@ -61,30 +68,44 @@ impl<'a> Evaluator<'a> {
     /// An evaluator with nothing fixed and nothing solved.
     #[must_use]
     pub fn new(declarations: &'a Declarations) -> Self {
+        Self::with(Rc::new(Elaborator::new(declarations)))
+    }
+
+    /// An evaluator that opens formulas with an elaborator of others, so that definitions are opened once.
+    #[must_use]
+    pub fn with(elaborator: Rc<Elaborator<'a>>) -> Self {
         Self {
-            declarations,
+            declarations: elaborator.declarations(),
+            elaborator,
             fixed: BTreeMap::new(),
             solved: BTreeMap::new(),
             sampled: false,
             in_angle: Cell::new(false),
             symbolic_degree: Cell::new(false),
-            depth: Cell::new(0),
             nodes: Cell::new(0),
             work: Cell::new(0),
-            members: RefCell::new(BTreeMap::new()),
-            named: RefCell::new(BTreeMap::new()),
+            made: Cell::new(0),
+            sums: RefCell::default(),
+            members: RefCell::default(),
+            opened: RefCell::default(),
         }
+    }
+
+    /// What opens the formulas.
+    #[must_use]
+    pub fn elaborator(&self) -> &Rc<Elaborator<'a>> {
+        &self.elaborator
     }
 
     /// Gives a symbol a value from here on.
     pub fn fix(&mut self, name: String, value: Fraction) {
-        self.named.borrow_mut().clear();
+        self.opened.borrow_mut().clear();
         self.fixed.insert(name, value);
     }
 
     /// Gives unknowns their values from here on.
     pub fn determine(&mut self, solution: impl IntoIterator<Item = (Symbol, Fraction)>) {
-        self.named.borrow_mut().clear();
+        self.opened.borrow_mut().clear();
         self.solved.extend(solution);
     }
 
@@ -99,7 +120,7 @@ impl<'a> Evaluator<'a> {
         Self {
             fixed,
             solved: self.solved.clone(),
-            ..Self::new(self.declarations)
+            ..Self::with(Rc::clone(&self.elaborator))
         }
     }
 
@@ -122,7 +143,7 @@ impl<'a> Evaluator<'a> {
             fixed,
             solved,
             sampled: true,
-            ..Self::new(self.declarations)
+            ..Self::with(Rc::clone(&self.elaborator))
         }
     }
 
@@ -147,8 +168,24 @@ impl<'a> Evaluator<'a> {
     /// # Errors
     /// [`Fault`]: undeclared names, wrong types, and what the engine cannot carry out.
     pub fn evaluate(&self, expr: &Expr) -> Outcome<Value> {
+        match self.elaborator.meaning(expr)? {
+            Meaning::Term(term) => self.term(&term),
+            Meaning::Statement(statement) => Ok(Value::Truth(Box::new(self.truth(&statement)?))),
+            Meaning::Function(_) => Err(wrong_type(
+                expr.place,
+                "a function",
+                "a number, vector, matrix or statement",
+            )),
+        }
+    }
+
+    /// The value of a core term.
+    ///
+    /// # Errors
+    /// [`Fault`]: wrong types, and what the engine cannot carry out.
+    pub fn term(&self, term: &Term) -> Outcome<Value> {
         self.nodes.set(0);
-        self.value(expr, &Bindings::new())
+        self.value(term, &Environment::new())
     }
 
     /// The statement that a formula makes.
@@ -156,26 +193,94 @@ impl<'a> Evaluator<'a> {
     /// # Errors
     /// [`Fault`]; a formula that is no statement is of the wrong type.
     pub fn statement(&self, expr: &Expr) -> Outcome<Statement> {
-        match self.evaluate(expr)? {
-            Value::Truth(statement) => Ok(*statement),
-            other => Err(wrong_type(expr.place, other.kind(), "a statement")),
-        }
+        self.truth(&self.elaborator.statement(expr)?)
     }
 
-    fn value(&self, expr: &Expr, bound: &Bindings) -> Outcome<Value> {
+    /// A core statement with its terms evaluated.
+    ///
+    /// # Errors
+    /// [`Fault`]: wrong types, and what the engine cannot carry out.
+    pub fn truth(&self, statement: &core::Statement) -> Outcome<Statement> {
+        self.nodes.set(0);
+        self.stated(statement)
+    }
+
+    fn stated(&self, statement: &core::Statement) -> Outcome<Statement> {
+        let nothing = Environment::new();
+        Ok(match statement {
+            core::Statement::Compare {
+                relation,
+                left,
+                right,
+            } => {
+                let place = left.place.to(right.place);
+                let (left, right) = (self.value(left, &nothing)?, self.value(right, &nothing)?);
+                let (left, right) = fitted(&left, &right, place)?;
+                Statement::Compare {
+                    relation: *relation,
+                    left: Box::new(left),
+                    right: Box::new(right),
+                }
+            }
+            core::Statement::Agrees {
+                value,
+                printed,
+                place,
+            } => self.agreement(value, printed, *place, &nothing)?,
+            core::Statement::Family(property, family) => Statement::Family {
+                property: *property,
+                family: Arc::clone(family),
+            },
+            core::Statement::Join(connective, a, b) => Statement::Join(
+                *connective,
+                Box::new(self.stated(a)?),
+                Box::new(self.stated(b)?),
+            ),
+            core::Statement::Not(inner) => Statement::Not(Box::new(self.stated(inner)?)),
+        })
+    }
+
+    fn value(&self, term: &Term, bound: &Environment) -> Outcome<Value> {
         self.nodes.set(self.nodes.get() + 1);
         self.spend(1);
+        let place = term.place;
         if self.nodes.get() > MAX_NODES {
             return Err(Fault::limit(
-                expr.place,
+                place,
                 format!("the formula takes more than {MAX_NODES} steps"),
             ));
         }
-        match &expr.node {
-            Node::Number { value, .. } => Ok(Fraction::from(value.clone()).into()),
-            Node::Name(name) => self.named(name, expr.place, bound),
-            Node::Call(head, arguments) => self.call(expr, head, arguments, bound),
-            Node::Index(head, indices) => self.indexed(expr, head, indices, bound),
+        match &*term.node {
+            Node::Number(value) => Ok(Fraction::from(value.clone()).into()),
+            Node::Pi => Ok(self.leaf(Symbol::Pi).into()),
+            Node::Symbol(name) => match self.fixed.get(&**name) {
+                Some(value) => Ok(value.clone().into()),
+                None => Ok(self.leaf(Symbol::named(name)).into()),
+            },
+            Node::Variable(variable) => bound.get(&variable.number()).cloned().ok_or_else(|| {
+                wrong_type(
+                    place,
+                    "a variable of no enclosing binder",
+                    "a bound variable",
+                )
+            }),
+            Node::Vector(name, None) => Ok(generic(self.leaf(Symbol::indexed(name, vec![])))),
+            Node::Vector(name, Some(dimension)) => {
+                let entry = |c| self.leaf(Symbol::indexed(name, vec![Affine::number(c)]));
+                Ok(Value::Vector(Vector {
+                    entries: (1..=i64::from(*dimension))
+                        .map(|c| entry(c).into())
+                        .collect(),
+                    generic: false,
+                }))
+            }
+            Node::Member(points, indices) => self.point(points, indices, bound),
+            Node::Basis {
+                family,
+                index,
+                degree,
+                arguments,
+            } => self.member(family, index, degree, arguments, place, bound),
             Node::Negative(inner) => {
                 let value = self.value(inner, bound)?;
                 numeric(&value, inner.place)?;
@@ -183,60 +288,60 @@ impl<'a> Evaluator<'a> {
             }
             Node::Binary(operator, a, b) => self.binary(*operator, a, b, bound),
             Node::List(items) => self.list(items, bound),
-            Node::Compare(first, rest) => self.comparison(first, rest, bound),
-            Node::Join(connective, a, b) => {
-                let (a, b) = (self.truth(a, bound)?, self.truth(b, bound)?);
-                Ok(Value::Truth(Box::new(Statement::Join(
-                    *connective,
-                    Box::new(a),
-                    Box::new(b),
-                ))))
+            Node::Entry(of, indices) => self.entry(place, of, indices, bound),
+            Node::Sum {
+                index,
+                low,
+                high,
+                term,
+            } => self.sum(index, low, high, term, place, bound),
+            Node::Let {
+                variable,
+                value,
+                body,
+            } => {
+                let value = self.value(value, bound)?;
+                let mut inner = bound.clone();
+                inner.insert(variable.number(), value);
+                self.value(body, &inner)
             }
-            Node::Not(inner) => {
-                let inner = self.truth(inner, bound)?;
-                Ok(Value::Truth(Box::new(Statement::Not(Box::new(inner)))))
+            Node::Derivative {
+                variable,
+                order,
+                body,
+                at,
+            } => self.symbolically(|| self.derivative(variable, order, body, at, place, bound)),
+            Node::Apply(function, arguments) => self.apply(*function, arguments, place, bound),
+            Node::Opened {
+                origin,
+                closed,
+                body,
+                ..
+            } => {
+                if !closed {
+                    return self.value(body, bound).map_err(|f| f.within(origin));
+                }
+                let key = (Arc::as_ptr(&body.node).addr(), self.in_angle.get());
+                if let Some((_, value)) = self.opened.borrow().get(&key) {
+                    return Ok(value.clone());
+                }
+                let value = self.value(body, bound).map_err(|f| f.within(origin))?;
+                self.opened
+                    .borrow_mut()
+                    .insert(key, (body.clone(), value.clone()));
+                Ok(value)
             }
         }
     }
 
-    fn truth(&self, expr: &Expr, bound: &Bindings) -> Outcome<Statement> {
-        match self.value(expr, bound)? {
-            Value::Truth(statement) => Ok(*statement),
-            other => Err(wrong_type(expr.place, other.kind(), "a statement")),
-        }
+    /// The name of a symbol that nothing else has: no text can write the sign in it.
+    fn fresh(&self, name: &str) -> String {
+        let number = self.made.get();
+        self.made.set(number + 1);
+        format!("{name}\u{b0}{number}")
     }
 
-    fn comparison(
-        &self,
-        first: &Expr,
-        rest: &[(torse_language::syntax::Relation, Expr)],
-        bound: &Bindings,
-    ) -> Outcome<Value> {
-        let mut chain: Option<Statement> = None;
-        let mut left_expr = first;
-        let mut left = self.value(first, bound)?;
-        for (relation, right_expr) in rest {
-            let right = self.value(right_expr, bound)?;
-            let (fit_left, fit_right) =
-                fitted(&left, &right, left_expr.place.to(right_expr.place))?;
-            let link = Statement::Compare {
-                relation: *relation,
-                left: Box::new(fit_left),
-                right: Box::new(fit_right),
-            };
-            chain = Some(match chain {
-                None => link,
-                Some(before) => Statement::Join(Connective::And, Box::new(before), Box::new(link)),
-            });
-            left = right;
-            left_expr = right_expr;
-        }
-        chain
-            .map(|c| Value::Truth(Box::new(c)))
-            .ok_or_else(|| wrong_type(first.place, "nothing", "a comparison"))
-    }
-
-    fn list(&self, items: &[Expr], bound: &Bindings) -> Outcome<Value> {
+    fn list(&self, items: &[Term], bound: &Environment) -> Outcome<Value> {
         let mut entries = vec![];
         let mut rows = vec![];
         for item in items {
@@ -272,99 +377,6 @@ impl<'a> Evaluator<'a> {
                 "a vector or a matrix",
             )),
         }
-    }
-
-    fn named(&self, name: &str, place: Place, bound: &Bindings) -> Outcome<Value> {
-        if let Some(value) = bound.get(name) {
-            return Ok(value.clone());
-        }
-        if let Some(value) = self.fixed.get(name) {
-            return Ok(value.clone().into());
-        }
-        if let Some(definition) = self.declarations.definition(name) {
-            let body = &definition.body;
-            if definition.parameters.is_empty() {
-                let key = (name.to_owned(), self.in_angle.get());
-                if let Some(value) = self.named.borrow().get(&key) {
-                    return Ok(value.clone());
-                }
-                let value = self.deeper(place, || {
-                    self.value(&body.expr, &Bindings::new())
-                        .map_err(|f| f.within(&body.origin))
-                })?;
-                self.named.borrow_mut().insert(key, value.clone());
-                return Ok(value);
-            }
-            return Ok(Value::Function(Box::new(Function {
-                name: name.to_owned(),
-                parameters: definition.parameters.clone(),
-                body: body.expr.clone(),
-                origin: body.origin.clone(),
-                derivatives: vec![],
-            })));
-        }
-        match self.declarations.symbol(name) {
-            Some(SymbolKind::Real(_) | SymbolKind::Integer { .. }) => {
-                return Ok(self.leaf(Symbol::named(name)).into());
-            }
-            Some(SymbolKind::Vector(None)) => {
-                return Ok(generic(self.leaf(Symbol::indexed(name, vec![]))));
-            }
-            Some(SymbolKind::Vector(Some(dimension))) => {
-                let entries = (1..=i64::from(*dimension))
-                    .map(|c| {
-                        self.leaf(Symbol::indexed(name, vec![Affine::number(c)]))
-                            .into()
-                    })
-                    .collect();
-                return Ok(Value::Vector(Vector {
-                    entries,
-                    generic: false,
-                }));
-            }
-            Some(SymbolKind::Family { .. }) => {
-                return Err(wrong_type(
-                    place,
-                    "a family without an index",
-                    "one of its members",
-                ));
-            }
-            None => {}
-        }
-        if name == "pi" {
-            return Ok(self.leaf(Symbol::Pi).into());
-        }
-        // F'' is the second derivative of F by its first parameter.
-        let base = name.trim_end_matches('\'');
-        if base.len() < name.len()
-            && let Ok(Value::Function(mut function)) = self.named(base, place, bound)
-            && let Some(parameter) = function.parameters.first().cloned()
-        {
-            let order = u32::try_from(name.len() - base.len()).unwrap_or(u32::MAX);
-            function.derivatives.push((parameter, order));
-            return Ok(Value::Function(function));
-        }
-        Err(self.unknown(name, place, bound))
-    }
-
-    fn unknown(&self, name: &str, place: Place, bound: &Bindings) -> Fault {
-        let candidates = self
-            .declarations
-            .names()
-            .chain(bound.keys().map(String::as_str))
-            .chain(functions::NAMES);
-        let similar = candidates
-            .map(|candidate| (edit_distance(name, candidate), candidate))
-            .filter(|(distance, candidate)| *distance <= 1 + candidate.len() / 4)
-            .min()
-            .map(|(_, candidate)| candidate.to_owned());
-        Fault::at(
-            place,
-            Problem::UnknownName {
-                name: name.to_owned(),
-                similar,
-            },
-        )
     }
 
     /// A symbol, or the value that the given equations determine for it.
@@ -410,16 +422,6 @@ impl<'a> Evaluator<'a> {
             })
         })
     }
-
-    fn deeper<T>(&self, place: Place, inner: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
-        if self.depth.get() >= MAX_DEPTH {
-            return Err(Fault::at(place, Problem::Circular { limit: MAX_DEPTH }));
-        }
-        self.depth.set(self.depth.get() + 1);
-        let result = inner();
-        self.depth.set(self.depth.get() - 1);
-        result
-    }
 }
 
 /// One generic coordinate.
@@ -446,26 +448,4 @@ fn shapes(place: Place, left: &str, right: &str) -> Fault {
 
 fn symbolic_degree(place: Place) -> Fault {
     Fault::limit(place, "a sum of symbolic degree cannot be used here")
-}
-
-/// The Levenshtein distance, for suggestions.
-fn edit_distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = i;
-        let mut left = i + 1;
-        for (y, slot) in b.iter().zip(row.iter_mut().skip(1)) {
-            let cost = (diagonal + usize::from(x != *y))
-                .min(left + 1)
-                .min(*slot + 1);
-            diagonal = *slot;
-            *slot = cost;
-            left = cost;
-        }
-        if let Some(first) = row.first_mut() {
-            *first = i + 1;
-        }
-    }
-    row.last().copied().unwrap_or(0)
 }

@@ -7,10 +7,11 @@
 use super::quantity::Quantity;
 use super::series::{Axis, Series, Target, here, split, with_index};
 use super::value::{Value, Vector};
-use super::{Bindings, Evaluator, fitted, refilled, wrong_type};
+use super::{Environment, Evaluator, fitted, refilled, wrong_type};
 use torse_algebra::{Affine, Fraction};
+use torse_language::core::{BuiltIn, Node, Term, Variable};
 use torse_language::fault::Fault;
-use torse_language::syntax::{Expr, Node, Operator, Place};
+use torse_language::syntax::{Operator, Place};
 
 /// The most terms that are added one by one.
 const MAX_TERMS: i64 = 400;
@@ -19,12 +20,12 @@ impl Evaluator<'_> {
     /// The value of `sum(index, low, high, term)`.
     pub(super) fn sum(
         &self,
-        index: &str,
-        low: &Expr,
-        high: &Expr,
-        term: &Expr,
+        index: &Variable,
+        low: &Term,
+        high: &Term,
+        term: &Term,
         place: Place,
-        bound: &Bindings,
+        bound: &Environment,
     ) -> Result<Value, Fault> {
         let (low, high) = (self.index(low, bound)?, self.index(high, bound)?);
         let Some(length) = (high.clone() - low.clone()).as_number() else {
@@ -41,7 +42,7 @@ impl Evaluator<'_> {
             let here = low.clone() + Affine::number(offset);
             let mut inner = bound.clone();
             inner.insert(
-                index.to_owned(),
+                index.number(),
                 Fraction::from(super::series::polynomial_of(&here)).into(),
             );
             let value = self.value(term, &inner)?;
@@ -55,21 +56,25 @@ impl Evaluator<'_> {
 
     fn symbolic_sum(
         &self,
-        index: &str,
+        index: &Variable,
         low: &Affine,
         high: &Affine,
-        term: &Expr,
+        term: &Term,
         place: Place,
-        bound: &Bindings,
+        bound: &Environment,
     ) -> Result<Value, Fault> {
-        let name = format!("{index}\u{b0}");
+        let name = self.fresh(index.name());
         let mut inner = bound.clone();
-        inner.insert(index.to_owned(), Fraction::named(&name).into());
-        let value = match self.binomial_term(&name, term, &inner)? {
-            Some(value) => value,
-            None => self.value(term, &inner)?,
+        inner.insert(index.number(), Fraction::named(&name).into());
+        let range = (name.clone(), low.clone(), high.clone());
+        self.sums.borrow_mut().push(range);
+        let value = match self.binomial_term(&name, term, &inner) {
+            Ok(Some(value)) => Ok(value),
+            Ok(None) => self.value(term, &inner),
+            Err(fault) => Err(fault),
         };
-        value.mapped(&|q: &Quantity| self.summed(q, &name, low, high, place))
+        self.sums.borrow_mut().pop();
+        value?.mapped(&|q: &Quantity| self.summed(q, &name, low, high, place))
     }
 
     /// Turns every entry series of a term into a sum series.
@@ -104,6 +109,11 @@ impl Evaluator<'_> {
         place: Place,
     ) -> Result<Vec<Series>, Fault> {
         let refused = || Fault::limit(place, "this sum of symbolic length has no closed form here");
+        // The index may count the coefficients, and nothing else: a step, a seed or a degree that depends on it makes
+        // another operator of every term.
+        if series.axes.iter().any(|axis| axis.depends_on(index)) {
+            return Err(refused());
+        }
         let (position, axis) = bearer(&series.axes, index).ok_or_else(refused)?;
         let Target::Entry(entry) = &axis.target else {
             return Err(refused());
@@ -147,20 +157,17 @@ impl Evaluator<'_> {
     fn binomial_term(
         &self,
         index: &str,
-        term: &Expr,
-        bound: &Bindings,
+        term: &Term,
+        bound: &Environment,
     ) -> Result<Option<Value>, Fault> {
         let mut factors = vec![];
         flatten(term, &mut factors);
         let here = Affine::symbol(index);
-        let is_binomial = |e: &Expr| {
-            matches!(&e.node, Node::Call(head, arguments)
-            if matches!(&head.node, Node::Name(n) if n == "binom") && arguments.len() == 2)
-        };
+        let is_binomial = |e: &Term| matches!(&*e.node, Node::Apply(BuiltIn::Binomial, _));
         let Some(position) = factors.iter().position(|e| is_binomial(e)) else {
             return Ok(None);
         };
-        let Node::Call(_, arguments) = &factors.remove(position).node else {
+        let Node::Apply(_, arguments) = &*factors.remove(position).node else {
             return Ok(None);
         };
         let [top, bottom] = arguments.as_slice() else {
@@ -173,11 +180,15 @@ impl Evaluator<'_> {
         ) else {
             return Ok(None);
         };
+        // (u + v E)^n is a polynomial in E for n >= 0 alone.
+        if !self.declarations.least(&power).is_some_and(|n| n >= 0) {
+            return Ok(None);
+        }
         // Bases with exponents n - chosen + c and chosen + d.
         let (mut falling, mut rising) = (None, None);
         let mut rest: Value = Fraction::integer(1).into();
         for factor in factors {
-            if let Node::Binary(Operator::Power, base, exponent) = &factor.node {
+            if let Node::Binary(Operator::Power, base, exponent) = &*factor.node {
                 let exponent = self.index(exponent, bound)?;
                 let down = (exponent.clone() - (power.clone() - chosen.clone())).as_number();
                 let up = (exponent - chosen.clone()).as_number();
@@ -227,13 +238,13 @@ impl Evaluator<'_> {
 }
 
 /// The factors of a product, numerators only; a quotient is kept whole.
-fn flatten<'e>(expr: &'e Expr, into: &mut Vec<&'e Expr>) {
-    match &expr.node {
+fn flatten<'e>(term: &'e Term, into: &mut Vec<&'e Term>) {
+    match &*term.node {
         Node::Binary(Operator::Multiply, a, b) => {
             flatten(a, into);
             flatten(b, into);
         }
-        _ => into.push(expr),
+        _ => into.push(term),
     }
 }
 
@@ -258,10 +269,7 @@ fn bearer(axes: &[Axis], index: &str) -> Option<(usize, Axis)> {
 }
 
 fn added(a: &Value, b: &Value, place: Place) -> Result<Value, Fault> {
-    if matches!(
-        (a, b),
-        (Value::Function(_) | Value::Truth(_), _) | (_, Value::Function(_) | Value::Truth(_))
-    ) {
+    if matches!((a, b), (Value::Truth(_), _) | (_, Value::Truth(_))) {
         return Err(wrong_type(place, b.kind(), "numbers or vectors"));
     }
     let (a, b) = fitted(a, b, place)?;

@@ -2,10 +2,9 @@
 
 use super::quantity::Quantity;
 use std::sync::Arc;
-use torse_algebra::{Fraction, Rational};
-use torse_language::derivation::Origin;
-use torse_language::derivation::declarations::Basis;
-use torse_language::syntax::{Connective, Expr, Place, Relation};
+use torse_algebra::Fraction;
+use torse_language::core::{Family, FamilyProperty, Printed};
+use torse_language::syntax::{Connective, Place, Relation};
 
 /// A vector: its coordinates, or one generic coordinate that stands for all.
 #[derive(Debug, Clone)]
@@ -14,32 +13,6 @@ pub struct Vector {
     pub entries: Vec<Quantity>,
     /// Whether the single coordinate is generic.
     pub generic: bool,
-}
-
-/// A function that formulas can apply.
-#[derive(Debug, Clone)]
-pub struct Function {
-    /// The name, for messages.
-    pub name: String,
-    /// The parameters.
-    pub parameters: Vec<String>,
-    /// The body.
-    pub body: Expr,
-    /// Where the body was written.
-    pub origin: Origin,
-    /// Derivatives to take of the body: parameter and order.
-    pub derivatives: Vec<(String, u32)>,
-}
-
-/// A property that a basis family may have at every degree.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FamilyProperty {
-    /// All functions are nonnegative.
-    Nonnegative,
-    /// The functions are linearly independent.
-    Independent,
-    /// Coefficients change sign at least as often as the function.
-    VariationDiminishing,
 }
 
 /// A statement with its formulas evaluated.
@@ -58,15 +31,15 @@ pub enum Statement {
     Agrees {
         /// The exact values.
         values: Vec<Fraction>,
-        /// The printed numbers with their digits after the point.
-        printed: Vec<(Rational, u32)>,
+        /// The printed numbers with their digits.
+        printed: Vec<Printed>,
     },
     /// A property of a basis family at every degree.
     Family {
         /// The property.
         property: FamilyProperty,
         /// The family.
-        basis: Arc<Basis>,
+        family: Arc<Family>,
     },
     /// Several statements joined.
     Join(Connective, Box<Statement>, Box<Statement>),
@@ -83,8 +56,6 @@ pub enum Value {
     Vector(Vector),
     /// A matrix, by rows.
     Matrix(Vec<Vec<Quantity>>),
-    /// A function.
-    Function(Box<Function>),
     /// A statement.
     Truth(Box<Statement>),
 }
@@ -97,7 +68,6 @@ impl Value {
             Self::Scalar(_) => "a number",
             Self::Vector(_) => "a vector",
             Self::Matrix(_) => "a matrix",
-            Self::Function(_) => "a function",
             Self::Truth(_) => "a statement",
         }
     }
@@ -109,7 +79,7 @@ impl Value {
             Self::Scalar(q) => vec![q],
             Self::Vector(v) => v.entries.iter().collect(),
             Self::Matrix(rows) => rows.iter().flatten().collect(),
-            Self::Function(_) | Self::Truth(_) => vec![],
+            Self::Truth(_) => vec![],
         }
     }
 

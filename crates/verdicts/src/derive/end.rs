@@ -12,6 +12,7 @@ use torse_prove::decide::interval::exact;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::series::{Axis, Series, Target, here};
+use torse_prove::evaluate::value::NOWHERE;
 use torse_prove::formula;
 
 /// A derivative is written out up to this many nodes.
@@ -91,7 +92,9 @@ impl<'a> Family<'a> {
             .map(|name| Fraction::named(name))
             .collect();
         self.evaluator
-            .family(&self.basis, &values)
+            .elaborator()
+            .family(&self.name, NOWHERE)
+            .and_then(|family| self.evaluator.family(&family, &values))
             .map_err(|fault| DeriveError::Basis {
                 name: self.name.clone(),
                 fault: Box::new(fault),

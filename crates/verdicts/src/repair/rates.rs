@@ -54,13 +54,17 @@ pub fn rates(statement: &Statement, data: [&Symbol; 2]) -> Option<Vec<Rate>> {
             Some(all)
         }
         Statement::Agrees { values, printed } => {
-            let digits = printed.iter().map(|(_, d)| *d).max().unwrap_or(0);
-            let digits = i32::try_from(digits).unwrap_or(i32::MAX);
+            let most = printed.iter().filter_map(|p| p.decimals).max().unwrap_or(0);
             // Cutting off may be off by a whole unit of the last digit, exact integers by nothing.
-            let unit = if digits == 0 { 0.0 } else { power(0.1, digits) };
+            let unit = |digits: u32| match i32::try_from(digits) {
+                Ok(0) => 0.0,
+                digits => power(0.1, digits.unwrap_or(i32::MAX)),
+            };
             let pairs = values.iter().zip(printed);
             pairs
-                .map(|(value, (printed, _))| Rate::new(value, printed, unit, data))
+                .map(|(value, p)| {
+                    Rate::new(value, &p.value, unit(p.decimals.unwrap_or(most)), data)
+                })
                 .collect()
         }
         Statement::Compare {

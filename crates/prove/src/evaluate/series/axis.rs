@@ -95,6 +95,15 @@ impl Axis {
         parts.into_iter().filter(|a| !a.is_trivial()).collect()
     }
 
+    /// Whether the index stands anywhere but in the entry that is taken.
+    pub(crate) fn depends_on(&self, index: &str) -> bool {
+        let inside = |f: &Fraction| f.symbols().iter().any(|s| s.depends_on(index));
+        inside(&self.operator.0)
+            || inside(&self.operator.1)
+            || self.seeds.iter().any(inside)
+            || self.power.multiple_of(index) != 0
+    }
+
     /// Whether this is zero.
     pub(super) fn is_trivial(&self) -> bool {
         self.seeds.iter().all(Fraction::is_zero)
