@@ -331,6 +331,13 @@ impl Fraction {
         }
     }
 
+    /// The same value with nothing recorded but its denominator: for a value that is known where its divisors vanish, too.
+    #[must_use]
+    pub fn without_conditions(mut self) -> Self {
+        self.conditions = self.denominator.keys().cloned().collect();
+        self
+    }
+
     /// The same value with `conditions` recorded as well (primitive, nonconstant ones are kept).
     #[must_use]
     pub fn under(mut self, conditions: &[Polynomial]) -> Self {

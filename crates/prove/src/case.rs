@@ -1,19 +1,41 @@
-//! A claim made ready: assumptions applied, given equations solved, the statement evaluated.
+//! A claim made ready: its one domain, and the statement evaluated on it.
+//!
+//! Every hypothesis, whether it stands in `assume` or in `given`, is a constraint of the same domain. An equation that
+//! determines a symbol eliminates it: the symbol is replaced **everywhere**, in the statement, in all other constraints
+//! and in what was eliminated before, and it leaves behind what bound it: its declared range, its integrality, and the
+//! divisor of its value. Since derivatives are taken by variables of their own, putting values in for symbols changes
+//! the meaning of nothing.
 
 use crate::decide::domain::{Constraint, Domain};
+use crate::decide::interval::Interval;
+use crate::decide::sign;
 use crate::evaluate::Evaluator;
 use crate::evaluate::linear::{single_symbol, solve_for};
-use crate::evaluate::quantity::Quantity;
+use crate::evaluate::series::polynomial_of;
 use crate::evaluate::value::{NOWHERE, Statement, Value};
 use std::collections::BTreeMap;
-use torse_algebra::{Fraction, Symbol};
+use std::rc::Rc;
+use torse_algebra::{Fraction, Polynomial, Symbol};
+use torse_language::core::{self, Elaborator, Hypothesis, Source};
+use torse_language::derivation::declarations::SymbolKind;
 use torse_language::derivation::{Claim, Written};
 use torse_language::fault::Fault;
 use torse_language::syntax::{Connective, Relation};
 
+/// Divisors of more terms than this are not examined for their sign.
+const MAX_EXAMINED: usize = 40;
+
+/// The domain of a claim, with all hypotheses in force.
+pub struct Ground<'a> {
+    /// The evaluator: eliminated symbols have their values.
+    pub evaluator: Evaluator<'a>,
+    /// The domain.
+    pub domain: Domain<'a>,
+}
+
 /// What a claim states, ready to be decided.
 pub struct Case<'a> {
-    /// The evaluator with assumptions and solutions in force.
+    /// The evaluator with all hypotheses in force.
     pub evaluator: Evaluator<'a>,
     /// The domain.
     pub domain: Domain<'a>,
@@ -31,114 +53,419 @@ impl<'a> Case<'a> {
         statement: &Written,
         fixed: BTreeMap<String, Fraction>,
     ) -> Result<Self, Fault> {
-        let declarations = &*claim.declarations;
-        let mut evaluator = Evaluator::new(declarations).fixing(&fixed);
-        let mut domain = Domain {
-            declarations,
-            constraints: vec![],
-        };
-        for assumption in &claim.assumptions {
-            let statement = evaluator
-                .statement(&assumption.expr)
-                .map_err(|f| f.within(&assumption.origin))?;
-            assume(statement, &mut evaluator, &mut domain)
-                .map_err(|f| f.within(&assumption.origin))?;
-        }
-        let solution = solve_given(&claim.given, &claim.unknowns, &evaluator)?;
-        evaluator.determine(solution);
-        let value = evaluator
-            .statement(&statement.expr)
+        let elaborator = Rc::new(Elaborator::new(&claim.declarations));
+        let core = core::Claim::elaborated(&elaborator, claim, statement)?;
+        let ground = Ground::new(&core, elaborator, &fixed)?;
+        let value = ground
+            .evaluator
+            .truth(&core.statement)
             .map_err(|f| f.within(&statement.origin))?;
         Ok(Self {
-            evaluator,
-            domain,
+            evaluator: ground.evaluator,
+            domain: ground.domain,
             statement: value,
         })
     }
 }
 
-/// Takes an assumption: equalities fix a symbol, everything else bounds the domain.
-fn assume(
-    statement: Statement,
-    evaluator: &mut Evaluator<'_>,
-    domain: &mut Domain<'_>,
-) -> Result<(), Fault> {
-    match statement {
-        Statement::Join(Connective::And, a, b) => {
-            assume(*a, evaluator, domain)?;
-            assume(*b, evaluator, domain)
+impl<'a> Ground<'a> {
+    /// The domain of a claim with some symbols fixed.
+    ///
+    /// # Errors
+    /// [`Fault`], pointing into the hypothesis that caused it.
+    pub fn new(
+        claim: &core::Claim,
+        elaborator: Rc<Elaborator<'a>>,
+        fixed: &BTreeMap<String, Fraction>,
+    ) -> Result<Self, Fault> {
+        let evaluator = Evaluator::with(elaborator);
+        let mut ground = Self {
+            domain: Domain::new(evaluator.declarations),
+            evaluator: evaluator.fixing(fixed),
+        };
+        for (name, value) in fixed {
+            ground.keep_range(&Symbol::named(name), value);
         }
-        Statement::Compare {
-            relation,
-            left,
-            right,
-            ..
-        } => {
-            for (x, y) in left.entries().into_iter().zip(right.entries()) {
-                assume_entry(relation, x, y, evaluator, domain)?;
-            }
-            Ok(())
-        }
-        _ => Err(Fault::limit(NOWHERE, "an assumption that is no comparison")),
+        let (assumed, given): (Vec<&Hypothesis>, Vec<&Hypothesis>) = claim
+            .hypotheses
+            .iter()
+            .partition(|h| h.source == Source::Assume);
+        ground.assume_all(assumed)?;
+        ground.solve(&given, &claim.unknowns)?;
+        Ok(ground)
     }
-}
 
-fn assume_entry(
-    relation: Relation,
-    x: &Quantity,
-    y: &Quantity,
-    evaluator: &mut Evaluator<'_>,
-    domain: &mut Domain<'_>,
-) -> Result<(), Fault> {
-    let (Some(x), Some(y)) = (x.as_fraction(), y.as_fraction()) else {
-        return Err(Fault::limit(NOWHERE, "an assumption of symbolic degree"));
-    };
-    if relation != Relation::Equal {
-        let value = x.clone() - y.clone();
-        domain.constraints.push(Constraint { value, relation });
-        return Ok(());
-    }
-    let mut fix = |symbol: Symbol, value: &Fraction| match symbol {
-        Symbol::Named(name) => {
-            evaluator.fix(name.to_string(), value.clone());
+    /// Takes the assumptions, each as soon as it can be evaluated: one may fix the degree that another one needs.
+    fn assume_all(&mut self, mut pending: Vec<&Hypothesis>) -> Result<(), Fault> {
+        loop {
+            let before = pending.len();
+            let (mut rest, mut obstacle) = (vec![], None);
+            for hypothesis in pending {
+                let taken = self
+                    .evaluator
+                    .truth(&hypothesis.statement)
+                    .and_then(|statement| self.assume(&statement, hypothesis));
+                match taken {
+                    Ok(()) => {}
+                    Err(fault) if fault.is_limit() => {
+                        rest.push(hypothesis);
+                        obstacle.get_or_insert(fault.within(&hypothesis.origin));
+                    }
+                    Err(fault) => return Err(fault.within(&hypothesis.origin)),
+                }
+            }
+            match obstacle {
+                None => return Ok(()),
+                Some(fault) if rest.len() == before => return Err(fault),
+                Some(_) => pending = rest,
+            }
         }
-        other => {
-            evaluator.determine([(other, value.clone())]);
+    }
+
+    fn assume(&mut self, statement: &Statement, hypothesis: &Hypothesis) -> Result<(), Fault> {
+        match statement {
+            Statement::Join(Connective::And, a, b) => {
+                self.assume(a, hypothesis)?;
+                self.assume(b, hypothesis)
+            }
+            Statement::Compare {
+                relation,
+                left,
+                right,
+            } => self.compare(*relation, left, right),
+            // At a point, "not equal" is "different", "not less" is "at least".
+            Statement::Not(inner) => match &**inner {
+                Statement::Compare {
+                    relation,
+                    left,
+                    right,
+                } => self.compare(opposite(*relation), left, right),
+                _ => Err(Fault::limit(NOWHERE, "an assumption that is no comparison")),
+            },
+            _ => Err(Fault::limit(NOWHERE, "an assumption that is no comparison")),
         }
-    };
-    if let Some(symbol) = single_symbol(x) {
-        fix(symbol, y);
-        return Ok(());
     }
-    if let Some(symbol) = single_symbol(y) {
-        fix(symbol, x);
-        return Ok(());
-    }
-    // Any symbol in which the equation is linear will do; the first in order is taken.
-    let difference = x.clone() - y.clone();
-    for symbol in difference.symbols() {
-        if difference.numerator().degree_in(&symbol) == 1
-            && let Ok(solution) = solve_for(
-                std::slice::from_ref(&difference),
-                std::slice::from_ref(&symbol),
-                NOWHERE,
-            )
-            && let Some(value) = solution.get(&symbol)
+
+    fn compare(&mut self, relation: Relation, left: &Value, right: &Value) -> Result<(), Fault> {
+        let differences = left
+            .entries()
+            .into_iter()
+            .zip(right.entries())
+            .map(|(x, y)| {
+                x.minus(y)
+                    .as_fraction()
+                    .cloned()
+                    .ok_or_else(|| Fault::limit(NOWHERE, "an assumption of symbolic degree"))
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        if let (Relation::Equal, [_]) = (relation, differences.as_slice())
+            && let (Some(x), Some(y)) = (plain(left), plain(right))
         {
-            fix(symbol, value);
+            // `x == formula` eliminates x rather than a symbol of the formula.
+            for (symbol, value) in [(single_symbol(&x), &y), (single_symbol(&y), &x)] {
+                if let Some(symbol) = symbol
+                    && !mentions(value, &symbol)
+                    && self.fits(&symbol, value)
+                {
+                    return self.eliminate(&symbol, value);
+                }
+            }
+        }
+        match (relation, differences.as_slice()) {
+            (Relation::Equal, _) => differences.iter().try_for_each(|d| self.vanishes(d)),
+            (_, [value]) => {
+                self.constrain(value.clone(), relation);
+                Ok(())
+            }
+            // Vectors differ where the sum of the squares of the differences is positive.
+            (Relation::Different, _) => {
+                let sum = differences
+                    .iter()
+                    .fold(Fraction::zero(), |sum, d| sum + d.clone() * d.clone());
+                self.constrain(sum, Relation::Greater);
+                Ok(())
+            }
+            _ => Err(Fault::limit(NOWHERE, "vectors have no order")),
+        }
+    }
+
+    /// Adds a constraint, and that it is defined.
+    fn constrain(&mut self, value: Fraction, relation: Relation) {
+        self.differ_from_zero(value.conditions());
+        self.domain.constraints.push(Constraint { value, relation });
+    }
+
+    /// A hypothesis holds only where it is defined.
+    fn differ_from_zero(&mut self, divisors: &[Polynomial]) {
+        for divisor in divisors {
+            let value = Fraction::from(divisor.clone());
+            let relation = Relation::Different;
+            let constraint = Constraint { value, relation };
+            let known = |c: &Constraint| {
+                c.relation == relation && c.value.numerator() == divisor
+            };
+            if !self.domain.constraints.iter().any(known) {
+                self.domain.constraints.push(constraint);
+            }
+        }
+    }
+
+    /// Takes an equation `value == 0`: eliminates a symbol in which it is linear.
+    fn vanishes(&mut self, value: &Fraction) -> Result<(), Fault> {
+        let value = self.resolved(value)?;
+        self.differ_from_zero(value.conditions());
+        if value.is_zero() {
             return Ok(());
         }
+        if value.numerator().as_constant().is_some() || value.symbols().iter().all(is_number) {
+            self.constrain(value, Relation::Equal);
+            return Ok(());
+        }
+        let candidates: Vec<(Symbol, Polynomial, Fraction)> = value
+            .symbols()
+            .into_iter()
+            .filter(|s| matches!(s, Symbol::Named(_) | Symbol::Indexed(..)))
+            .filter_map(|symbol| {
+                let (coefficient, solution) = linear_in(&value, &symbol)?;
+                self.fits(&symbol, &solution)
+                    .then_some((symbol, coefficient, solution))
+            })
+            .collect();
+        // A coefficient that vanishes nowhere first: then the equation and its solution say the same.
+        let constant = |(_, coefficient, _): &&(Symbol, Polynomial, Fraction)| {
+            coefficient.symbols().iter().all(is_number)
+        };
+        let chosen = candidates
+            .iter()
+            .find(constant)
+            .or_else(|| candidates.iter().find(|(_, c, _)| self.never_zero(c)))
+            .or_else(|| candidates.first())
+            .cloned();
+        let (symbol, coefficient, solution) = chosen.ok_or_else(|| {
+            Fault::limit(NOWHERE, "an assumed equality that determines no symbol")
+        })?;
+        let rest = value.numerator() - &(&coefficient * &Polynomial::symbol(symbol.clone()));
+        let implied = rest
+            .as_constant()
+            .is_some_and(|c| c != Polynomial::zero().leading_coefficient())
+            || coefficient.symbols().iter().all(is_number)
+            || self.never_zero(&coefficient);
+        self.eliminate(&symbol, &solution)?;
+        if coefficient.as_constant().is_none() {
+            match implied {
+                true => self.differ_from_zero(&[coefficient]),
+                false => self.domain.pivots.push(coefficient),
+            }
+        }
+        Ok(())
     }
-    Err(Fault::limit(
-        NOWHERE,
-        "an assumed equality that determines no symbol",
-    ))
+
+    /// Whether a divisor is known to vanish nowhere on the domain; long ones are not examined.
+    fn never_zero(&self, divisor: &Polynomial) -> bool {
+        divisor.len() <= MAX_EXAMINED
+            && (self.domain.assumes_nonzero(divisor) || sign::never_zero(divisor, &self.domain))
+    }
+
+    /// Whether a symbol may be replaced by the value: an integer only by an integer form.
+    fn fits(&self, symbol: &Symbol, value: &Fraction) -> bool {
+        !self.is_integer(symbol)
+            || value.as_polynomial().is_some_and(|p| {
+                p.terms().all(|t| {
+                    t.coefficient.is_integer() && t.powers.iter().all(|(s, _)| self.is_integer(s))
+                })
+            })
+    }
+
+    fn is_integer(&self, symbol: &Symbol) -> bool {
+        self.domain.is_integer(symbol)
+    }
+
+    /// Replaces a symbol everywhere, and leaves behind what bound it.
+    fn eliminate(&mut self, symbol: &Symbol, value: &Fraction) -> Result<(), Fault> {
+        let value = self.resolved(value)?;
+        let put = |f: &Fraction| replaced(f, symbol, &value);
+        for constraint in &mut self.domain.constraints {
+            constraint.value = put(&constraint.value)?;
+        }
+        for (_, solved) in &mut self.domain.solved {
+            *solved = put(solved)?;
+        }
+        for pivot in &mut self.domain.pivots {
+            *pivot = put(&pivot.clone().into())?.numerator().clone();
+        }
+        self.keep_range(symbol, &value);
+        self.domain.solved.push((symbol.clone(), value));
+        for (symbol, value) in self.domain.solved.clone() {
+            match &symbol {
+                Symbol::Named(name) => self.evaluator.fix(name.to_string(), value),
+                _ => self.evaluator.determine([(symbol, value)]),
+            }
+        }
+        Ok(())
+    }
+
+    /// The declared range of a symbol as constraints on the value that replaces it.
+    fn keep_range(&mut self, symbol: &Symbol, value: &Fraction) {
+        let Symbol::Named(name) = symbol else {
+            return;
+        };
+        let mut bounds: Vec<(Fraction, Relation)> = vec![];
+        match self.domain.declarations.symbol(name) {
+            Some(SymbolKind::Real(interval)) => {
+                let interval = Interval::from(&**interval);
+                bounds.extend(interval.lower.map(|b| match b.closed {
+                    true => (value.clone() - b.value, Relation::AtLeast),
+                    false => (value.clone() - b.value, Relation::Greater),
+                }));
+                bounds.extend(interval.upper.map(|b| match b.closed {
+                    true => (value.clone() - b.value, Relation::AtMost),
+                    false => (value.clone() - b.value, Relation::Less),
+                }));
+            }
+            Some(SymbolKind::Integer { least, most }) => {
+                let form = |form| Fraction::from(polynomial_of(form));
+                bounds.extend(
+                    least
+                        .iter()
+                        .map(|l| (value.clone() - form(l), Relation::AtLeast)),
+                );
+                bounds.extend(
+                    most.iter()
+                        .map(|m| (value.clone() - form(m), Relation::AtMost)),
+                );
+            }
+            _ => {}
+        }
+        // A bound may itself be in terms of symbols that have values.
+        for (bound, relation) in bounds {
+            let bound = self.resolved(&bound).unwrap_or(bound);
+            self.domain.constraints.push(Constraint {
+                value: bound,
+                relation,
+            });
+        }
+    }
+
+    /// The value with all eliminated and fixed symbols put in.
+    fn resolved(&self, value: &Fraction) -> Result<Fraction, Fault> {
+        let solved = self.domain.solved.iter();
+        let value = solved.fold(Ok(value.clone()), |value, (symbol, by)| {
+            replaced(&value?, symbol, by)
+        })?;
+        let fixed = self.evaluator.fixed().iter();
+        fixed.fold(Ok(value), |value, (name, by)| {
+            replaced(&value?, &Symbol::named(name), by)
+        })
+    }
+
+    /// Solves the given equations for their unknowns; what is left of them is assumed.
+    fn solve(&mut self, given: &[&Hypothesis], unknowns: &[core::Term]) -> Result<(), Fault> {
+        let Some(first) = given.first() else {
+            return Ok(());
+        };
+        let symbols = unknown_symbols(&self.evaluator, unknowns)?;
+        let mut forms = vec![];
+        for hypothesis in given {
+            let statement = self
+                .evaluator
+                .truth(&hypothesis.statement)
+                .map_err(|f| f.within(&hypothesis.origin))?;
+            equations(&statement, &mut forms).map_err(|f| f.within(&hypothesis.origin))?;
+        }
+        let within = |f: Fault| f.within(&first.origin);
+        let solution = solve_for(&forms, &symbols, NOWHERE).map_err(within)?;
+        for (symbol, value) in &solution.values {
+            self.eliminate(symbol, value).map_err(within)?;
+        }
+        solution
+            .rest
+            .iter()
+            .try_for_each(|form| self.vanishes(form).map_err(within))
+    }
 }
 
-/// The solution of the given equations for their unknowns.
+/// The relation that holds where the other one does not.
+#[must_use]
+pub fn opposite(relation: Relation) -> Relation {
+    match relation {
+        Relation::Equal => Relation::Different,
+        Relation::Different => Relation::Equal,
+        Relation::Less => Relation::AtLeast,
+        Relation::AtMost => Relation::Greater,
+        Relation::Greater => Relation::AtMost,
+        Relation::AtLeast => Relation::Less,
+    }
+}
+
+/// The number, if the value is one and free of symbolic degrees.
+fn plain(value: &Value) -> Option<Fraction> {
+    match value {
+        Value::Scalar(q) => q.as_fraction().cloned(),
+        _ => None,
+    }
+}
+
+fn is_number(symbol: &Symbol) -> bool {
+    matches!(symbol, Symbol::Pi | Symbol::Root(_))
+}
+
+/// Whether a symbol occurs in a value: as itself, under a sine or cosine, in an index or in a divisor.
+fn mentions(value: &Fraction, symbol: &Symbol) -> bool {
+    let inside =
+        |s: &Symbol| s == symbol || matches!(symbol, Symbol::Named(name) if s.depends_on(name));
+    let recorded = value.conditions().iter().flat_map(|p| p.symbols());
+    value.symbols().iter().chain(recorded).any(inside)
+}
+
+/// The value with a symbol replaced, wherever it stands.
+fn replaced(value: &Fraction, symbol: &Symbol, by: &Fraction) -> Result<Fraction, Fault> {
+    if !mentions(value, symbol) {
+        return Ok(value.clone());
+    }
+    match symbol {
+        Symbol::Named(name) => value.at(name, by),
+        _ => value.substituted(|s| (s == symbol).then(|| by.clone())),
+    }
+    .map_err(|e| Fault::exact(NOWHERE, e))
+}
+
+/// Coefficient and solution of `value == 0` for a symbol in which it is linear, and which stands nowhere else.
+fn linear_in(value: &Fraction, symbol: &Symbol) -> Option<(Polynomial, Fraction)> {
+    let numerator = value.numerator();
+    if numerator.degree_in(symbol) != 1 {
+        return None;
+    }
+    let by_power = numerator.coefficients_in(symbol);
+    let [rest, coefficient] = by_power.as_slice() else {
+        return None;
+    };
+    let solution = Fraction::from(-rest.clone())
+        .over(&coefficient.clone().into())
+        .ok()?;
+    (!mentions(&solution, symbol)).then(|| (coefficient.clone(), solution))
+}
+
+/// The symbols that unknowns stand for.
+fn unknown_symbols(
+    evaluator: &Evaluator<'_>,
+    unknowns: &[core::Term],
+) -> Result<Vec<Symbol>, Fault> {
+    let mut symbols = vec![];
+    for unknown in unknowns {
+        for entry in evaluator.term(unknown)?.entries() {
+            let symbol = entry.as_fraction().and_then(single_symbol);
+            symbols.push(symbol.ok_or_else(|| {
+                crate::evaluate::wrong_type(unknown.place, "a formula", "an unknown such as Q[1]")
+            })?);
+        }
+    }
+    Ok(symbols)
+}
+
+/// The solution of given equations for their unknowns, for an evaluator without a domain.
 ///
 /// # Errors
-/// [`Fault`], pointing into the text that caused it.
+/// [`Fault`], pointing into the text that caused it; equations that contradict each other.
 pub fn solve_given(
     given: &[Written],
     unknowns: &[Written],
@@ -149,20 +476,9 @@ pub fn solve_given(
     };
     let mut symbols = vec![];
     for unknown in unknowns {
-        let value = evaluator
-            .evaluate(&unknown.expr)
-            .map_err(|f| f.within(&unknown.origin))?;
-        for entry in value.entries() {
-            let symbol = entry.as_fraction().and_then(single_symbol);
-            let wrong = || {
-                crate::evaluate::wrong_type(
-                    unknown.expr.place,
-                    "a formula",
-                    "an unknown such as Q[1]",
-                )
-            };
-            symbols.push(symbol.ok_or_else(|| wrong().within(&unknown.origin))?);
-        }
+        let within = |f: Fault| f.within(&unknown.origin);
+        let term = evaluator.elaborator().term(&unknown.expr).map_err(within)?;
+        symbols.extend(unknown_symbols(evaluator, &[term]).map_err(within)?);
     }
     let mut forms = vec![];
     for equation in given {
@@ -171,7 +487,12 @@ pub fn solve_given(
             .map_err(|f| f.within(&equation.origin))?;
         equations(&statement, &mut forms).map_err(|f| f.within(&equation.origin))?;
     }
-    solve_for(&forms, &symbols, NOWHERE).map_err(|f| f.within(&first.origin))
+    let solution = solve_for(&forms, &symbols, NOWHERE).map_err(|f| f.within(&first.origin))?;
+    if !solution.rest.is_empty() {
+        let what = "the given equations contradict each other for some values";
+        return Err(Fault::limit(NOWHERE, what).within(&first.origin));
+    }
+    Ok(solution.values)
 }
 
 fn equations(statement: &Statement, forms: &mut Vec<Fraction>) -> Result<(), Fault> {

@@ -1,95 +1,281 @@
-//! Deciding the statement of a claim: symbolically, or, where a symbolic degree cannot be carried, at small degrees.
+//! Deciding the statement of a claim.
+//!
+//! A claim says that its statement is true at every point of its domain at which it is defined. So a conjunction is
+//! decided part by part, and `not p` is proved by one point at which p fails. Every other statement is decided
+//! symbolically, or, where a symbolic degree cannot be carried, at small values of the integers.
 
-use crate::case::Case;
-use crate::decide::{self, Decision, instances, sign};
-use crate::evidence::Evidence;
+use crate::case::Ground;
+use crate::decide::contradiction::contradiction;
+use crate::decide::{self, Decision, conditions, instances, sign};
+use crate::evaluate::value::{Statement, Value};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 use torse_algebra::{Fraction, Polynomial};
+use torse_language::core::{self, Elaborator};
+use torse_language::derivation::declarations::SymbolKind;
 use torse_language::derivation::{Claim, Written};
-use torse_language::fault::Fault;
+use torse_language::fault::{Fault, Problem};
+use torse_language::syntax::{Connective, Relation};
 
-/// Decides a statement in the setting of a claim: symbolically, or else by instances.
+/// Decides a statement on the domain of a claim: the claim's own, or another one in its place.
 ///
 /// # Errors
-/// [`Fault`] for formulas that do not make sense; limits of the engine end as [`Decision::Open`].
+/// [`Fault`] when a formula makes no sense.
 pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, Fault> {
-    let reason = match symbolic(claim, statement, BTreeMap::new()) {
-        Ok(Decision::Open { reason, tried }) => (reason, tried),
-        Ok(decision) => return Ok(decision),
-        Err(fault) if fault.is_limit() => (fault.problem.to_string(), vec![]),
-        Err(fault) => return Err(fault),
+    let elaborator = Rc::new(Elaborator::new(&claim.declarations));
+    let core = core::Claim::elaborated(&elaborator, claim, statement)?;
+    let decider = Decider {
+        claim: &core,
+        elaborator,
     };
-    let exprs: Vec<_> = std::iter::once(statement)
-        .chain(&claim.given)
-        .chain(&claim.assumptions)
-        .map(|w| &w.expr)
-        .collect();
-    let integers = instances::integers_used(&exprs, &claim.declarations);
-    if integers.is_empty() {
-        return Ok(Decision::Open {
-            reason: reason.0,
-            tried: reason.1,
-        });
-    }
-    let (assignments, complete) = instances::assignments(&integers, &claim.declarations);
-    let mut decided = vec![];
-    for assignment in assignments {
-        let decision = match symbolic(claim, statement, instances::fixed(&assignment)) {
-            Ok(decision) => decision,
-            Err(fault) if fault.is_limit() => Decision::Open {
-                reason: fault.problem.to_string(),
-                tried: vec![],
-            },
-            Err(fault) => return Err(fault),
-        };
-        let ends = !decision.is_proven()
-            || matches!(
-                decision,
-                Decision::Proven {
-                    evidence: Evidence::Witness,
-                    ..
-                }
-            );
-        decided.push((assignment, decision));
-        if ends {
-            break;
-        }
-    }
-    Ok(instances::combined(decided, complete, &reason.0))
-}
-
-fn symbolic(
-    claim: &Claim,
-    statement: &Written,
-    fixed: BTreeMap<String, Fraction>,
-) -> Result<Decision, Fault> {
-    let case = Case::new(claim, statement, fixed)?;
-    if let Some(reason) = case.domain.contradiction() {
-        return Ok(Decision::Vacuous { reason });
-    }
-    let decision = decide::decide(&case.statement, &case.domain, &case.evaluator)?;
+    let decision = decider
+        .decide(&core.statement)
+        .map_err(|fault| fault.within(&statement.origin))?;
     Ok(match decision {
-        // Conditions that the assumptions state or the domain implies are no conditions.
+        // The parts of a conjunction may have factors of one another as their conditions.
         Decision::Proven {
             evidence,
             conditions,
             steps,
         } => Decision::Proven {
             evidence,
-            conditions: open_conditions(conditions, &case),
-            steps: [
-                steps,
-                decide::ranges(&case.statement, &case.domain, &case.evaluator)?,
-            ]
-            .concat(),
+            conditions: conditions::separated(&conditions),
+            steps,
         },
         other => other,
     })
 }
 
-fn open_conditions(conditions: Vec<Polynomial>, case: &Case<'_>) -> Vec<Polynomial> {
-    decide::conditions::separated(&conditions)
+/// The values of some integers.
+type Instance = BTreeMap<String, i64>;
+
+struct Decider<'a> {
+    claim: &'a core::Claim,
+    elaborator: Rc<Elaborator<'a>>,
+}
+
+impl Decider<'_> {
+    fn decide(&self, statement: &core::Statement) -> Result<Decision, Fault> {
+        match statement {
+            core::Statement::Join(Connective::And, a, b) => {
+                let first = self.decide(a)?;
+                if first.is_refuted() {
+                    return Ok(first);
+                }
+                Ok(decide::both(first, self.decide(b)?))
+            }
+            core::Statement::Not(inner) => {
+                let decided = self.everywhere_defined(self.decide(inner)?);
+                Ok(decide::negated(decided, || self.anywhere(inner)))
+            }
+            other => self.single(other),
+        }
+    }
+
+    /// A proof without the conditions that only say where its own terms are defined: those that no eliminated symbol
+    /// brought in.
+    fn everywhere_defined(&self, decision: Decision) -> Decision {
+        let own_alone = || {
+            let ground = self.ground(&Instance::new());
+            ground.is_ok_and(|g| {
+                g.domain.pivots.is_empty()
+                    && g.domain.solved.iter().all(|(_, v)| v.conditions().is_empty())
+            })
+        };
+        match decision {
+            Decision::Proven {
+                evidence,
+                conditions,
+                steps,
+            } if !conditions.is_empty() && own_alone() => Decision::Proven {
+                evidence,
+                conditions: vec![],
+                steps,
+            },
+            other => other,
+        }
+    }
+
+    /// A point of the domain at which both sides of the first comparison are defined.
+    fn anywhere(&self, statement: &core::Statement) -> Option<crate::evidence::Witness> {
+        let at = |instance: &Instance| {
+            let ground = self.ground(instance).ok()?;
+            let value = ground.evaluator.truth(statement).ok()?;
+            let mut witness = decide::sampled(&value, &ground.domain)?;
+            let known = witness.at.clone();
+            let integers = instance
+                .iter()
+                .filter(|(n, _)| known.iter().all(|(name, _)| name != *n))
+                .map(|(n, v)| (n.clone(), v.to_string()));
+            witness.at.splice(0..0, integers);
+            Some(witness)
+        };
+        at(&Instance::new()).or_else(|| {
+            let (assignments, _) = self.instances();
+            assignments.iter().take(8).find_map(at)
+        })
+    }
+
+    /// Small values of the integers of the claim, and whether they are all there are.
+    fn instances(&self) -> (Vec<Instance>, bool) {
+        let declarations = self.elaborator.declarations();
+        let integers = instances::ordered(
+            self.claim
+                .symbols
+                .iter()
+                .filter(|(_, set)| matches!(set, SymbolKind::Integer { .. }))
+                .map(|(name, _)| name.to_string())
+                .collect(),
+            declarations,
+        );
+        instances::assignments(&integers, declarations)
+    }
+
+    fn ground(&self, instance: &Instance) -> Result<Ground<'_>, Fault> {
+        Ground::new(
+            self.claim,
+            Rc::clone(&self.elaborator),
+            &instances::fixed(instance),
+        )
+    }
+
+    /// A statement that is no conjunction and no negation.
+    fn single(&self, statement: &core::Statement) -> Result<Decision, Fault> {
+        let (reason, tried) = match self.symbolic(statement, &Instance::new()) {
+            Ok(Decision::Open { reason, tried }) => (reason, tried),
+            Ok(decision) => return Ok(decision),
+            Err(fault) if fault.is_limit() => (fault.problem.to_string(), vec![]),
+            Err(fault) => return Err(fault),
+        };
+        let (assignments, complete) = self.instances();
+        if assignments.iter().all(Instance::is_empty) {
+            return Ok(Decision::Open { reason, tried });
+        }
+        let mut decided = vec![];
+        for assignment in assignments {
+            let decision = match self.symbolic(statement, &assignment) {
+                Ok(decision) => decision,
+                // Some term is defined at no point of the instance, so the statement says nothing there.
+                Err(fault) if undefined(&fault) => Decision::Vacuous {
+                    reason: fault.problem.to_string(),
+                },
+                Err(fault) if fault.is_limit() => Decision::Open {
+                    reason: fault.problem.to_string(),
+                    tried: vec![],
+                },
+                Err(fault) => return Err(fault),
+            };
+            let ends = matches!(decision, Decision::Refuted(_) | Decision::Open { .. });
+            decided.push((assignment, decision));
+            if ends {
+                break;
+            }
+        }
+        Ok(instances::combined(decided, complete, &reason))
+    }
+
+    /// The decision with some integers fixed.
+    fn symbolic(
+        &self,
+        statement: &core::Statement,
+        instance: &Instance,
+    ) -> Result<Decision, Fault> {
+        let mut ground = self.ground(instance)?;
+        let names: Vec<String> = self
+            .claim
+            .symbols
+            .keys()
+            .map(ToString::to_string)
+            .filter(|name| !instance.contains_key(name))
+            .collect();
+        if let Some(reason) = contradiction(&ground.domain, &names) {
+            // Where a divisor of the elimination vanishes, the constraints may say something else.
+            return Ok(match ground.domain.pivots.is_empty() {
+                true => Decision::Vacuous { reason },
+                false => Decision::Open {
+                    reason,
+                    tried: vec![],
+                },
+            });
+        }
+        let value = ground.evaluator.truth(statement)?;
+        let mut decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
+        if decision.is_refuted() {
+            // A point at which some other part of the claim is undefined refutes nothing.
+            let whole = ground.evaluator.truth(&self.claim.statement);
+            let divisors = whole.map(|whole| divisors(&whole)).unwrap_or_default();
+            if !divisors.is_empty() {
+                ground.domain.divisors = divisors;
+                decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
+            }
+        }
+        let Decision::Proven {
+            evidence,
+            conditions,
+            steps,
+        } = decision
+        else {
+            return Ok(decision);
+        };
+        let mut conditions = conditions;
+        if !is_equality(&value) {
+            conditions.extend(ground.domain.pivots.iter().cloned());
+        }
+        Ok(Decision::Proven {
+            evidence,
+            conditions: open_conditions(&conditions, &ground),
+            steps: [
+                steps,
+                decide::ranges(&value, &ground.domain, &ground.evaluator)?,
+            ]
+            .concat(),
+        })
+    }
+}
+
+/// Whether a fault says that a term is defined nowhere.
+fn undefined(fault: &Fault) -> bool {
+    matches!(
+        *fault.problem,
+        Problem::IndexOutside { .. } | Problem::ZeroDivisor { .. }
+    )
+}
+
+fn is_equality(statement: &Statement) -> bool {
+    matches!(
+        statement,
+        Statement::Compare {
+            relation: Relation::Equal,
+            ..
+        }
+    )
+}
+
+/// Everything that the terms of a statement were divided by.
+fn divisors(statement: &Statement) -> Vec<Polynomial> {
+    let of = |value: &Value| -> Vec<Polynomial> {
+        let entries = value.entries().into_iter();
+        entries.flat_map(|q| q.conditions()).collect()
+    };
+    let mut all = match statement {
+        Statement::Compare { left, right, .. } => [of(left), of(right)].concat(),
+        Statement::Agrees { values, .. } => {
+            let recorded = values.iter().flat_map(Fraction::conditions);
+            recorded.cloned().collect()
+        }
+        Statement::Family { .. } => vec![],
+        Statement::Join(_, a, b) => [divisors(a), divisors(b)].concat(),
+        Statement::Not(inner) => divisors(inner),
+    };
+    all.sort();
+    all.dedup();
+    all
+}
+
+/// The conditions that neither the hypotheses state nor the domain implies.
+fn open_conditions(conditions: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
+    conditions::separated(conditions)
         .into_iter()
-        .filter(|p| !case.domain.assumes_nonzero(p) && !sign::never_zero(p, &case.domain))
+        .filter(|p| !ground.domain.assumes_nonzero(p) && !sign::never_zero(p, &ground.domain))
         .collect()
 }

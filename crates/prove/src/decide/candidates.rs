@@ -51,12 +51,12 @@ impl Domain<'_> {
         let is_integer = self.is_integer(symbol);
         let numbers = match (symbol, turns) {
             (Symbol::Indexed(..), _) => POINTS,
+            _ if is_integer => INTEGERS,
             (_, Turns::Quarter) => QUARTER,
             (_, Turns::Radian) => RADIAN,
-            _ if is_integer => INTEGERS,
             _ => SIMPLE,
         };
-        let unit = if turns == Turns::Radian {
+        let unit = if turns == Turns::Radian && !is_integer {
             Fraction::symbol(Symbol::Pi)
         } else {
             Fraction::integer(1)

@@ -1,9 +1,9 @@
 //! Where a statement is meant to hold: the declared ranges of its symbols and its assumptions.
 
-use crate::decide::interval::Interval;
+use crate::decide::interval::{Bound, Interval};
 use torse_algebra::order::compare;
 use torse_algebra::rational::integer;
-use torse_algebra::{Affine, Ball, Fraction, Polynomial, Rational, Scalar as _, Symbol};
+use torse_algebra::{Affine, Angle, Ball, Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::syntax::Relation;
 
@@ -24,8 +24,40 @@ pub struct Constraint {
 pub struct Domain<'a> {
     /// The ranges.
     pub declarations: &'a Declarations,
-    /// The assumptions that are no equalities.
+    /// The hypotheses that eliminated no symbol, and what eliminated symbols left behind.
     pub constraints: Vec<Constraint>,
+    /// The eliminated symbols with their values.
+    pub solved: Vec<(Symbol, Fraction)>,
+    /// Divisors of the elimination that may vanish: proofs from constraints say nothing where one does.
+    pub pivots: Vec<Polynomial>,
+    /// Divisors of the statement: it says nothing where one vanishes, so no point there refutes it.
+    pub divisors: Vec<Polynomial>,
+}
+
+impl<'a> Domain<'a> {
+    /// The declared ranges alone.
+    #[must_use]
+    pub fn new(declarations: &'a Declarations) -> Self {
+        Self {
+            declarations,
+            constraints: vec![],
+            solved: vec![],
+            pivots: vec![],
+            divisors: vec![],
+        }
+    }
+
+    /// The same hypotheses on other ranges.
+    #[must_use]
+    pub fn on<'b>(&self, declarations: &'b Declarations) -> Domain<'b> {
+        Domain {
+            declarations,
+            constraints: self.constraints.clone(),
+            solved: self.solved.clone(),
+            pivots: self.pivots.clone(),
+            divisors: self.divisors.clone(),
+        }
+    }
 }
 
 impl Domain<'_> {
@@ -34,7 +66,7 @@ impl Domain<'_> {
     #[must_use]
     pub fn interval(&self, symbol: &Symbol) -> Interval {
         let closed = |n: i64| {
-            Some(crate::decide::interval::Bound {
+            Some(Bound {
                 value: Fraction::integer(n),
                 closed: true,
             })
@@ -51,10 +83,9 @@ impl Domain<'_> {
                 }
                 _ => Interval::default(),
             },
-            Symbol::Sin(name, torse_algebra::Angle::QuarterTurn)
-            | Symbol::Cos(name, torse_algebra::Angle::QuarterTurn) => {
+            Symbol::Sin(name, Angle::QuarterTurn) | Symbol::Cos(name, Angle::QuarterTurn) => {
                 let of = self.interval(&Symbol::Named(name.clone()));
-                let inside = |bound: &Option<crate::decide::interval::Bound>, low: bool| {
+                let inside = |bound: &Option<Bound>, low: bool| {
                     bound
                         .as_ref()
                         .and_then(|b| b.value.as_rational())
@@ -72,11 +103,52 @@ impl Domain<'_> {
                     upper: closed(1),
                 }
             }
-            Symbol::Sin(..) | Symbol::Cos(..) => Interval {
-                lower: closed(-1),
-                upper: closed(1),
-            },
+            Symbol::Sin(name, _) | Symbol::Cos(name, _) => {
+                let of = self.interval(&Symbol::Named(name.clone()));
+                turned(&of, matches!(symbol, Symbol::Sin(..)))
+            }
             Symbol::Indexed(..) | Symbol::Root(_) | Symbol::Pi => Interval::default(),
+        }
+    }
+
+    /// The range of the tangent of half the angle of a sine or cosine, if the angle is from 0 to pi.
+    #[must_use]
+    pub fn half_tangent(&self, symbol: &Symbol) -> Option<Interval> {
+        let (Symbol::Sin(name, angle) | Symbol::Cos(name, angle)) = symbol else {
+            return None;
+        };
+        let end = |value: i64, closed: bool| {
+            Some(Bound {
+                value: Fraction::integer(value),
+                closed,
+            })
+        };
+        if *angle == Angle::QuarterTurn {
+            let unit = self.interval(symbol);
+            let quarter = unit.lower.as_ref().is_some_and(|b| b.value.is_zero());
+            return quarter.then_some(Interval {
+                lower: end(0, true),
+                upper: end(1, true),
+            });
+        }
+        // The cosine decreases from 0 to pi: its range says how far the angle goes.
+        let sine = self.interval(&Symbol::Sin(name.clone(), *angle));
+        let cosine = self.interval(&Symbol::Cos(name.clone(), *angle));
+        let (low, high) = (cosine.lower?, cosine.upper?);
+        if !sine.lower.is_some_and(|b| b.value.is_zero()) {
+            return None;
+        }
+        match (low.value.is_zero(), low.closed) {
+            (true, closed) => Some(Interval {
+                lower: end(0, high.closed),
+                upper: end(1, closed),
+            }),
+            // An angle of pi has no tangent of its half.
+            (false, true) => None,
+            (false, false) => Some(Interval {
+                lower: end(0, high.closed),
+                upper: None,
+            }),
         }
     }
 
@@ -85,39 +157,6 @@ impl Domain<'_> {
     pub fn is_integer(&self, symbol: &Symbol) -> bool {
         matches!(symbol, Symbol::Named(name)
             if matches!(self.declarations.symbol(name), Some(SymbolKind::Integer { .. })))
-    }
-
-    /// An assumption that no point of the declared ranges satisfies that satisfies the others, if one is
-    /// known.
-    #[must_use]
-    pub fn contradiction(&self) -> Option<String> {
-        use super::sign::{Sign, of};
-        let fails = |number: usize, c: &Constraint| {
-            if c.value.is_zero() {
-                return matches!(
-                    c.relation,
-                    Relation::Different | Relation::Less | Relation::Greater
-                );
-            }
-            let mut others = self.clone();
-            others.constraints.remove(number);
-            let sign = c.value.as_polynomial().and_then(|p| of(p, &others));
-            match c.relation {
-                Relation::Less => matches!(sign, Some(Sign::Positive | Sign::Nonnegative)),
-                Relation::AtMost => sign == Some(Sign::Positive),
-                Relation::Greater => matches!(sign, Some(Sign::Negative | Sign::Nonpositive)),
-                Relation::AtLeast => sign == Some(Sign::Negative),
-                Relation::Equal | Relation::Different => false,
-            }
-        };
-        let mut numbered = self.constraints.iter().enumerate();
-        let (_, failing) = numbered.find(|(number, c)| fails(*number, c))?;
-        let others = match self.constraints.len() {
-            1 => "on the declared ranges",
-            _ => "on the declared ranges where the other assumptions hold",
-        };
-        let sign = failing.relation.sign();
-        Some(format!("{} {sign} 0 holds nowhere {others}", failing.value))
     }
 
     /// Whether the assumptions imply that this polynomial is not zero: it is, up to a constant, a product
@@ -143,6 +182,51 @@ impl Domain<'_> {
             }
         }
         rest.as_constant().is_some()
+    }
+}
+
+/// The range of the sine or cosine of an angle in radians; sharper where the angle is from 0 to pi.
+fn turned(angle: &Interval, sine: bool) -> Interval {
+    let end = |value: i64, closed: bool| {
+        Some(Bound {
+            value: Fraction::integer(value),
+            closed,
+        })
+    };
+    let pi = Fraction::symbol(Symbol::Pi);
+    let gap = |bound: &Bound, end: &Fraction| bound.value.clone() - end.clone();
+    let (Some(low), Some(high)) = (&angle.lower, &angle.upper) else {
+        return Interval {
+            lower: end(-1, true),
+            upper: end(1, true),
+        };
+    };
+    let from_zero = truth(&low.value, Relation::AtLeast) == Some(true);
+    let to_pi = truth(&gap(high, &pi), Relation::AtMost) == Some(true);
+    if !from_zero || !to_pi {
+        return Interval {
+            lower: end(-1, true),
+            upper: end(1, true),
+        };
+    }
+    // Whether the angle stays away from 0 and from pi.
+    let above = !low.closed || truth(&low.value, Relation::Greater) == Some(true);
+    let below = !high.closed || truth(&gap(high, &pi), Relation::Less) == Some(true);
+    if sine {
+        return Interval {
+            lower: end(0, !(above && below)),
+            upper: end(1, true),
+        };
+    }
+    let right = pi.scaled(&torse_algebra::rational::ratio(1, 2).unwrap_or_default());
+    let acute = truth(&gap(high, &right), Relation::AtMost) == Some(true);
+    let short = !high.closed || truth(&gap(high, &right), Relation::Less) == Some(true);
+    Interval {
+        lower: match acute {
+            true => end(0, !short),
+            false => end(-1, !below),
+        },
+        upper: end(1, !above),
     }
 }
 

@@ -87,8 +87,13 @@ pub fn decide(
     if lefts.len() > 1 {
         steps.push(format!("entry {} differs", position + 1));
     }
-    let point = witness::find(plain, domain, Relation::Different);
-    let completed = point.and_then(|point| complete(point, &lefts, &rights, domain));
+    let point = witness::find(
+        plain,
+        &lefts.iter().chain(&rights).collect::<Vec<_>>(),
+        domain,
+        Relation::Different,
+    );
+    let completed = point.and_then(|point| witness::described(&point, &lefts, &rights));
     Ok(match completed {
         Some(witness) => Decision::Refuted(Box::new(Refutation { witness, sides: Some((lefts, rights)), steps })),
         None => Decision::Open {
@@ -96,31 +101,6 @@ pub fn decide(
             tried: vec!["simple rational points of the domain".to_owned()],
         },
     })
-}
-
-/// Gives the symbols that the difference does not contain a value too, and describes the point.
-fn complete(
-    mut point: witness::Point,
-    left: &[Fraction],
-    right: &[Fraction],
-    domain: &Domain<'_>,
-) -> Option<crate::evidence::Witness> {
-    let all: Vec<&Fraction> = left.iter().chain(right).collect();
-    for symbol in witness::free_symbols(&all) {
-        if point.contains_key(&symbol) {
-            continue;
-        }
-        let values = domain.candidates(&symbol, witness::turns(&all, &symbol));
-        let fits = |value: &Fraction| {
-            let mut trial = point.clone();
-            trial.insert(symbol.clone(), value.clone());
-            // A divisor may vanish: then the next candidate.
-            all.iter().all(|f| witness::at_point(f, &trial).is_some())
-        };
-        let value = values.into_iter().find(fits)?;
-        point.insert(symbol, value);
-    }
-    witness::described(&point, left, right)
 }
 
 /// Some point of the domain with both sides there.
@@ -143,7 +123,7 @@ pub fn sample(
         .chain(&right)
         .cloned()
         .fold(Fraction::zero(), |sum, f| sum + f.clone() * f);
-    let point = witness::find(&all, domain, Relation::AtLeast)
-        .or_else(|| witness::find(&all, domain, Relation::Different));
-    complete(point.unwrap_or_default(), &left, &right, domain)
+    let sides: Vec<&Fraction> = left.iter().chain(&right).collect();
+    let point = witness::find(&all, &sides, domain, Relation::AtLeast)?;
+    witness::described(&point, &left, &right)
 }

@@ -62,7 +62,7 @@ pub fn nonnegative(
             ));
             continue;
         }
-        if let Some(point) = witness::find(part, domain, Relation::Less)
+        if let Some(point) = witness::find(part, &[], domain, Relation::Less)
             && what == "seed"
             && let Some(witness) =
                 witness::described(&point, std::slice::from_ref(part), &[Fraction::zero()])

@@ -6,42 +6,21 @@
 
 use super::Decision;
 use crate::evidence::Evidence;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use torse_algebra::Fraction;
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
-use torse_language::syntax::{Expr, Node};
 
 /// How many values of each unbounded integer are tried.
 const SPAN: i64 = 4;
 /// The most instances of one statement.
 const MAX_INSTANCES: usize = 240;
 
-/// The integer symbols that formulas use, through definitions.
+/// The integers in an order in which a symbol whose bound names another one comes after it.
 #[must_use]
-pub fn integers_used(exprs: &[&Expr], declarations: &Declarations) -> Vec<String> {
-    let mut seen = BTreeSet::new();
-    let mut pending: Vec<&Expr> = exprs.to_vec();
-    let mut integers = BTreeSet::new();
-    while let Some(expr) = pending.pop() {
-        let mut names = BTreeSet::new();
-        free_names(expr, &mut vec![], &mut names);
-        for name in names {
-            let base = name.trim_end_matches('\'');
-            if !seen.insert(name.clone()) {
-                continue;
-            }
-            if matches!(declarations.symbol(base), Some(SymbolKind::Integer { .. })) {
-                integers.insert(base.to_owned());
-            }
-            let definition = declarations
-                .definition(&name)
-                .or_else(|| declarations.definition(base));
-            pending.extend(definition.map(|d| &d.body.expr));
-        }
-    }
+pub fn ordered(integers: Vec<String>, declarations: &Declarations) -> Vec<String> {
     // A symbol whose bound names another one comes after it.
     let mut ordered: Vec<String> = vec![];
-    let mut rest: Vec<String> = integers.into_iter().collect();
+    let mut rest = integers;
     while !rest.is_empty() {
         let free = |name: &String| match declarations.symbol(name) {
             Some(SymbolKind::Integer { least, most }) => {
@@ -59,38 +38,6 @@ pub fn integers_used(exprs: &[&Expr], declarations: &Declarations) -> Vec<String
         ordered.push(rest.remove(position));
     }
     ordered
-}
-
-/// The names of a formula that no sum binds.
-fn free_names<'e>(expr: &'e Expr, bound: &mut Vec<&'e str>, into: &mut BTreeSet<String>) {
-    match &expr.node {
-        Node::Name(name) => {
-            if !bound.contains(&name.as_str()) {
-                into.insert(name.clone());
-            }
-        }
-        Node::Call(head, arguments) => {
-            if let (Node::Name(function), [index, low, high, term]) =
-                (&head.node, arguments.as_slice())
-                && function == "sum"
-                && let Node::Name(index) = &index.node
-            {
-                free_names(low, bound, into);
-                free_names(high, bound, into);
-                bound.push(index);
-                free_names(term, bound, into);
-                bound.pop();
-                return;
-            }
-            expr.parts()
-                .into_iter()
-                .for_each(|part| free_names(part, bound, into));
-        }
-        _ => expr
-            .parts()
-            .into_iter()
-            .for_each(|part| free_names(part, bound, into)),
-    }
 }
 
 /// Values of the integers, smallest first, and whether the list is complete.
@@ -147,7 +94,7 @@ pub fn fixed(assignment: &BTreeMap<String, i64>) -> BTreeMap<String, Fraction> {
 }
 
 /// The decision from all instances: a refutation with the integers in front of its witness, a proof if
-/// the instances are all there are, open otherwise.
+/// the instances are all there are, open otherwise. An instance without points says nothing.
 #[must_use]
 pub fn combined(
     instances: Vec<(BTreeMap<String, i64>, Decision)>,
@@ -156,6 +103,8 @@ pub fn combined(
 ) -> Decision {
     let mut conditions = vec![];
     let mut tried = vec![];
+    let mut empty = None;
+    let mut proven = false;
     for (assignment, decision) in instances {
         let label = assignment
             .iter()
@@ -164,48 +113,46 @@ pub fn combined(
             .join(", ");
         match decision {
             Decision::Refuted(mut refutation) => {
-                let integers = assignment.iter().map(|(n, v)| (n.clone(), v.to_string()));
+                let known = refutation.witness.at.clone();
+                let integers = assignment
+                    .iter()
+                    .filter(|(n, _)| known.iter().all(|(name, _)| name != *n))
+                    .map(|(n, v)| (n.clone(), v.to_string()));
                 refutation.witness.at.splice(0..0, integers);
                 refutation.steps.insert(0, format!("the instance {label}"));
                 return Decision::Refuted(refutation);
             }
-            // "Somewhere": one instance is enough.
-            Decision::Proven {
-                evidence: Evidence::Witness,
-                conditions,
-                mut steps,
-            } => {
-                steps.insert(0, format!("the instance {label}"));
-                return Decision::Proven {
-                    evidence: Evidence::Witness,
-                    conditions,
-                    steps,
-                };
-            }
             Decision::Proven {
                 conditions: more, ..
             } => {
+                proven = true;
                 conditions.extend(more);
                 tried.push(format!("holds for {label}"));
             }
-            vacuous @ Decision::Vacuous { .. } => return vacuous,
+            Decision::Vacuous { reason } => {
+                tried.push(format!("says nothing for {label}: {reason}"));
+                empty.get_or_insert(reason);
+            }
             Decision::Open { reason, .. } => {
                 tried.push(format!("open for {label}: {reason}"));
                 return Decision::Open { reason, tried };
             }
         }
     }
-    if complete && !tried.is_empty() {
-        conditions.sort();
-        conditions.dedup();
-        return Decision::Proven {
-            evidence: Evidence::Identity,
-            conditions,
-            steps: tried,
-        };
-    }
-    Decision::Open {
-        reason: reason.to_owned(),
-        tried,
+    match (complete, proven, empty) {
+        (true, true, _) => {
+            conditions.sort();
+            conditions.dedup();
+            Decision::Proven {
+                evidence: Evidence::Identity,
+                conditions,
+                steps: tried,
+            }
+        }
+        (true, false, Some(reason)) => Decision::Vacuous { reason },
+        _ => Decision::Open {
+            reason: reason.to_owned(),
+            tried,
+        },
     }
 }

@@ -9,6 +9,7 @@
 pub mod agreement;
 pub mod candidates;
 pub mod conditions;
+pub mod contradiction;
 pub mod domain;
 pub mod equality;
 pub mod family;
@@ -137,11 +138,17 @@ pub fn decide(
                 return Ok(first);
             }
             let second = decide(b, domain, evaluator)?;
+            let closed = |s: &Statement| !has_negation(s);
             Ok(match (first, second) {
                 (_, proven @ Decision::Proven { .. }) => proven,
                 // Two refutations that need no point are refutations at every point.
-                (Decision::Refuted(a), Decision::Refuted(b)) if a.witness.at.is_empty() => {
-                    Decision::Refuted(b)
+                (Decision::Refuted(x), Decision::Refuted(y))
+                    if x.witness.at.is_empty()
+                        && y.witness.at.is_empty()
+                        && closed(a)
+                        && closed(b) =>
+                {
+                    Decision::Refuted(y)
                 }
                 _ => Decision::Open {
                     reason: "neither alternative is proved on the whole domain".to_owned(),
@@ -149,7 +156,10 @@ pub fn decide(
                 },
             })
         }
-        Statement::Not(inner) => negation(inner, domain, evaluator),
+        Statement::Not(inner) => {
+            let decided = decide(inner, domain, evaluator)?;
+            Ok(negated(decided, || sampled(inner, domain)))
+        }
         Statement::Join(Connective::Implies, ..) => Ok(Decision::Open {
             reason: "an implication; state its premise as an assumption".to_owned(),
             tried: vec![],
@@ -176,14 +186,19 @@ pub fn ranges(
     Ok(sharpness::steps(&bounded, domain))
 }
 
-/// `not p`: the formulas of p do not agree everywhere. A point where p fails proves it; a proof of p
+/// Whether a negation stands anywhere in the statement: it speaks of the whole domain, not of one point.
+fn has_negation(statement: &Statement) -> bool {
+    match statement {
+        Statement::Not(_) => true,
+        Statement::Join(_, a, b) => has_negation(a) || has_negation(b),
+        _ => false,
+    }
+}
+
+/// `not p`: p does not hold at every point of the domain. A point where p fails proves it; a proof of p
 /// refutes it, and any point of the domain shows it.
-fn negation(
-    inner: &Statement,
-    domain: &Domain,
-    evaluator: &Evaluator<'_>,
-) -> Result<Decision, Fault> {
-    Ok(match decide(inner, domain, evaluator)? {
+pub(crate) fn negated(decided: Decision, anywhere: impl FnOnce() -> Option<Witness>) -> Decision {
+    match decided {
         Decision::Refuted(refutation) => {
             let at = refutation
                 .witness
@@ -201,29 +216,37 @@ fn negation(
                 steps,
             }
         }
-        Decision::Proven { steps, .. } => {
-            let witness = comparisons(inner)
-                .into_iter()
-                .find_map(|(left, right)| equality::sample(left, right, domain));
-            match witness {
-                Some(witness) => {
-                    let first = "the negated statement is proved: it holds everywhere".to_owned();
-                    let steps = std::iter::once(first).chain(steps).collect();
-                    Decision::Refuted(Box::new(Refutation {
-                        witness,
-                        sides: None,
-                        steps,
-                    }))
-                }
-                None => Decision::Open {
-                    reason: "the negated statement holds, but no point of the domain was found"
-                        .to_owned(),
-                    tried: steps,
-                },
+        Decision::Proven {
+            conditions, steps, ..
+        } if conditions.is_empty() => match anywhere() {
+            Some(witness) => {
+                let first = "the negated statement is proved: it holds everywhere".to_owned();
+                let steps = std::iter::once(first).chain(steps).collect();
+                Decision::Refuted(Box::new(Refutation {
+                    witness,
+                    sides: None,
+                    steps,
+                }))
             }
-        }
+            None => Decision::Open {
+                reason: "the negated statement holds, but no point of the domain was found"
+                    .to_owned(),
+                tried: steps,
+            },
+        },
+        Decision::Proven { steps, .. } => Decision::Open {
+            reason: "the negated statement is proved under conditions only".to_owned(),
+            tried: steps,
+        },
         undecided @ (Decision::Open { .. } | Decision::Vacuous { .. }) => undecided,
-    })
+    }
+}
+
+/// A point of the domain, with both sides of the first comparison that has plain ones.
+pub(crate) fn sampled(statement: &Statement, domain: &Domain<'_>) -> Option<Witness> {
+    comparisons(statement)
+        .into_iter()
+        .find_map(|(left, right)| equality::sample(left, right, domain))
 }
 
 /// The sides of all comparisons in a statement.
@@ -237,7 +260,7 @@ fn comparisons(statement: &Statement) -> Vec<(&Value, &Value)> {
 }
 
 /// A conjunction of decisions, neither of which is a refutation unless the second is.
-fn both(first: Decision, second: Decision) -> Decision {
+pub(crate) fn both(first: Decision, second: Decision) -> Decision {
     match (first, second) {
         (_, refuted @ Decision::Refuted(_)) => refuted,
         (

@@ -11,7 +11,7 @@ use super::sign::prove;
 use crate::evaluate::value::Statement;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
-use torse_language::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
+use torse_language::derivation::declarations::{Bound, Interval, SymbolKind};
 use torse_language::syntax::{Connective, Relation};
 
 /// How far a range is left, one after the other.
@@ -132,18 +132,11 @@ fn beyond(
     let declarations = domain
         .declarations
         .with_symbol(name, SymbolKind::Real(Box::new(wider)));
-    let wider = on(&declarations, domain);
+    let wider = domain.on(&declarations);
     let holds = all.iter().all(|b| {
         prove(&b.polynomial, &wider).is_some_and(|certificate| certificate.strict || !b.strict)
     });
     holds.then(|| format!("the range of {name} may be widened to {there}: it is proved there too"))
-}
-
-fn on<'a>(declarations: &'a Declarations, domain: &Domain<'_>) -> Domain<'a> {
-    Domain {
-        declarations,
-        constraints: domain.constraints.clone(),
-    }
 }
 
 /// A point with this value of the symbol at which the bound fails, in words.

@@ -168,10 +168,7 @@ fn totally_positive(seeds: &[Fraction], variable: &str, domain: &Domain<'_>) -> 
         .fold(domain.declarations.clone(), |all, place| {
             all.with_symbol(place, unit.clone())
         });
-    let cube = Domain {
-        declarations: &declarations,
-        constraints: domain.constraints.clone(),
-    };
+    let cube = domain.on(&declarations);
     let half = Symbol::named(&format!("{variable}\u{bd}"));
     let mut count = 0;
     for chosen in subsets(seeds.len()) {

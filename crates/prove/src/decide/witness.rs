@@ -11,6 +11,7 @@ use crate::evidence::Witness;
 use crate::formula;
 use std::collections::BTreeMap;
 use torse_algebra::{Angle, Fraction, Polynomial, Symbol};
+use torse_language::derivation::declarations::SymbolKind;
 use torse_language::notation;
 use torse_language::syntax::Relation;
 
@@ -83,14 +84,35 @@ pub fn turns(values: &[&Fraction], symbol: &Symbol) -> Turns {
     }
 }
 
-/// A point of the domain at which `wanted` holds for the fraction that is passed in, no divisor of it
-/// vanishes, and the assumptions hold.
+/// A point of the domain at which `wanted` holds for the fraction that is passed in, no divisor of it, of what is
+/// `also` to be known there, or of the statement vanishes, and every constraint holds; with the values of eliminated symbols.
+///
+/// None where the index of a point is symbolic: two names may be one point then, which small instances tell apart.
 #[must_use]
-pub fn find(difference: &Fraction, domain: &Domain<'_>, wanted: Relation) -> Option<Point> {
-    let constraints: Vec<&Fraction> = domain.constraints.iter().map(|c| &c.value).collect();
+pub fn find(
+    difference: &Fraction,
+    also: &[&Fraction],
+    domain: &Domain<'_>,
+    wanted: Relation,
+) -> Option<Point> {
+    let mut constraints: Vec<(Fraction, Relation)> = domain
+        .constraints
+        .iter()
+        .map(|c| (c.value.clone(), c.relation))
+        .collect();
+    let recorded = also.iter().flat_map(|f| f.conditions());
+    let divisors = domain.pivots.iter().chain(&domain.divisors).chain(recorded);
+    constraints.extend(divisors.map(|p| (p.clone().into(), Relation::Different)));
     let mut everything = vec![difference];
-    everything.extend(&constraints);
-    let symbols = free_symbols(&everything);
+    everything.extend(also);
+    everything.extend(constraints.iter().map(|(value, _)| value));
+    everything.extend(domain.solved.iter().map(|(_, value)| value));
+    let mut symbols = free_symbols(&everything);
+    let symbolic = |s: &Symbol| matches!(s, Symbol::Indexed(_, index) if index.iter().any(|i| i.as_number().is_none()));
+    if symbols.iter().any(symbolic) {
+        return None;
+    }
+    bounding_integers(&mut symbols, domain);
     let candidates: Vec<(Symbol, Vec<Fraction>)> = symbols
         .into_iter()
         .map(|s| {
@@ -104,14 +126,38 @@ pub fn find(difference: &Fraction, domain: &Domain<'_>, wanted: Relation) -> Opt
         tries: 0,
         point: Point::new(),
     };
-    let constraints: Vec<(Fraction, Relation)> = domain
-        .constraints
-        .iter()
-        .map(|c| (c.value.clone(), c.relation))
-        .collect();
-    search
-        .run(difference.clone(), &constraints, &candidates)
-        .then_some(search.point)
+    let found = search.run(difference.clone(), &constraints, &candidates);
+    let mut point = found.then_some(search.point)?;
+    for (symbol, value) in &domain.solved {
+        let value = at_point(value, &point)?;
+        point.insert(symbol.clone(), value);
+    }
+    Some(point)
+}
+
+/// Adds the integers in whose terms the ranges of others are declared.
+fn bounding_integers(symbols: &mut Vec<Symbol>, domain: &Domain<'_>) {
+    let mut place = 0;
+    while let Some(symbol) = symbols.get(place).cloned() {
+        place += 1;
+        let Symbol::Named(name) = symbol else {
+            continue;
+        };
+        let Some(SymbolKind::Integer { least, most }) = domain.declarations.symbol(&name) else {
+            continue;
+        };
+        for form in least.iter().chain(most) {
+            for (other, _) in form.multiples() {
+                let other = Symbol::named(other);
+                let eliminated = domain.solved.iter().any(|(s, _)| *s == other);
+                if !eliminated && !symbols.contains(&other) {
+                    // Parameters come before points.
+                    symbols.insert(0, other);
+                    place += 1;
+                }
+            }
+        }
+    }
 }
 
 struct Search<'a> {
@@ -136,24 +182,22 @@ impl Search<'_> {
         {
             return false;
         }
-        // An assumption that has become a number must hold.
-        let holds = |(c, relation): &(Fraction, Relation)| {
-            truth(c, *relation) != Some(false) || !free_symbols(&[c]).is_empty()
+        let Some(((symbol, values), rest)) = left.split_first() else {
+            // An unsettled sign is no point of the domain.
+            let settled = |(c, relation): &(Fraction, Relation)| truth(c, *relation) == Some(true);
+            return truth(&value, self.wanted) == Some(true)
+                && constraints.iter().all(settled)
+                && self.integers_in_range();
         };
-        if !constraints.iter().all(holds) {
+        // A constraint that has become a number must hold.
+        let fails = |(c, relation): &(Fraction, Relation)| truth(c, *relation) == Some(false);
+        if constraints.iter().any(fails) {
             return false;
         }
-        let Some(((symbol, values), rest)) = left.split_first() else {
-            return truth(&value, self.wanted) == Some(true);
-        };
         for at in values {
             self.tries += 1;
             if self.tries > MAX_TRIES {
                 return false;
-            }
-            // Dependent ranges (i up to k): the value must respect what is already chosen.
-            if !self.in_dependent_range(symbol, at) {
-                continue;
             }
             let Some(next) = placed(&value, symbol, at) else {
                 continue;
@@ -174,25 +218,38 @@ impl Search<'_> {
         false
     }
 
-    fn in_dependent_range(&self, symbol: &Symbol, at: &Fraction) -> bool {
-        use torse_language::derivation::declarations::SymbolKind;
-        let Symbol::Named(name) = symbol else {
-            return true;
-        };
-        let Some(SymbolKind::Integer { least, most }) = self.domain.declarations.symbol(name)
-        else {
-            return true;
-        };
-        let bound = |form: &Option<torse_algebra::Affine>, relation: Relation| {
-            form.as_ref().is_none_or(|form| {
-                let value: Fraction = crate::evaluate::series::polynomial_of(form).into();
-                match at_point(&value, &self.point) {
-                    Some(value) => truth(&(at.clone() - value), relation) != Some(false),
-                    None => true,
-                }
-            })
-        };
-        bound(least, Relation::AtLeast) && bound(most, Relation::AtMost)
+    /// Whether every integer of the point respects its bounds, which may name others, and every eliminated one is an
+    /// integer.
+    fn integers_in_range(&self) -> bool {
+        let mut all = self.point.clone();
+        for (symbol, value) in &self.domain.solved {
+            let Some(value) = at_point(value, &self.point) else {
+                return false;
+            };
+            if self.domain.is_integer(symbol)
+                && !value.as_rational().is_some_and(|q| q.is_integer())
+            {
+                return false;
+            }
+            all.insert(symbol.clone(), value);
+        }
+        all.iter().all(|(symbol, at)| {
+            let Symbol::Named(name) = symbol else {
+                return true;
+            };
+            let Some(SymbolKind::Integer { least, most }) = self.domain.declarations.symbol(name)
+            else {
+                return true;
+            };
+            let bound = |form: &Option<torse_algebra::Affine>, relation: Relation| {
+                form.as_ref().is_none_or(|form| {
+                    let value: Fraction = crate::evaluate::series::polynomial_of(form).into();
+                    at_point(&value, &all)
+                        .is_some_and(|value| truth(&(at.clone() - value), relation) == Some(true))
+                })
+            };
+            bound(least, Relation::AtLeast) && bound(most, Relation::AtMost)
+        })
     }
 }
 

@@ -5,7 +5,7 @@ use super::value::{Value, Vector};
 use super::wrong_type;
 use std::collections::BTreeMap;
 use torse_algebra::matrix::{Matrix, MatrixError};
-use torse_algebra::{Fraction, Symbol};
+use torse_algebra::{Fraction, Polynomial, Symbol};
 use torse_language::fault::{Fault, Problem};
 use torse_language::syntax::Place;
 
@@ -116,12 +116,12 @@ pub(crate) fn single_symbol(value: &Fraction) -> Option<Symbol> {
 
 /// `form = sum of row[i] * symbols[i] + rest`, if it is linear in the symbols.
 fn linear_form(form: &Fraction, symbols: &[Symbol]) -> Option<(Vec<Fraction>, Fraction)> {
-    let involved = |p: &torse_algebra::Polynomial| symbols.iter().any(|s| p.degree_in(s) > 0);
+    let involved = |p: &Polynomial| symbols.iter().any(|s| p.degree_in(s) > 0);
     if form.denominator_factors().any(|(p, _)| involved(p)) {
         return None;
     }
     let below: Fraction = form.denominator().into();
-    let over = |p: torse_algebra::Polynomial| {
+    let over = |p: Polynomial| {
         Fraction::from(p)
             .over(&below)
             .ok()
@@ -132,7 +132,7 @@ fn linear_form(form: &Fraction, symbols: &[Symbol]) -> Option<(Vec<Fraction>, Fr
     for symbol in symbols {
         let by_power = rest.coefficients_in(symbol);
         let coefficient = match by_power.as_slice() {
-            [] | [_] => torse_algebra::Polynomial::zero(),
+            [] | [_] => Polynomial::zero(),
             [_, linear] => linear.clone(),
             _ => return None,
         };
@@ -147,16 +147,26 @@ fn linear_form(form: &Fraction, symbols: &[Symbol]) -> Option<(Vec<Fraction>, Fr
     Some((row, over(rest)?))
 }
 
+/// A solved linear system.
+#[derive(Debug, Clone, Default)]
+pub struct Solution {
+    /// The value of each symbol.
+    pub values: BTreeMap<Symbol, Fraction>,
+    /// What the equations say beyond that: each is zero.
+    pub rest: Vec<Fraction>,
+}
+
+/// Longer determinants are not multiplied out: then every pivot is a condition.
+const MAX_DETERMINANT: usize = 400;
+
 /// Solves linear equations `form = 0` for symbols.
 ///
+/// The values are those of Cramer's rule, so they are known wherever the determinant is not zero; the pivots of the
+/// elimination, which may vanish there, are no conditions.
+///
 /// # Errors
-/// A [`Fault`] when the equations are not linear, do not determine the symbols, or contradict each
-/// other.
-pub fn solve_for(
-    forms: &[Fraction],
-    symbols: &[Symbol],
-    place: Place,
-) -> Result<BTreeMap<Symbol, Fraction>, Fault> {
+/// A [`Fault`] when the equations are not linear or do not determine the symbols.
+pub fn solve_for(forms: &[Fraction], symbols: &[Symbol], place: Place) -> Result<Solution, Fault> {
     let mut rows: Vec<(Vec<Fraction>, Fraction)> = vec![];
     for form in forms {
         let split = linear_form(form, symbols);
@@ -168,8 +178,9 @@ pub fn solve_for(
             )
         })?);
     }
+    let divisors: Vec<Polynomial> = forms.iter().flat_map(|f| f.conditions().to_vec()).collect();
+    let mut determinant = Some(Fraction::integer(1));
     // Gauss-Jordan elimination; every pivot is recorded by the fractions themselves.
-    let mut solution = BTreeMap::new();
     let mut used: Vec<(usize, Vec<Fraction>, Fraction)> = vec![];
     for column in 0..symbols.len() {
         let pivot = rows
@@ -186,6 +197,9 @@ pub fn solve_for(
         };
         let (row, constant) = rows.remove(pivot);
         let lead = row.get(column).cloned().unwrap_or_else(Fraction::zero);
+        determinant = determinant
+            .filter(|d| d.numerator().len() * lead.numerator().len() <= MAX_DETERMINANT)
+            .map(|d| d * lead.clone().without_conditions());
         let exact = |e| Fault::exact(place, e);
         let row: Vec<Fraction> = row
             .iter()
@@ -211,16 +225,28 @@ pub fn solve_for(
         }
         used.push((column, row, constant));
     }
-    if rows.iter().any(|(_, constant)| !constant.is_zero()) {
-        return Err(Fault::limit(
-            place,
-            "the given equations contradict each other for some values",
-        ));
-    }
+    let known = |value: Fraction| match &determinant {
+        Some(determinant) => {
+            let condition = determinant.numerator().primitive().1;
+            let nonconstant = condition.as_constant().is_none();
+            let conditions: Vec<Polynomial> =
+                nonconstant.then_some(condition).into_iter().collect();
+            value
+                .without_conditions()
+                .under(&conditions)
+                .under(&divisors)
+        }
+        None => value,
+    };
+    let mut values = BTreeMap::new();
     for (column, _, constant) in used {
         if let Some(symbol) = symbols.get(column) {
-            solution.insert(symbol.clone(), -constant);
+            values.insert(symbol.clone(), known(-constant));
         }
     }
-    Ok(solution)
+    let rest = rows.into_iter().map(|(_, constant)| known(constant));
+    Ok(Solution {
+        values,
+        rest: rest.filter(|form| !form.is_zero()).collect(),
+    })
 }

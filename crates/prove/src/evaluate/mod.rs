@@ -103,6 +103,12 @@ impl<'a> Evaluator<'a> {
         self.fixed.insert(name, value);
     }
 
+    /// The symbols with a value.
+    #[must_use]
+    pub fn fixed(&self) -> &BTreeMap<String, Fraction> {
+        &self.fixed
+    }
+
     /// Gives unknowns their values from here on.
     pub fn determine(&mut self, solution: impl IntoIterator<Item = (Symbol, Fraction)>) {
         self.opened.borrow_mut().clear();

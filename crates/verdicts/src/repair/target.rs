@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 use torse_algebra::Fraction;
+use torse_language::core;
+use torse_language::derivation::declarations::SymbolKind;
 use torse_language::derivation::{Claim, Written};
 use torse_language::syntax::Expr;
 use torse_prove::case::Case;
@@ -22,11 +24,13 @@ impl<'a> Target<'a> {
     /// The other side of the comparison that the path leads into; none where it is no plain formula.
     #[must_use]
     pub fn new(claim: &'a Claim, statement: &Written, path: &[usize]) -> Option<Self> {
-        let exprs: Vec<&Expr> = std::iter::once(statement)
-            .chain(&claim.given)
-            .map(|w| &w.expr)
+        let core = core::Claim::new(claim, statement).ok()?;
+        let integers: Vec<String> = core
+            .symbols
+            .iter()
+            .filter(|(_, set)| matches!(set, SymbolKind::Integer { .. }))
+            .map(|(name, _)| name.to_string())
             .collect();
-        let integers = torse_prove::decide::instances::integers_used(&exprs, &claim.declarations);
         let mut instances = vec![];
         for shift in 0..2_i64 {
             // Different integers for different symbols, above the special small degrees.

@@ -3,7 +3,8 @@
 //! A bounded symbol is v = a + (b - a) t with t in `[0, 1]`, a symbol with one bound v = a + t or b - t
 //! with t >= 0. Sine and cosine of a quarter turn become rational functions of the tangent t of half the
 //! angle, s = 2t/(1 + t^2), c = (1 - t^2)/(1 + t^2), and the polynomial is multiplied by the positive
-//! denominator: the same sign, with t in `[0, 1]` for a variable of `[0, 1]`. A variable that also stands
+//! denominator: the same sign, with t in `[0, 1]` for a variable of `[0, 1]`, and likewise for angles in radians from
+//! 0 to pi/2, or to pi with t >= 0. A variable that also stands
 //! outside keeps its own range: the box is larger than the domain, which proves more than is asked.
 
 use crate::decide::domain::Domain;
@@ -52,15 +53,16 @@ impl Coordinates {
                 continue;
             };
             let half = Symbol::named(&format!("{name}\u{bd}"));
-            let unit = domain.interval(symbol);
-            let quarter = unit.lower.as_ref().is_some_and(|b| b.value.is_zero());
-            if !quarter || intervals.iter().any(|(known, _)| *known == half) {
+            if intervals.iter().any(|(known, _)| *known == half) {
                 continue;
             }
+            let Some(tangent) = domain.half_tangent(symbol) else {
+                continue;
+            };
             for polynomial in &mut moved {
                 *polynomial = in_half_angle(polynomial, symbol, &half)?;
             }
-            intervals.push((half, unit));
+            intervals.push((half, tangent));
         }
         for symbol in moved.iter().flat_map(|p| p.symbols().to_vec()) {
             let number = matches!(symbol, Symbol::Pi | Symbol::Root(_));

@@ -14,6 +14,7 @@ mod prove;
 
 use super::domain::Domain;
 use super::{Decision, Refutation, witness};
+use crate::case::opposite;
 use crate::evaluate::quantity::Quantity;
 use crate::evaluate::value::{NOWHERE, Value};
 use crate::evidence::Evidence;
@@ -107,14 +108,7 @@ pub fn compare(
         ));
     };
     let difference = x.clone() - y.clone();
-    let opposite = match relation {
-        Relation::Equal => Relation::Different,
-        Relation::Different => Relation::Equal,
-        Relation::Less => Relation::AtLeast,
-        Relation::AtMost => Relation::Greater,
-        Relation::Greater => Relation::AtMost,
-        Relation::AtLeast => Relation::Less,
-    };
+    let opposite = opposite(relation);
     if difference.is_zero() && matches!(relation, Relation::AtMost | Relation::AtLeast) {
         return Ok(Decision::identity(
             witness::nonconstant(difference.conditions().to_vec()),
@@ -144,7 +138,7 @@ pub fn compare(
             });
         }
     }
-    if let Some(point) = witness::find(&difference, domain, opposite)
+    if let Some(point) = witness::find(&difference, &[x, y], domain, opposite)
         && let Some(witness) =
             witness::described(&point, std::slice::from_ref(x), std::slice::from_ref(y))
     {
@@ -177,18 +171,34 @@ fn different(
     if relation != Relation::Different {
         return open("vectors and matrices have no order");
     }
-    let never_equal = left.iter().zip(right).any(|(x, y)| {
-        let difference = x.minus(y);
-        let sign = difference
-            .as_fraction()
-            .and_then(|d| sign_of_fraction(d, domain));
-        matches!(sign, Some((Sign::Positive | Sign::Negative, _)))
-    });
-    if never_equal {
-        return Decision::Proven {
-            evidence: Evidence::Inequality,
-            conditions: vec![],
-            steps: vec!["one coordinate of the difference never vanishes on the domain".to_owned()],
+    let differences: Option<Vec<Fraction>> = left
+        .iter()
+        .zip(right)
+        .map(|(x, y)| x.minus(y).as_fraction().cloned())
+        .collect();
+    let Some(differences) = differences else {
+        return open("a difference of symbolic degree");
+    };
+    let conditions: Vec<Polynomial> = differences
+        .iter()
+        .flat_map(|d| d.conditions().to_vec())
+        .collect();
+    let proofs = differences
+        .iter()
+        .find_map(|d| match sign_of_fraction(d, domain)? {
+            (Sign::Positive | Sign::Negative, proofs) => Some(proofs),
+            _ => None,
+        });
+    if let Some(proofs) = proofs {
+        return match replayed(&proofs, domain) {
+            Ok(_) => Decision::Proven {
+                evidence: Evidence::Inequality,
+                conditions: witness::nonconstant(conditions),
+                steps: vec![
+                    "one coordinate of the difference never vanishes on the domain".to_owned(),
+                ],
+            },
+            Err(error) => open(&format!("the certificate of sign does not hold: {error}")),
         };
     }
     open("no coordinate of the difference is known never to vanish")
