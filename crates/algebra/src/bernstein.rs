@@ -14,7 +14,6 @@
 mod check;
 mod prove;
 
-use crate::order::equal;
 use crate::positivity::RationalBox;
 use crate::rational::{Integer, Rational, integer};
 use num_integer::Integer as _;
@@ -272,7 +271,7 @@ fn move_origin(line: &mut [Rational], origin: &Rational, width: &Rational) {
             }
         }
     }
-    if !equal(width, &integer(1)) {
+    if *width != integer(1) {
         let mut power = integer(1);
         for c in line {
             *c = &*c * &power;

@@ -20,7 +20,6 @@
 //! ```
 
 use crate::ball::Ball;
-use crate::order::compare;
 use crate::positivity::{Attempt, CertificateError, Decision, Positivity, RationalBox};
 use crate::rational::Rational;
 use crate::scalar::ExactError;
@@ -149,7 +148,7 @@ pub fn check_certificate(
         });
     }
     for (piece, (region, lower)) in certificate.leaves.iter().enumerate() {
-        let holds = |value: Ball| compare(lower, &value.lower()).is_le();
+        let holds = |value: Ball| *lower <= value.lower();
         let replayed = f(&region.balls(certificate.bits)).is_ok_and(holds);
         if !certificate.positivity.admits_number(lower) || !replayed {
             return Err(CertificateError::PieceFails { piece });
@@ -172,7 +171,7 @@ fn relatively_widest(piece: &RationalBox, whole: &RationalBox) -> Option<usize> 
         });
     // The first of equals.
     parts
-        .reduce(|a, b| if compare(&b.1, &a.1).is_gt() { b } else { a })
+        .reduce(|a, b| if b.1 > a.1 { b } else { a })
         .map(|(axis, _)| axis)
 }
 

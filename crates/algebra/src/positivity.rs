@@ -6,7 +6,6 @@
 //! pieces fill the box ([`RationalBox::is_filled_by`]).
 
 use crate::ball::Ball;
-use crate::order::{compare, equal};
 use crate::rational::{Integer, Rational, integer};
 use crate::scalar::ExactError;
 use std::cmp::Ordering;
@@ -70,7 +69,7 @@ impl RationalBox {
             return Err(BoxError::NoSides);
         }
         for (axis, (lower, upper)) in sides.iter().enumerate() {
-            if compare(lower, upper).is_gt() {
+            if lower > upper {
                 return Err(BoxError::Reversed {
                     axis,
                     lower: lower.clone(),
@@ -121,7 +120,7 @@ impl RationalBox {
     #[must_use]
     pub fn halves(&self, axis: usize) -> Option<(Self, Self)> {
         let side = self.sides.get(axis)?;
-        if equal(&side.0, &side.1) {
+        if side.0 == side.1 {
             return None;
         }
         let (mut low, mut high) = (self.clone(), self.clone());
@@ -146,7 +145,7 @@ impl RationalBox {
         let mut waiting = vec![(self.clone(), boxes.to_vec())];
         while let Some((region, pieces)) = waiting.pop() {
             if let [piece] = pieces.as_slice()
-                && piece.is_same(&region)
+                && **piece == region
             {
                 continue;
             }
@@ -155,8 +154,8 @@ impl RationalBox {
                 let plane = &low.sides[axis].1;
                 let (below, rest): (Vec<&Self>, Vec<&Self>) = pieces
                     .iter()
-                    .partition(|piece| compare(&piece.sides[axis].1, plane).is_le());
-                let above = |piece: &&Self| compare(&piece.sides[axis].0, plane).is_ge();
+                    .partition(|piece| piece.sides[axis].1 <= *plane);
+                let above = |piece: &&Self| piece.sides[axis].0 >= *plane;
                 // Pieces on both sides: so each cut leaves fewer to take apart, and none goes on forever.
                 let cuts = !below.is_empty() && !rest.is_empty() && rest.iter().all(above);
                 cuts.then_some([(low, below), (high, rest)])
@@ -168,15 +167,10 @@ impl RationalBox {
         }
         true
     }
-
-    fn is_same(&self, other: &Self) -> bool {
-        let mut pairs = self.sides.iter().zip(&other.sides);
-        pairs.all(|(a, b)| equal(&a.0, &b.0) && equal(&a.1, &b.1))
-    }
 }
 
 fn middle((lower, upper): &(Rational, Rational)) -> Rational {
-    (lower + upper) / Integer::from(2)
+    (lower + upper) / integer(2)
 }
 
 /// How a search ended. `C` is the certificate of a proof, `V` the kind of values.

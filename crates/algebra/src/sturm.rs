@@ -24,7 +24,6 @@ mod integral;
 mod isolate;
 mod sign;
 
-use crate::order::compare;
 use crate::rational::{Integer, Rational};
 use dashu_int::ops::BitTest;
 use num_traits::Zero;
@@ -153,7 +152,7 @@ impl SturmSequence {
     pub fn count(&self, interval: impl RangeBounds<Rational>) -> usize {
         let (lower, upper) = (interval.start_bound(), interval.end_bound());
         if let (Some(a), Some(b)) = (finite(lower), finite(upper)) {
-            match compare(a, b) {
+            match a.cmp(b) {
                 Ordering::Less => {}
                 Ordering::Equal if includes(lower) && includes(upper) => {
                     return usize::from(self.is_root(a));

@@ -8,7 +8,6 @@ use torse_algebra::bernstein::{
     self, BernsteinCertificate, BernsteinError, BernsteinForm, Leaf, Term,
 };
 use torse_algebra::branch;
-use torse_algebra::order::compare;
 use torse_algebra::positivity::{BoxError, CertificateError, Decision, Positivity, RationalBox};
 use torse_algebra::rational::integer;
 use torse_algebra::{Ball, ExactError, Integer, Rational, Scalar};
@@ -164,7 +163,7 @@ fn a_zero_at_a_dyadic_point_is_proved_and_one_at_a_third_stays_unknown() {
     assert_eq!(attempt.examined, 50);
     // What is left closes in on the zero.
     let (lower, upper) = &attempt.example.sides()[0];
-    let near = |end: &Rational| compare(&(end - q(1, 3)).abs(), &q(1, 1000)).is_lt();
+    let near = |end: &Rational| (end - q(1, 3)).abs() < q(1, 1000);
     assert!(attempt.open <= 3 && near(lower) && near(upper));
 }
 
@@ -346,8 +345,8 @@ proptest! {
         let x = point_of(&region, &eighths);
         prop_assert_eq!(from_coefficients(&form, &t), value(&terms, &x));
         let (least, greatest) = form.bounds();
-        prop_assert!(compare(&least, &value(&terms, &x)).is_le());
-        prop_assert!(compare(&value(&terms, &x), &greatest).is_le());
+        prop_assert!(least <= value(&terms, &x));
+        prop_assert!(value(&terms, &x) <= greatest);
         for (corner, at_corner) in form.corners() {
             prop_assert_eq!(at_corner, value(&terms, &corner));
         }

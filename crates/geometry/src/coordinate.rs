@@ -157,7 +157,6 @@ impl Coordinate for f64 {
 
 impl Coordinate for Rational {
     fn sign(&self) -> Option<Ordering> {
-        // Not the order of `Ratio`: see `torse_algebra::order`.
         Some(self.numer().cmp(&Integer::ZERO))
     }
 }
@@ -182,7 +181,7 @@ impl Coordinate for Ball {
 
     fn centred(&self) -> Option<(Self, Self)> {
         let rounding = Rational::new(Integer::ONE, Integer::ONE << (self.bits() / 2));
-        let wide = torse_algebra::order::compare(&self.width(), &rounding) == Ordering::Greater;
+        let wide = self.width() > rounding;
         let centre = Self::from_rational(&self.midpoint(), self.bits());
         wide.then(|| (centre.clone(), self - &centre))
     }

@@ -22,8 +22,8 @@ mod pi;
 mod text;
 mod trigonometry;
 
-use crate::order::{self, ceiling_quotient, floor_quotient};
 use crate::rational::{Integer, Rational};
+use crate::rational::{ceiling_quotient, floor_quotient};
 use crate::scalar::{ExactError, Scalar, ZeroTest};
 use dashu_int::ops::{BitTest, SquareRoot};
 use num_traits::{Signed, Zero};
@@ -83,7 +83,7 @@ impl Ball {
     #[must_use]
     pub fn from_bounds(one: &Rational, other: &Rational, bits: usize) -> Self {
         let bits = bits.min(Self::MAX_BITS);
-        let (least, greatest) = (order::least(one, other), order::greatest(one, other));
+        let (least, greatest) = (one.min(other), one.max(other));
         Self {
             lo: floor_quotient(&(least.numer() << bits), least.denom()),
             hi: ceiling_quotient(&(greatest.numer() << bits), greatest.denom()),
@@ -318,7 +318,7 @@ fn dyadic(numerator: &Integer, bits: usize) -> Rational {
         None => Rational::zero(),
         Some(zeros) => {
             let common = zeros.min(bits);
-            Rational::new_raw(numerator >> common, Integer::ONE << (bits - common))
+            Rational::in_lowest_terms(numerator >> common, Integer::ONE << (bits - common))
         }
     }
 }

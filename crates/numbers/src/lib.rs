@@ -8,7 +8,6 @@
 
 pub mod affine;
 pub mod ball;
-pub mod order;
 pub mod rational;
 pub mod scalar;
 

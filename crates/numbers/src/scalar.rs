@@ -142,7 +142,7 @@ impl Scalar for Rational {
             return Err(no_exact_turn());
         }
         let four = crate::Integer::from(4);
-        let turns = num_integer::Integer::mod_floor(self.numer(), &four);
+        let turns = crate::rational::remainder(self.numer(), &four);
         let quarter = u8::try_from(turns).map_err(|_| no_exact_turn())?;
         let number = crate::rational::integer;
         Ok(match quarter {

@@ -6,7 +6,6 @@ use dashu_float::{Context, FBig, Repr};
 use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 use std::cmp::Ordering;
-use torse_numbers::order::compare;
 use torse_numbers::rational::{integer, ratio, to_f64};
 use torse_numbers::{Ball, ExactError, Integer, Rational, Scalar, ZeroTest};
 
@@ -24,7 +23,7 @@ fn units(n: i64, bits: usize) -> Rational {
 }
 
 fn at_most(a: &Rational, b: &Rational) -> bool {
-    compare(a, b).is_le()
+    a <= b
 }
 
 /// `inner` lies in `outer`.
@@ -84,7 +83,7 @@ fn pi_is_the_unit_interval_around_pi_whatever_was_asked_before() {
         assert_eq!(ball.width(), units(1, bits));
         let below = exact(&Context::<mode::Down>::new(bits + 80).pi::<2>(None).value());
         let above = exact(&Context::<mode::Up>::new(bits + 80).pi::<2>(None).value());
-        assert!(compare(&below, &above).is_lt());
+        assert!(below < above);
         assert_inside(&ball, (below, above));
     }
 }
@@ -109,7 +108,7 @@ fn a_quarter_turn_over_an_interval_reaches_its_turning_points_exactly() {
     assert!(c.contains_zero() && !c.contains(&ratio(3, 4).unwrap()));
     let (s, c) = range(integer(2), integer(4) + &half);
     assert_eq!((s.lower(), c.upper()), (integer(-1), integer(1)));
-    assert!(compare(&s.upper(), &integer(1)).is_lt() && c.lower() == integer(-1));
+    assert!(s.upper() < integer(1) && c.lower() == integer(-1));
     let (s, c) = range(integer(-7), integer(12));
     assert_eq!(
         (s.lower(), s.upper(), c.lower(), c.upper()),
@@ -325,8 +324,8 @@ proptest! {
         let (below, above) = ball.to_f64_bounds();
         prop_assert!(at_most(&exact_double(below), &ball.lower()));
         prop_assert!(at_most(&ball.upper(), &exact_double(above)));
-        prop_assert!(compare(&exact_double(below.next_up()), &ball.lower()).is_gt());
-        prop_assert!(compare(&exact_double(above.next_down()), &ball.upper()).is_lt());
+        prop_assert!(exact_double(below.next_up()) > ball.lower());
+        prop_assert!(exact_double(above.next_down()) < ball.upper());
         prop_assert!((to_f64(&q) - below).abs() <= 2.0 * (below.next_up() - below));
     }
 

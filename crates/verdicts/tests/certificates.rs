@@ -145,15 +145,19 @@ fn multipliers_and_factors_that_may_be_negative_are_rejected() {
         ..domain.clone()
     };
     assert!(check(&sum, &none, &good).is_err());
-    // -y = (-1) y: the multiplier is negative.
-    let negative = -y();
-    let mut bad = prove(&number(0), &domain).unwrap();
-    bad.multipliers = vec![(0, integer(-1))];
-    bad.rest = number(0);
-    assert_eq!(
-        check(&negative, &domain, &bad),
-        Err(CertificateError::Part { part: 0 })
-    );
+    // -y = (-1) y, -y/2 = (-1/2) y: the multipliers are negative.
+    for multiplier in [integer(-1), ratio(-1, 2).unwrap()] {
+        let mut bad = prove(&number(0), &domain).unwrap();
+        bad.multipliers = vec![(0, multiplier.clone())];
+        bad.rest = number(0);
+        for strict in [false, true] {
+            bad.strict = strict;
+            assert_eq!(
+                check(&y().scaled(&multiplier), &domain, &bad),
+                Err(CertificateError::Part { part: 0 })
+            );
+        }
+    }
     // y = 1 y: y is no factor that is known to be nonnegative.
     let mut bad = prove(&number(1), &none).unwrap();
     bad.factors = vec![Factor::Symbol(Symbol::named("y"))];

@@ -222,3 +222,24 @@ fn variation_diminution_is_proved_for_powers_and_refuted_by_a_curve() {
     let first = "degree 1: totally positive for all shape parameters, by certificates of sign for all 3 minors";
     assert!(open.steps.contains(&first.to_owned()), "{open:?}");
 }
+
+/// Each of these rests on the sign of a fraction between -1 and 0.
+#[test]
+fn negative_fractions_below_one_in_size_prove_no_falsehood() {
+    let claims = [
+        ("2*y < 1", "y > 0", false),
+        ("2*y^2 > -1", "y^2 < 0", false),
+        ("2*y > -1", "y < 0", false),
+        ("3*y > -2", "y > -1/2", false),
+        ("2*y > -1", "y > -1", true),
+        ("2*y < -1", "y < 0", true),
+        ("2*y < -1", "y < -1/3", true),
+    ];
+    for (number, (assume, states, expected)) in claims.into_iter().enumerate() {
+        let found = outcome(
+            &format!("below-one-{number}"),
+            &format!("assume = ['{assume}']\nstates = '{states}'"),
+        );
+        assert_eq!(found.verdict == Verdict::Holds, expected, "{assume}: {states}");
+    }
+}

@@ -6,7 +6,6 @@
 //! polynomial of degree `e` in these arguments, divided by `C(d, e)`.
 
 use super::{BernsteinCertificate, Term, degrees_of};
-use crate::order::equal;
 use crate::positivity::{CertificateError, RationalBox};
 use crate::rational::{Integer, Rational};
 use num_traits::{One, Zero};
@@ -30,7 +29,7 @@ pub fn check_certificate(
     for (piece, leaf) in certificate.leaves.iter().enumerate() {
         let stated = certificate.positivity.admits_number(&leaf.least);
         let least = least_coefficient(terms, &leaf.region, &degrees);
-        if !stated || !least.is_some_and(|least| equal(&least, &leaf.least)) {
+        if !stated || least.as_ref() != Some(&leaf.least) {
             return Err(CertificateError::PieceFails { piece });
         }
     }
@@ -63,13 +62,7 @@ fn least_coefficient(terms: &[Term], region: &RationalBox, degrees: &[usize]) ->
             })
         })
     };
-    (0..count).map(coefficient).reduce(|a, b| {
-        if crate::order::compare(&b, &a).is_lt() {
-            b
-        } else {
-            a
-        }
-    })
+    (0..count).map(coefficient).min()
 }
 
 /// The polar forms of `1, x, ..., x^d` at `d - j` arguments `a` and `j` arguments `b`: the coefficients of

@@ -1,7 +1,7 @@
 //! Images of polynomials modulo a prime: fast upper bounds for degrees of common divisors.
 
 use super::Polynomial;
-use crate::rational::Integer;
+use crate::rational::{Integer, remainder};
 use crate::symbol::Symbol;
 
 /// The Mersenne prime 2^61 - 1.
@@ -30,7 +30,7 @@ fn power(base: u64, mut exponent: u64) -> u64 {
 
 fn residue(n: &Integer) -> u64 {
     let modulus = Integer::from(PRIME);
-    u64::try_from(num_integer::Integer::mod_floor(n, &modulus)).unwrap_or(0)
+    u64::try_from(remainder(n, &modulus)).unwrap_or(0)
 }
 
 /// A fixed pseudo-random residue for the n-th symbol (a splitmix step).

@@ -6,7 +6,7 @@
 
 use super::Polynomial;
 use crate::matrix::ExactDivision;
-use crate::rational::{Rational, integer, ratio};
+use crate::rational::{Rational, integer, ratio, remainder};
 use crate::scalar::{ExactError, Scalar, ZeroTest};
 use crate::symbol::{Angle, Symbol};
 use num_traits::{One, Signed, ToPrimitive};
@@ -28,7 +28,7 @@ fn constant_angle(turns: &Rational) -> Option<Pair> {
     if Rational::from_integer(sixths.clone()) != turns * integer(6) {
         return None;
     }
-    let sixths = num_integer::Integer::mod_floor(&sixths, &crate::Integer::from(24)).to_i64()?;
+    let sixths = remainder(&sixths, &crate::Integer::from(24)).to_i64()?;
     let root = |prime: u32| {
         Polynomial::symbol(Symbol::Root(prime)).scaled(&ratio(1, 2).unwrap_or_else(Rational::one))
     };

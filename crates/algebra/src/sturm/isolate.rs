@@ -1,7 +1,6 @@
 //! One interval for each root, and narrower ones on demand.
 
 use super::{SturmError, SturmSequence, finite, includes, integral};
-use crate::order::{compare, equal};
 use crate::rational::{Integer, Rational};
 use num_traits::Signed;
 use std::cmp::Ordering;
@@ -30,13 +29,13 @@ impl RootInterval {
     /// The root itself when it is known to be rational.
     #[must_use]
     pub fn exact(&self) -> Option<&Rational> {
-        equal(&self.lower, &self.upper).then_some(&self.lower)
+        (self.lower == self.upper).then_some(&self.lower)
     }
 
     /// Whether the point lies between the ends, or is one.
     #[must_use]
     pub fn contains(&self, x: &Rational) -> bool {
-        compare(&self.lower, x).is_le() && compare(x, &self.upper).is_le()
+        self.lower <= *x && *x <= self.upper
     }
 
     fn point(x: Rational) -> Self {
@@ -74,7 +73,7 @@ impl SturmSequence {
         if includes(start) && self.is_root(&lower) {
             found.push(RootInterval::point(lower.clone()));
         }
-        if includes(end) && self.is_root(&upper) && !equal(&lower, &upper) {
+        if includes(end) && self.is_root(&upper) && lower != upper {
             found.push(RootInterval::point(upper.clone()));
         }
         let mut bisections = 0;
@@ -104,7 +103,7 @@ impl SturmSequence {
             open.push((lower, half.clone()));
             open.push((half, upper));
         }
-        found.sort_by(|a, b| compare(&a.lower, &b.lower).then(compare(&a.upper, &b.upper)));
+        found.sort_by(|a, b| (&a.lower, &a.upper).cmp(&(&b.lower, &b.upper)));
         Ok(found)
     }
 
@@ -122,9 +121,7 @@ impl SturmSequence {
                 width: width.clone(),
             });
         }
-        self.bisected_until(root, |now| {
-            compare(&(&now.upper - &now.lower), width).is_le()
-        })
+        self.bisected_until(root, |now| &now.upper - &now.lower <= *width)
     }
 
     /// Bisects around a root until the interval is as wanted or the root is known exactly.

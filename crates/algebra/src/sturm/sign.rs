@@ -2,7 +2,6 @@
 
 use super::isolate::middle;
 use super::{RootInterval, SturmError, SturmSequence, finite, includes};
-use crate::order::{compare, equal};
 use crate::rational::{Rational, integer};
 use num_traits::Zero;
 use std::cmp::Ordering;
@@ -75,7 +74,7 @@ impl SturmSequence {
 
 fn is_empty(start: Bound<&Rational>, end: Bound<&Rational>) -> bool {
     match (finite(start), finite(end)) {
-        (Some(a), Some(b)) => match compare(a, b) {
+        (Some(a), Some(b)) => match a.cmp(b) {
             Ordering::Less => false,
             Ordering::Equal => !(includes(start) && includes(end)),
             Ordering::Greater => true,
@@ -86,7 +85,7 @@ fn is_empty(start: Bound<&Rational>, end: Bound<&Rational>) -> bool {
 
 /// Whether an interval ends at the point.
 fn is_at(bound: Bound<&Rational>, x: &Rational) -> bool {
-    finite(bound).is_some_and(|end| equal(end, x))
+    finite(bound) == Some(x)
 }
 
 /// One point of the interval in each gap between neighbouring roots, and before and after them all.
@@ -107,7 +106,7 @@ fn points_of_gaps(
     match finite(start) {
         None => points.push(first.lower() - integer(1)),
         // An end that is a root has no gap before it.
-        Some(a) if equal(a, first.lower()) => {}
+        Some(a) if a == first.lower() => {}
         Some(a) => points.push(middle(a, first.lower())),
     }
     points.extend(
@@ -117,7 +116,7 @@ fn points_of_gaps(
     );
     match finite(end) {
         None => points.push(last.upper() + integer(1)),
-        Some(b) if equal(b, last.upper()) => {}
+        Some(b) if b == last.upper() => {}
         Some(b) => points.push(middle(last.upper(), b)),
     }
     points

@@ -23,7 +23,6 @@ use crate::coordinate::{Coordinate, is_zero};
 use crate::surface::Rails;
 use crate::vector::{cross, det, dot, sub};
 use std::cmp::Ordering;
-use torse_algebra::order::{greatest, least};
 use torse_algebra::{Ball, Jet, Rational, Scalar, rational::integer};
 
 /// Determinant, twist, Gaussian curvature, and the clearance with its sign changed: all to be maximised.
@@ -247,21 +246,16 @@ fn negated([low, high]: [f64; 2]) -> [f64; 2] {
 
 /// The part of a ball that is not negative, for squares that rounding pushed below zero.
 fn nonnegative(ball: &Ball) -> Ball {
-    let zero = integer(0);
-    let (low, high) = (ball.lower(), ball.upper());
-    Ball::from_bounds(greatest(&low, &zero), greatest(&high, &zero), ball.bits())
+    let end = |end: Rational| end.max(integer(0));
+    Ball::from_bounds(&end(ball.lower()), &end(ball.upper()), ball.bits())
 }
 
 fn minimum(a: &Ball, b: &Ball) -> Ball {
-    let (low, high) = ([a.lower(), b.lower()], [a.upper(), b.upper()]);
-    Ball::from_bounds(least(&low[0], &low[1]), least(&high[0], &high[1]), a.bits())
+    let (low, high) = (a.lower().min(b.lower()), a.upper().min(b.upper()));
+    Ball::from_bounds(&low, &high, a.bits())
 }
 
 fn maximum(a: &Ball, b: &Ball) -> Ball {
-    let (low, high) = ([a.lower(), b.lower()], [a.upper(), b.upper()]);
-    Ball::from_bounds(
-        greatest(&low[0], &low[1]),
-        greatest(&high[0], &high[1]),
-        a.bits(),
-    )
+    let (low, high) = (a.lower().max(b.lower()), a.upper().max(b.upper()));
+    Ball::from_bounds(&low, &high, a.bits())
 }

@@ -33,7 +33,7 @@ use super::patch::height;
 /// on the side of `q` (its weight is not positive), [`GeometryError::NotFinite`].
 ///
 /// ```
-/// use torse_algebra::{order::compare, rational::{Rational, integer, ratio}};
+/// use torse_algebra::rational::{Rational, integer, ratio};
 /// use torse_geometry::{HermiteCone, developable::{oblique_image, oblique_image_as_printed}};
 /// // hermite-developable Sect. 4: the quintic of Sect. 3.3 and the plane through q(0) along
 /// // (-30, -200, 0) and (0, 0, 200), that is 20 X - 3 Y = -580.
@@ -56,7 +56,7 @@ use super::patch::height;
 /// let mut changed = cone.clone();
 /// changed.q[3] = v(0, -50, 60);
 /// let tenth = |n| ratio(n, 10).unwrap();
-/// let near = |a: &Rational, n: i64| compare(a, &tenth(n - 1)).is_gt() && compare(a, &tenth(n + 1)).is_lt();
+/// let near = |a: &Rational, n: i64| *a > tenth(n - 1) && *a < tenth(n + 1);
 /// let changed = oblique_image_as_printed(&changed, &plane)?;
 /// assert!(near(&changed[3][0], -76) && near(&changed[3][1], -506) && near(&changed[3][2], 638));
 /// // r(1/2) and r(1) are points of the image, printed (-28.4, 3.9, 34.3) and (-38, -60.5, 45).

@@ -1,8 +1,8 @@
 //! The ring operations and the quotient, rounded outward once.
 
 use super::{Ball, Toward, shifted_down};
-use crate::order::{ceiling_quotient, floor_quotient};
 use crate::rational::Integer;
+use crate::rational::{ceiling_quotient, floor_quotient};
 use num_traits::Signed;
 use std::ops::{Add, Mul, Neg, Sub};
 

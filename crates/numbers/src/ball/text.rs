@@ -1,8 +1,8 @@
 //! Balls as decimal text that claims no digit it does not know.
 
 use super::Ball;
-use crate::order::{ceiling_quotient, floor_quotient};
 use crate::rational::Integer;
+use crate::rational::{ceiling_quotient, floor_quotient};
 use num_traits::Signed;
 use std::fmt;
 

@@ -20,8 +20,8 @@
 //! `0.6 sqrt(bits)` times balances the doublings against the terms.
 
 use super::{Ball, Toward, pi, shifted_down};
-use crate::order::{ceiling_quotient, floor_quotient};
 use crate::rational::Integer;
+use crate::rational::{ceiling_quotient, floor_quotient};
 use dashu_int::ops::BitTest;
 use num_integer::Roots;
 

@@ -166,3 +166,30 @@ pub fn simplest_between(a: &Rational, b: &Rational) -> Option<Rational> {
         low = rest;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_simplest_number_lies_between_ends_of_any_sign_and_has_the_least_denominator() {
+        let ends = || (-12..=12).flat_map(|n| (1..=7).filter_map(move |d| ratio(n, d)));
+        for a in ends() {
+            for b in ends() {
+                let found = simplest_between(&a, &b);
+                if a >= b {
+                    assert_eq!(found, None);
+                    continue;
+                }
+                let q = found.unwrap_or_else(|| panic!("nothing between {a} and {b}"));
+                assert!(a < q && q < b, "{q} between {a} and {b}");
+                // No smaller denominator: the multiples of 1/d skip the interval.
+                let least = i64::try_from(q.denom().clone()).unwrap_or(i64::MAX);
+                for d in 1..least {
+                    let next = (&a * integer(d)).floor() + integer(1);
+                    assert!(next >= &b * integer(d), "{q} between {a} and {b}");
+                }
+            }
+        }
+    }
+}

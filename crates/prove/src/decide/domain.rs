@@ -1,7 +1,6 @@
 //! Where a statement is meant to hold: the declared ranges of its symbols and its assumptions.
 
 use crate::decide::interval::{Bound, Interval};
-use torse_algebra::order::compare;
 use torse_algebra::rational::integer;
 use torse_algebra::{Affine, Angle, Ball, Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
@@ -91,9 +90,9 @@ impl Domain<'_> {
                         .and_then(|b| b.value.as_rational())
                         .is_some_and(|v| {
                             if low {
-                                compare(&v, &integer(0)).is_ge()
+                                v >= integer(0)
                             } else {
-                                compare(&v, &integer(1)).is_le()
+                                v <= integer(1)
                             }
                         })
                 };

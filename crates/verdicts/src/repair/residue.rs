@@ -6,6 +6,7 @@
 //! what is found is proved afterwards.
 
 use num_traits::ToPrimitive;
+use torse_algebra::rational::remainder;
 use torse_algebra::{Fraction, Integer, Polynomial, Rational, Symbol};
 
 /// A Mersenne prime.
@@ -62,7 +63,7 @@ fn inverse(a: u64) -> Option<u64> {
 #[must_use]
 pub fn of_rational(value: &Rational) -> Option<u64> {
     let modulus = Integer::from(PRIME);
-    let whole = |n: &Integer| num_integer::Integer::mod_floor(n, &modulus).to_u64();
+    let whole = |n: &Integer| remainder(n, &modulus).to_u64();
     Some(times(
         whole(value.numer())?,
         inverse(whole(value.denom())?)?,
