@@ -14,6 +14,7 @@
 mod operators;
 mod order;
 mod rounding;
+mod size;
 mod text;
 
 pub use rounding::remainder;

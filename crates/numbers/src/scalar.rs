@@ -27,9 +27,25 @@ pub enum ExactError {
         /// The argument as text.
         argument: String,
     },
+    /// The result, or what it would be computed from, has too many binary digits.
+    #[error("a number of {bits} binary digits is too large: at most {limit}")]
+    TooLarge {
+        /// How many digits the number has, or may have.
+        bits: usize,
+        /// How many it may have at most.
+        limit: usize,
+    },
     /// Pi is not a number of this scalar's kind.
     #[error("pi is not a number of this kind")]
     NoPi,
+    /// What is put in for a variable cannot stand in an index.
+    #[error("{value} cannot be put into the index of {member}")]
+    NoIndex {
+        /// The member of a family, as text.
+        member: String,
+        /// What was to be put in, as text.
+        value: String,
+    },
     /// The square root is not a number of this scalar's kind.
     #[error("the square root of {radicand} does not exist here")]
     NoSquareRoot {

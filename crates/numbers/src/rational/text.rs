@@ -16,6 +16,14 @@ pub enum RationalError {
     /// The denominator is zero.
     #[error("the denominator is zero")]
     ZeroDenominator,
+    /// The text is longer than a number within bounds.
+    #[error("a number of {characters} characters is too long: at most {limit}")]
+    TooLong {
+        /// Its length.
+        characters: usize,
+        /// The greatest length.
+        limit: usize,
+    },
 }
 
 /// An integer, or two with a slash between them.
