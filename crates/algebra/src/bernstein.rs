@@ -14,6 +14,8 @@
 mod check;
 mod prove;
 
+pub use crate::positivity::BernsteinError;
+
 use crate::positivity::RationalBox;
 use crate::rational::{Integer, Rational, integer};
 use num_integer::Integer as _;
@@ -24,27 +26,6 @@ pub use prove::{BernsteinCertificate, Leaf, prove_nonnegative, prove_positive};
 
 /// A term: the exponent of each variable, and the coefficient. Terms with the same exponents add up.
 pub type Term = (Vec<u32>, Rational);
-
-/// Why a polynomial has no Bernstein form here.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum BernsteinError {
-    /// A term has more or fewer exponents than the box has sides.
-    #[error("term {term} has {found} exponents, the box has {expected} sides")]
-    WrongDimension {
-        /// The number of the term, from zero.
-        term: usize,
-        /// The number of its exponents.
-        found: usize,
-        /// The number of sides.
-        expected: usize,
-    },
-    /// There are more coefficients than [`BernsteinForm::MAX_COEFFICIENTS`].
-    #[error("the Bernstein form has more than {limit} coefficients")]
-    TooLarge {
-        /// The largest number of coefficients.
-        limit: usize,
-    },
-}
 
 /// The Bernstein coefficients of a polynomial on a box.
 ///

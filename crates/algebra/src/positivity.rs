@@ -202,6 +202,27 @@ pub struct Attempt {
     pub obstacle: Option<ExactError>,
 }
 
+/// Why a polynomial has no Bernstein form here.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum BernsteinError {
+    /// A term has more or fewer exponents than the box has sides.
+    #[error("term {term} has {found} exponents, the box has {expected} sides")]
+    WrongDimension {
+        /// The number of the term, from zero.
+        term: usize,
+        /// The number of its exponents.
+        found: usize,
+        /// The number of sides.
+        expected: usize,
+    },
+    /// There are more coefficients than [`MAX_COEFFICIENTS`](crate::bernstein::BernsteinForm::MAX_COEFFICIENTS).
+    #[error("the Bernstein form has more than {limit} coefficients")]
+    TooLarge {
+        /// The largest number of coefficients.
+        limit: usize,
+    },
+}
+
 /// Why a certificate does not prove what it should.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum CertificateError {
@@ -219,5 +240,5 @@ pub enum CertificateError {
     },
     /// The polynomial of the certificate cannot be read as one on the box.
     #[error(transparent)]
-    Polynomial(#[from] crate::bernstein::BernsteinError),
+    Polynomial(#[from] BernsteinError),
 }
