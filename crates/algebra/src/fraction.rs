@@ -8,6 +8,7 @@
 //! **Theorem.** The polynomial ring modulo its relations is an integral domain, so a fraction is zero
 //! wherever it is defined if and only if its numerator has no terms.
 
+use crate::affine::Affine;
 use crate::polynomial::Polynomial;
 use crate::rational::Rational;
 use crate::scalar::{ExactError, Scalar, ZeroTest};
@@ -258,15 +259,57 @@ impl Fraction {
         Ok(result)
     }
 
-    /// The fraction with the variable `name`, and the sine and cosine of its angle, at `value`.
+    /// The integer-affine form that the fraction is, such as `m - 2`: what can stand in an index.
+    #[must_use]
+    pub fn as_affine(&self) -> Option<Affine> {
+        let mut total = Affine::number(0);
+        for term in self.as_polynomial()?.terms() {
+            if !term.coefficient.is_integer() {
+                return None;
+            }
+            let multiple = i64::try_from(term.coefficient.to_integer()).ok()?;
+            let form = match term.powers.as_slice() {
+                [] => Affine::number(1),
+                [(Symbol::Named(name), 1)] => Affine::symbol(name),
+                _ => return None,
+            };
+            total = total + form * multiple;
+        }
+        Some(total)
+    }
+
+    /// The fraction with the variable `name` at `value` wherever it stands: by itself, under sine and cosine, in
+    /// the indices of members of families, and in the recorded conditions.
+    ///
+    /// ```
+    /// use torse_algebra::{Affine, Fraction, Symbol};
+    /// let member = |index| Fraction::symbol(Symbol::indexed("P", vec![index]));
+    /// let product = Fraction::named("m") * member(Affine::symbol("m"));
+    /// let at_two = product.at("m", &Fraction::integer(2)).unwrap();
+    /// assert_eq!(at_two, Fraction::integer(2) * member(Affine::number(2)));
+    /// assert!(product.at("m", &Fraction::symbol(Symbol::Pi)).is_err());
+    /// ```
     ///
     /// # Errors
     /// [`ExactError::NoExactTurn`] when the sine and cosine at `value` are not exact here;
+    /// [`ExactError::NoIndex`] when the variable stands in an index where `value` cannot;
     /// [`ExactError::DivisionByZero`] when a denominator vanishes there.
     pub fn at(&self, name: &str, value: &Fraction) -> Result<Self, ExactError> {
+        let mut present = self.symbols();
+        present.extend(self.conditions.iter().flat_map(|p| p.symbols().to_vec()));
         let uses_pair = |angle| {
-            self.symbols().iter().any(|s| matches!(s, Symbol::Sin(v, a) | Symbol::Cos(v, a) if &**v == name && *a == angle))
+            present.iter().any(|s| matches!(s, Symbol::Sin(v, a) | Symbol::Cos(v, a) if &**v == name && *a == angle))
         };
+        let form = value.as_affine();
+        let in_index = |s: &&Symbol| matches!(s, Symbol::Indexed(..)) && s.depends_on(name);
+        if form.is_none()
+            && let Some(member) = present.iter().find(in_index)
+        {
+            return Err(ExactError::NoIndex {
+                member: member.to_string(),
+                value: value.to_string(),
+            });
+        }
         let turn = if uses_pair(crate::symbol::Angle::QuarterTurn) {
             Some(value.quarter_turn()?)
         } else {
@@ -279,6 +322,11 @@ impl Fraction {
         };
         self.substituted(|symbol| match symbol {
             Symbol::Named(v) if &**v == name => Some(value.clone()),
+            Symbol::Indexed(family, index) if symbol.depends_on(name) => {
+                let form = form.as_ref()?;
+                let index = index.iter().map(|i| i.substituted(name, form)).collect();
+                Some(Self::symbol(Symbol::Indexed(family.clone(), index)))
+            }
             Symbol::Sin(v, a) | Symbol::Cos(v, a) if &**v == name => {
                 let (sine, cosine) = match a {
                     crate::symbol::Angle::QuarterTurn => turn.clone()?,
