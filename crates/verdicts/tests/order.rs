@@ -240,6 +240,10 @@ fn negative_fractions_below_one_in_size_prove_no_falsehood() {
             &format!("below-one-{number}"),
             &format!("assume = ['{assume}']\nstates = '{states}'"),
         );
-        assert_eq!(found.verdict == Verdict::Holds, expected, "{assume}: {states}");
+        assert_eq!(
+            found.verdict == Verdict::Holds,
+            expected,
+            "{assume}: {states}"
+        );
     }
 }

@@ -9,9 +9,12 @@ use crate::matrix::ExactDivision;
 use crate::rational::{Rational, integer, ratio, remainder};
 use crate::scalar::{ExactError, Scalar, ZeroTest};
 use crate::symbol::{Angle, Symbol};
+use dashu_int::ops::BitTest;
 use num_traits::{One, Signed, ToPrimitive};
 use std::sync::Arc;
 
+/// The most binary digits of a radicand, numerator and denominator together.
+const MAX_RADICAND_BITS: usize = 1 << 14;
 /// The largest multiple of a variable that is expanded.
 const MAX_MULTIPLE: u64 = 64;
 
@@ -114,7 +117,8 @@ impl Polynomial {
     ///
     /// # Errors
     /// [`ExactError::NoSquareRoot`] for negative numbers and for those whose square-free part has a
-    /// prime factor above one million.
+    /// prime factor above one million; [`ExactError::TooLarge`] for a radicand whose parts have more than
+    /// 2^14 binary digits together, because prime factors are found by trial.
     ///
     /// ```
     /// use torse_algebra::{Polynomial, rational::ratio};
@@ -128,12 +132,20 @@ impl Polynomial {
             return Err(refused());
         }
         // sqrt(a/b) = sqrt(a b) / b
+        let bits = radicand.numer().bit_len() + radicand.denom().bit_len();
+        if bits > MAX_RADICAND_BITS {
+            return Err(ExactError::TooLarge {
+                bits,
+                limit: MAX_RADICAND_BITS,
+            });
+        }
         let mut rest = radicand.numer() * radicand.denom();
         let mut root = Self::constant(&Rational::new(1.into(), radicand.denom().clone()));
         if rest.is_zero() {
             return Ok(Self::zero());
         }
-        let mut prime = crate::Integer::from(2);
+        let two = crate::Integer::from(2);
+        let mut prime = two.clone();
         let limit = crate::Integer::from(1_000_000);
         while &prime * &prime <= rest && prime <= limit {
             let mut exponent = 0;
@@ -141,8 +153,11 @@ impl Polynomial {
                 rest /= &prime;
                 exponent += 1;
             }
-            root = &root * &root_factor(&prime, exponent).ok_or_else(refused)?;
-            prime += crate::Integer::one();
+            if exponent > 0 {
+                root = &root * &root_factor(&prime, exponent).ok_or_else(refused)?;
+            }
+            // After 2 the odd numbers.
+            prime += if prime == two { 1 } else { 2 };
         }
         if !rest.is_one() {
             if &prime * &prime <= rest {

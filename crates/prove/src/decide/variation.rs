@@ -290,3 +290,24 @@ fn turning(pairs: &[(&Fraction, &Fraction); 3]) -> Option<Rational> {
     let found = over.or_else(|| simplest_between(&above_b, &a.min(c)));
     found.filter(|r| *r > integer(0))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use torse_algebra::rational::ratio;
+
+    #[test]
+    fn a_turning_value_is_positive_and_between_the_quotients() {
+        let one = Fraction::integer(1);
+        let found = |numerators: [i64; 3]| {
+            let quotients = numerators.map(|n| Fraction::from(ratio(n, 4).unwrap()));
+            turning(&quotients.each_ref().map(|g| (&one, g)))
+        };
+        assert_eq!(found([1, 3, 1]), ratio(1, 2));
+        assert_eq!(found([3, 1, 3]), ratio(1, 2));
+        assert_eq!(found([1, 2, 3]), None);
+        // They turn, but between negative fractions below one in size.
+        assert_eq!(found([-3, -1, -3]), None);
+        assert_eq!(found([-1, -3, -1]), None);
+    }
+}
