@@ -1,7 +1,7 @@
 //! Why a formula has no value: mistakes of the author, and limits of the engine.
 
 use crate::derivation::{DerivationError, Origin};
-use crate::syntax::Place;
+use crate::syntax::{Place, hints};
 use torse_numbers::ExactError;
 
 /// What went wrong.
@@ -139,14 +139,39 @@ impl Fault {
     pub fn into_error(self, origin: &Origin) -> DerivationError {
         let origin = self.origin.unwrap_or_else(|| origin.clone());
         let error = DerivationError::at(&origin, self.place, self.problem.to_string());
-        match *self.problem {
-            Problem::UnknownName { similar: Some(similar), .. } => {
-                error.with_help(format!("did you mean `{similar}`? Names are declared under [symbols], [define], [basis] or `let`"))
-            }
-            Problem::UnknownName { .. } => {
-                error.with_help("declare it under [symbols], [define], [basis] or in the claim's `let`")
-            }
-            _ => error,
+        match help(&self.problem) {
+            Some(help) => error.with_help(help),
+            None => error,
+        }
+    }
+}
+
+/// What would be right.
+fn help(problem: &Problem) -> Option<String> {
+    match problem {
+        Problem::UnknownName { name, similar } => Some(unknown(name, similar.as_deref())),
+        Problem::Count {
+            wanted, found: 2.., ..
+        } if wanted.contains("ind") => {
+            Some("the coordinate of a member stands in brackets of its own: `P[i][2]`".to_owned())
+        }
+        _ => None,
+    }
+}
+
+fn unknown(name: &str, similar: Option<&str>) -> String {
+    let declared = "Names are declared under [symbols], [define], [basis] or `let`";
+    if similar == Some(name) {
+        return format!(
+            "`{name}` is no number by itself: a function takes arguments, `{name}(x)`, a basis its index and degree, \
+             `{name}[0,2](x)`"
+        );
+    }
+    match (hints::name(name), similar) {
+        (Some(hint), _) => hint.to_owned(),
+        (None, Some(similar)) => format!("did you mean `{similar}`? {declared}"),
+        (None, None) => {
+            "declare it under [symbols], [define], [basis] or in the claim's `let`".to_owned()
         }
     }
 }

@@ -43,7 +43,11 @@ impl DerivationError {
     /// A syntax error of a formula.
     #[must_use]
     pub fn syntax(origin: &Origin, error: &SyntaxError) -> Self {
-        Self::at(origin, error.place(), error.to_string())
+        let shown = Self::at(origin, error.place(), error.to_string());
+        match error.help() {
+            Some(help) => shown.with_help(help),
+            None => shown,
+        }
     }
 }
 

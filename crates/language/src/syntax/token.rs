@@ -31,10 +31,28 @@ fn number(input: &mut Input<'_>) -> ModalResult<Token> {
         .parse_next(input)
 }
 
+fn begins_a_name(c: char) -> bool {
+    c.is_alphabetic() || c == '_'
+}
+
+/// Whether a text can stand for a symbol, a basis family or a definition: letters of any script, the digits 0 to 9
+/// and `_`, not a digit first, then perhaps primes; and not a word of the language, nor `pi`.
+///
+/// All other characters are left to names that no text can write: a stage that needs a name of its own
+/// puts one of them into it.
+#[must_use]
+pub fn is_name(text: &str) -> bool {
+    let stem = text.trim_end_matches('\'');
+    let reserved = super::WORDS.contains(&text) || text == "pi";
+    stem.starts_with(begins_a_name)
+        && stem.chars().all(|c| begins_a_name(c) || c.is_ascii_digit())
+        && !reserved
+}
+
 fn name(input: &mut Input<'_>) -> ModalResult<Token> {
     (
-        one_of(|c: char| c.is_alphabetic() || c == '_'),
-        take_while(0.., |c: char| c.is_alphanumeric() || c == '_'),
+        one_of(begins_a_name),
+        take_while(0.., |c: char| begins_a_name(c) || c.is_ascii_digit()),
         take_while(0.., '\''),
     )
         .take()
@@ -51,10 +69,14 @@ const SIGNS: [&str; 16] = [
     "==", "!=", "<=", ">=", "<", ">", "+", "-", "*", "/", "^", "(", ")", "[", "]", ",",
 ];
 
+/// The most digits of a number. Printed numbers have a dozen, and every step with a number of n digits costs n^2.
+const MAX_DIGITS: usize = 1_000;
+
 /// The tokens of `text`.
 ///
 /// # Errors
-/// [`SyntaxError::UnknownCharacter`] at the first character that starts no token.
+/// [`SyntaxError::UnknownCharacter`] at the first character that starts no token, and
+/// [`SyntaxError::TooManyDigits`].
 pub fn tokens(text: &str) -> Result<Vec<Placed>, SyntaxError> {
     let mut input = LocatingSlice::new(text);
     let one = alt((number, name, sign)).with_span().map(|(token, range)| {
@@ -72,6 +94,17 @@ pub fn tokens(text: &str) -> Result<Vec<Placed>, SyntaxError> {
         let _: ModalResult<&str> = multispace0.parse_next(&mut input);
         input.is_empty().then_some(tokens)
     });
+    let long = |(token, place): &Placed| match token {
+        Token::Number(digits) if digits.len() > MAX_DIGITS => Some(SyntaxError::TooManyDigits {
+            limit: MAX_DIGITS,
+            found: digits.len(),
+            place: *place,
+        }),
+        _ => None,
+    };
+    if let Some(error) = rest.iter().flatten().find_map(long) {
+        return Err(error);
+    }
     rest.ok_or_else(|| {
         let start = text.len() - input.trim_start().len();
         let found = input.trim_start().chars().next().unwrap_or(' ');

@@ -135,9 +135,9 @@ fn code_keeps_integers_apart_in_rust_and_stays_exact_in_sympy() {
         "Implies(And(Le(0, lambda_), Lt(lambda_, Rational('0.50'))), Or(Not(Eq(Matrix([[1, 2], [3, x]]).det(), Rational(-1, 3))), Gt(diff(g(i, k, x), x).subs(x, 1), diff(x*y, x))))",
     );
     codes(
-        "norm(cross(a, b))/sqrt(2) + sin(2*x)^(1/2) - (1 + 2)/3",
-        "norm(cross(a, b)) / 2.0_f64.sqrt() + (2.0 * x).sin().powf(1.0 / 2.0) - (1.0 + 2.0) / 3.0",
-        "a.cross(b).norm()/sqrt(2) + sin(2*x)**Rational(1, 2) - sympify(1 + 2)/3",
+        "norm(cross(a, b))/sqrt(2) + sin(2*x)^(k/2) - (1 + 2)/3",
+        "norm(cross(a, b)) / 2.0_f64.sqrt() + (2.0 * x).sin().powf(k / 2.0) - (1.0 + 2.0) / 3.0",
+        "a.cross(b).norm()/sqrt(2) + sin(2*x)**(k/2) - sympify(1 + 2)/3",
     );
 }
 

@@ -1,8 +1,8 @@
 //! What is written in the derivation language is read back as the same tree.
 
-use proptest::prelude::*;
 use crate::notation::{formula, rust, sympy, text};
-use crate::syntax::{Connective, Expr, Node, Operator, Place, Relation, parse};
+use crate::syntax::{Connective, Expr, Node, Operator, Relation, parse};
+use proptest::prelude::*;
 use std::sync::Arc;
 use torse_numbers::rational::{integer, ratio};
 
@@ -23,6 +23,32 @@ fn atom() -> impl Strategy<Value = Node> {
     ]
 }
 
+/// What can be followed by arguments: a name, a member, a function of a function.
+fn head() -> impl Strategy<Value = Expr> {
+    let numbers = prop::collection::vec(atom().prop_map(Expr::made), 1..3);
+    (atom(), numbers, 0..3u8).prop_map(|(name, rest, kind)| {
+        let name = match name {
+            Node::Number { .. } => Expr::name("f"),
+            name => Expr::made(name),
+        };
+        match kind {
+            0 => name,
+            1 => Expr::made(Node::Index(Arc::new(name), rest)),
+            _ => Expr::made(Node::Call(Arc::new(name), rest)),
+        }
+    })
+}
+
+/// Whether a formula can be an exponent: fractions cannot.
+fn readable_exponent(expr: &Expr) -> bool {
+    match &expr.node {
+        Node::Number { value, .. } => value.is_integer(),
+        Node::Negative(inner) => readable_exponent(inner),
+        Node::Binary(Operator::Divide, ..) => false,
+        _ => true,
+    }
+}
+
 fn any_expr() -> impl Strategy<Value = Expr> {
     use Connective::{And, Implies, Or};
     use Operator::{Add, Divide, Multiply, Power, Subtract};
@@ -36,11 +62,14 @@ fn any_expr() -> impl Strategy<Value = Expr> {
             let some = prop::collection::vec(inner.clone(), 1..4);
             let boxed = inner.clone().prop_map(Arc::new);
             prop_oneof![
-                2 => (boxed.clone(), some.clone()).prop_map(|(f, x)| Node::Call(f, x)),
+                2 => (head(), some.clone()).prop_map(|(f, x)| Node::Call(Arc::new(f), x)),
                 1 => (boxed.clone(), some.clone()).prop_map(|(f, i)| Node::Index(f, i)),
                 2 => boxed.clone().prop_map(Node::Negative),
                 8 => (operator.clone(), boxed.clone(), boxed.clone())
-                    .prop_map(|(o, a, b)| Node::Binary(o, a, b)),
+                    .prop_map(|(o, a, b)| match readable_exponent(&b) {
+                        true => Node::Binary(o, a, b),
+                        false => Node::Binary(Add, a, b),
+                    }),
                 1 => some.prop_map(Node::List),
                 1 => (boxed.clone(), prop::collection::vec((relation.clone(), inner), 1..3))
                     .prop_map(|(a, rest)| Node::Compare(a, rest)),
@@ -94,7 +123,6 @@ fn no_bracket_is_written_that_is_not_needed() {
         "2*(-x)",
         "a - (b - c)",
         "a/(b*c)",
-        "(a + b)(x)",
         "not a == b and c < d <= e or p implies q implies r",
         "(p implies q) implies r",
         "D(F, x, 2)(0) == g[i,k-1](x)",

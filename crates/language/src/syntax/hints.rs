@@ -1,0 +1,103 @@
+//! What people type who know the formulas of papers, and what the language has for it.
+
+use super::ast::Node;
+use super::token::Token;
+
+/// What to write for a character that is not of the language.
+pub fn character(found: char) -> Option<&'static str> {
+    Some(match found {
+        '=' => "an equation is written with `==`",
+        '|' => "the norm of a vector is written `norm(v)`, the size of a number `sqrt(x^2)`",
+        '\u{2225}' | '\u{2016}' => "the norm of a vector is written `norm(v)`",
+        '\u{2265}' | '\u{2a7e}' => "write `>=`",
+        '\u{2264}' | '\u{2a7d}' => "write `<=`",
+        '\u{2260}' => "write `!=`",
+        '\u{2261}' => "write `==`",
+        '\u{b7}' | '\u{d7}' | '\u{22c5}' | '\u{2219}' | '\u{2217}' => {
+            "a product is written with `*`, that of two vectors `dot(a, b)` or `cross(a, b)`"
+        }
+        '\u{f7}' | '\u{2215}' | '\u{2044}' => "write `/`",
+        '\u{2212}' | '\u{2013}' | '\u{2010}' => "write the minus sign of the keyboard, `-`",
+        '\u{b2}' => "a square is written `x^2`",
+        '\u{b3}' => "a cube is written `x^3`",
+        '\u{2070}'..='\u{2079}' => "a power is written with `^`",
+        '\u{2080}'..='\u{2089}' => "an index is written `R[i]`, or is part of the name: `x_1`",
+        '\u{b9}' | '\u{bc}'..='\u{be}' => "a fraction is written with `/`",
+        '\u{221a}' => "a square root is written `sqrt(x)`",
+        '\u{221e}' => {
+            "a symbol without a bound is declared with the end `inf`; formulas have no infinity"
+        }
+        '\u{2211}' => "a sum is written `sum(i, 0, k, ...)`",
+        '\u{2202}' => "a derivative is written `D(F, x)`",
+        '\u{2227}' | '&' => "write `and`",
+        '\u{2228}' => "write `or`",
+        '\u{ac}' => "write `not`",
+        '\u{21d2}' | '\u{2192}' => "write `implies`",
+        '\u{2032}' | '\u{2019}' => "write the prime of the keyboard, `'`",
+        '\u{b0}' => "angles are in radians: 90 degrees are `pi/2`",
+        '!' => "a factorial is written `factorial(n)`, a negation `not`",
+        '{' | '}' => "brackets are round, or square for lists and indices",
+        '.' => "a number begins with a digit: `0.5`",
+        '\\' | '$' => "formulas are plain text, not TeX",
+        _ => return None,
+    })
+}
+
+/// What may have been meant where `found` comes after `before` and cannot.
+pub fn unexpected(before: Option<&Token>, found: Option<&Token>) -> Option<String> {
+    let operand = |token: &Token| match token {
+        Token::Number(text) | Token::Name(text) => Some(text.clone()),
+        Token::Sign(sign) => (*sign == "(").then(|| "(...)".to_owned()),
+    };
+    match (before?, found?) {
+        (Token::Sign("*"), Token::Sign("*")) => Some("a power is written with `^`".to_owned()),
+        (Token::Name(name), Token::Name(next)) if FUNCTIONS.contains(&name.as_str()) => {
+            Some(format!("arguments stand in brackets: `{name}({next})`"))
+        }
+        (Token::Number(before) | Token::Name(before), found) => {
+            let found = operand(found)?;
+            Some(format!("a product is written with `*`: `{before}*{found}`"))
+        }
+        (Token::Sign(")" | "]"), found) => {
+            let found = operand(found)?;
+            Some(format!("a product is written with `*`: `...*{found}`"))
+        }
+        _ => None,
+    }
+}
+
+/// Functions that are printed without brackets.
+const FUNCTIONS: [&str; 4] = ["sin", "cos", "sqrt", "det"];
+
+/// What a formula is, in words, if it can never be a function.
+pub fn no_function(node: &Node) -> Option<String> {
+    Some(match node {
+        Node::Name(_) | Node::Call(..) | Node::Index(..) => return None,
+        Node::Number { .. } => "a number".to_owned(),
+        Node::List(_) => "a list".to_owned(),
+        Node::Negative(_) | Node::Binary(..) => "a formula in brackets".to_owned(),
+        Node::Compare(..) | Node::Join(..) | Node::Not(_) => "a statement".to_owned(),
+    })
+}
+
+/// What to write for a name that is not declared.
+pub fn name(unknown: &str) -> Option<&'static str> {
+    Some(match unknown {
+        "\u{3c0}" | "Pi" | "PI" => "the circle number is written `pi`",
+        "tan" => "`tan` is not in the language: write `sin(x)/cos(x)`",
+        "cot" => "`cot` is not in the language: write `cos(x)/sin(x)`",
+        "sec" => "`sec` is not in the language: write `1/cos(x)`",
+        "csc" => "`csc` is not in the language: write `1/sin(x)`",
+        "abs" => "`abs` is not in the language: write `sqrt(x^2)`",
+        "exp" | "ln" | "log" | "sinh" | "cosh" | "tanh" | "coth" | "arcsin" | "arccos"
+        | "arctan" | "asin" | "acos" | "atan" | "atan2" | "min" | "max" | "floor" | "ceil"
+        | "gamma" | "lim" | "int" | "integral" => {
+            "this function is not in the language: its functions are rational, sqrt, sin and cos"
+        }
+        "inf" | "infinity" => "formulas have no infinity; `inf` is an end of an interval",
+        "diff" | "d" => "a derivative is written `D(F, x)`",
+        "prod" | "product" => "products over an index are not in the language",
+        "binomial" | "C" => "a binomial coefficient is written `binom(n, j)`",
+        _ => return None,
+    })
+}
