@@ -1,9 +1,10 @@
 //! What names mean: symbols with their domains, basis families, definitions.
 
+use super::table::Errors;
 use crate::derivation::schema::{BasisEntry, Dimension, SymbolEntry};
-use crate::derivation::{DerivationError, LoadError, Origin, Source, Written};
-use crate::syntax::{Expr, Node, Place, parse};
-use std::collections::BTreeMap;
+use crate::derivation::{DerivationError, LoadError, Origin, Source, Written, written};
+use crate::syntax::{Expr, Node, Place, is_name, parse};
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use toml::Spanned;
 use torse_numbers::{Affine, Rational, rational};
@@ -107,6 +108,8 @@ pub struct Declarations {
     symbols: BTreeMap<String, SymbolKind>,
     bases: BTreeMap<String, Arc<Basis>>,
     definitions: BTreeMap<String, Definition>,
+    /// Names whose declaration is wrong.
+    wrong: BTreeSet<String>,
 }
 
 impl Declarations {
@@ -160,6 +163,7 @@ impl Declarations {
     /// Adds or replaces a definition; it hides a symbol of the same name.
     pub fn define(&mut self, name: String, definition: Definition) {
         self.symbols.remove(&name);
+        self.wrong.remove(&name);
         self.definitions.insert(name, definition);
     }
 
@@ -185,74 +189,77 @@ impl Declarations {
             .map(String::as_str)
     }
 
-    /// Adds or replaces symbols; they hide definitions of the same name.
-    ///
-    /// # Errors
-    /// [`LoadError::Derivation`] for an interval or range that is none.
-    pub fn add_symbols(
+    /// Adds or replaces symbols; they hide definitions of the same name. Those that are wrong are marked as such.
+    pub(super) fn add_symbols(
         &mut self,
         source: &Arc<Source>,
         table: &BTreeMap<String, SymbolEntry>,
-    ) -> Result<(), LoadError> {
+        errors: &mut Errors,
+    ) {
         for (name, entry) in table {
-            let kind = symbol_kind(source, entry)?;
-            self.definitions.remove(name);
-            self.symbols.insert(name.clone(), kind);
+            match errors.keep(symbol_kind(source, name, entry)) {
+                Some(kind) => {
+                    self.wrong.remove(name);
+                    self.declare(name, kind);
+                }
+                None => self.spoil([name.clone()]),
+            }
         }
-        Ok(())
     }
 
-    /// Adds or replaces basis families.
-    ///
-    /// # Errors
-    /// [`LoadError::Derivation`] for formulas that do not parse and for a step without two factors.
-    pub fn add_bases(
+    /// Adds or replaces basis families. Those that are wrong are marked as such.
+    pub(super) fn add_bases(
         &mut self,
         source: &Arc<Source>,
         table: &BTreeMap<String, BasisEntry>,
-    ) -> Result<(), LoadError> {
-        use crate::derivation::written;
+        errors: &mut Errors,
+    ) {
         for (name, entry) in table {
-            let seeds = entry
-                .seeds
-                .iter()
-                .map(|text| written(source, text))
-                .collect::<Result<Vec<_>, _>>()?;
-            let [a, b] = entry.step.as_slice() else {
-                let range = entry.variable.span();
-                let origin = Origin::range(source, range.start, range.end);
-                return Err(complaint(
-                    &origin,
-                    format!("`step` of the basis `{name}` needs two factors, [a, b]"),
-                ));
-            };
-            if seeds.len() != usize::from(*entry.degree.get_ref()) + 1 {
-                let range = entry.degree.span();
-                let origin = Origin::range(source, range.start, range.end);
-                let degree = entry.degree.get_ref();
-                return Err(complaint(
-                    &origin,
-                    format!(
-                        "degree {degree} needs {} seeds, found {}",
-                        degree + 1,
-                        seeds.len()
-                    ),
-                ));
+            match errors.keep(basis(source, name, entry)) {
+                Some(basis) => {
+                    self.wrong.remove(name);
+                    self.bases.insert(name.clone(), Arc::new(basis));
+                }
+                None => self.spoil([name.clone()]),
             }
-            let basis = Basis {
-                variable: entry.variable.get_ref().clone(),
-                parameters: entry
-                    .parameters
-                    .iter()
-                    .map(|p| p.get_ref().clone())
-                    .collect(),
-                degree: *entry.degree.get_ref(),
-                seeds,
-                step: (written(source, a)?, written(source, b)?),
-            };
-            self.bases.insert(name.clone(), Arc::new(basis));
         }
-        Ok(())
+    }
+
+    /// Marks names whose declaration is wrong.
+    pub(super) fn spoil(&mut self, names: impl IntoIterator<Item = String>) {
+        self.wrong.extend(names);
+    }
+
+    /// Whether a declaration is wrong.
+    pub(super) fn any_wrong(&self) -> bool {
+        !self.wrong.is_empty()
+    }
+
+    /// Whether formulas mention a declaration that is wrong, be it through others.
+    pub(super) fn rest_on_wrong<'e>(&'e self, formulas: impl Iterator<Item = &'e Expr>) -> bool {
+        if self.wrong.is_empty() {
+            return false;
+        }
+        let mut seen = BTreeSet::new();
+        let mut pending: Vec<&Expr> = formulas.collect();
+        while let Some(expr) = pending.pop() {
+            for written in expr.names() {
+                for name in [written, written.trim_end_matches('\'')] {
+                    if self.wrong.contains(name) {
+                        return true;
+                    }
+                    if !seen.insert(name) {
+                        continue;
+                    }
+                    pending.extend(self.definition(name).map(|d| &d.body.expr));
+                    if let Some(basis) = self.basis(name) {
+                        let steps = [&basis.step.0, &basis.step.1];
+                        pending.extend(basis.seeds.iter().chain(steps).map(|w| &w.expr));
+                    }
+                }
+            }
+        }
+        false
     }
 
     /// A lower bound of an index form, from the bounds of the integer symbols in it.
@@ -311,7 +318,73 @@ fn complaint(origin: &Origin, message: String) -> LoadError {
     )))
 }
 
-fn symbol_kind(source: &Arc<Source>, entry: &SymbolEntry) -> Result<SymbolKind, LoadError> {
+/// Fails unless a declared name can be written.
+fn check_name(origin: &Origin, name: &str) -> Result<(), LoadError> {
+    match is_name(name) {
+        true => Ok(()),
+        false => Err(complaint(
+            origin,
+            format!(
+                "`{name}` cannot be a name: names are letters, digits and `_`, and not words of the language"
+            ),
+        )),
+    }
+}
+
+fn basis(source: &Arc<Source>, name: &str, entry: &BasisEntry) -> Result<Basis, LoadError> {
+    let at = |range: std::ops::Range<usize>| Origin::range(source, range.start, range.end);
+    let variable = at(entry.variable.span());
+    check_name(&variable, name)?;
+    for name in std::iter::once(&entry.variable).chain(&entry.parameters) {
+        check_name(&Origin::of(source, name), name.get_ref())?;
+    }
+    let [a, b] = entry.step.as_slice() else {
+        let message = format!("`step` of the basis `{name}` needs two factors, [a, b]");
+        return Err(complaint(&variable, message));
+    };
+    let (degree, found) = (usize::from(*entry.degree.get_ref()), entry.seeds.len());
+    if found != degree + 1 {
+        let message = format!("degree {degree} needs {} seeds, found {found}", degree + 1);
+        return Err(complaint(&at(entry.degree.span()), message));
+    }
+    let seeds = entry.seeds.iter().map(|text| written(source, text));
+    Ok(Basis {
+        variable: entry.variable.get_ref().clone(),
+        parameters: entry
+            .parameters
+            .iter()
+            .map(|p| p.get_ref().clone())
+            .collect(),
+        degree: *entry.degree.get_ref(),
+        seeds: seeds.collect::<Result<_, _>>()?,
+        step: (written(source, a)?, written(source, b)?),
+    })
+}
+
+/// What a symbol is; it may say one thing only.
+fn symbol_kind(
+    source: &Arc<Source>,
+    name: &str,
+    entry: &SymbolEntry,
+) -> Result<SymbolKind, LoadError> {
+    let text = |text: &Option<Spanned<String>>| text.as_ref().map(Spanned::span);
+    let dimensions = |d: &Option<Spanned<Dimension>>| d.as_ref().map(Spanned::span);
+    let said: Vec<_> = [
+        text(&entry.interval),
+        text(&entry.integer),
+        dimensions(&entry.vector),
+        dimensions(&entry.family),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let place = said.last().cloned().unwrap_or(0..0);
+    let origin = Origin::range(source, place.start, place.end);
+    check_name(&origin, name)?;
+    if said.len() > 1 {
+        let message = format!("`{name}` can be one of `in`, `integer`, `vector` and `family` only");
+        return Err(complaint(&origin, message));
+    }
     let dimension = |d: &Spanned<Dimension>| match d.get_ref() {
         Dimension::Number(n) => Some(*n),
         Dimension::Any(_) => None,
@@ -412,9 +485,9 @@ fn interval(text: &str) -> Option<Interval> {
     let lower_closed = closed(text.chars().next()?, '[', '(')?;
     let upper_closed = closed(text.chars().next_back()?, ']', ')')?;
     let (low, high) = text.get(1..text.len().checked_sub(1)?)?.split_once(',')?;
-    let bound = |text: &str, closed: bool| -> Option<Option<Bound>> {
+    let bound = |text: &str, closed: bool, infinite: &str| -> Option<Option<Bound>> {
         match text.trim() {
-            "inf" | "-inf" => Some(None),
+            end if end == infinite => Some(None),
             finite => Some(Some(Bound {
                 value: constant(&parse(finite).ok()?)?,
                 closed,
@@ -422,8 +495,8 @@ fn interval(text: &str) -> Option<Interval> {
         }
     };
     Some(Interval {
-        lower: bound(low, lower_closed)?,
-        upper: bound(high, upper_closed)?,
+        lower: bound(low, lower_closed, "-inf")?,
+        upper: bound(high, upper_closed, "inf")?,
     })
 }
 

@@ -1,12 +1,17 @@
 //! Reading a folder of derivations and parsing every formula in it.
+//!
+//! What is wrong is collected and left out, and what rests on it is left out with it: so all mistakes of a folder are
+//! shown at once, and nothing is complained of that is wrong only because something else is.
 
 use super::error::{DerivationError, LoadError};
-use super::schema::{ClaimEntry, ClaimsFile, PaperFile, PaperHead};
+use super::schema::{ClaimEntry, PaperHead};
 use super::source::{Origin, Source};
+use super::table::{Errors, entry, list, nothing_else, sections};
+use super::{folder, table};
 use crate::derivation::Figure;
 use crate::derivation::declarations::{Declarations, Definition};
 use crate::derivation::schema::figure::FigureEntry;
-use crate::syntax::{Expr, parse};
+use crate::syntax::{Expr, is_name, parse};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
@@ -75,19 +80,53 @@ impl Paper {
     }
 }
 
-/// Loads all papers below `folder`, in the order of their folders' names.
+/// The papers of a folder, and what is wrong with them.
+#[derive(Debug)]
+pub struct Loaded {
+    /// The papers, with the claims and figures that are well formed.
+    pub papers: Vec<Paper>,
+    /// All mistakes, in the order of papers and files.
+    pub errors: Vec<LoadError>,
+    /// The ids of the claims and figures that are left out: they are wrong, or rest on a declaration that is.
+    pub left_out: Vec<String>,
+}
+
+impl Loaded {
+    /// The papers if nothing is wrong.
+    ///
+    /// # Errors
+    /// The first mistake.
+    pub fn complete(self) -> Result<Vec<Paper>, LoadError> {
+        match self.errors.into_iter().next() {
+            Some(error) => Err(error),
+            None => Ok(self.papers),
+        }
+    }
+}
+
+/// Loads all papers below `folder`, in the order of their folders' names, if nothing is wrong with them.
 ///
 /// # Errors
-/// [`LoadError`]: unreadable files, TOML errors, unknown fields, syntax errors, repeated ids.
+/// The first mistake that [`load_all`] finds.
 pub fn load(folder: &Path) -> Result<Vec<Paper>, LoadError> {
-    let unreadable = |path: &Path, error: &std::io::Error| LoadError::Unreadable {
-        path: path.display().to_string(),
+    load_all(folder)?.complete()
+}
+
+/// Loads all papers below `folder`, in the order of their folders' names, as far as they are well formed.
+///
+/// # Errors
+/// [`LoadError`] if the folder cannot be read or holds no paper. All other mistakes are in [`Loaded::errors`]:
+/// unreadable files, TOML errors, unknown fields, syntax errors, repeated ids.
+pub fn load_all(folder: &Path) -> Result<Loaded, LoadError> {
+    let unreadable = |error: std::io::Error| LoadError::Unreadable {
+        path: folder.display().to_string(),
         reason: error.to_string(),
     };
     let mut slugs = vec![];
-    for entry in std::fs::read_dir(folder).map_err(|e| unreadable(folder, &e))? {
-        let path = entry.map_err(|e| unreadable(folder, &e))?.path();
-        if path.join("paper.toml").is_file() {
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        // Whatever it is: one that cannot be read is a mistake, not nothing.
+        if path.join("paper.toml").symlink_metadata().is_ok() {
             slugs.extend(
                 path.file_name()
                     .map(|name| name.to_string_lossy().into_owned()),
@@ -100,101 +139,188 @@ pub fn load(folder: &Path) -> Result<Vec<Paper>, LoadError> {
             path: folder.display().to_string(),
         });
     }
-    let papers: Vec<Paper> = slugs
+    let mut reading = Reading::default();
+    let papers = slugs
         .iter()
-        .map(|slug| {
-            let read = |name: &str| -> Result<Arc<Source>, LoadError> {
-                let path = folder.join(slug).join(name);
-                let text = std::fs::read_to_string(&path).map_err(|e| unreadable(&path, &e))?;
-                Ok(Arc::new(Source {
-                    name: format!("{slug}/{name}"),
-                    text,
-                }))
-            };
-            paper(read)
-        })
-        .collect::<Result<_, _>>()?;
-    check_uses(&papers)?;
-    Ok(papers)
-}
-
-/// Fails when a claim rests on one that no paper of the folder states.
-fn check_uses(papers: &[Paper]) -> Result<(), LoadError> {
-    let claims = || papers.iter().flat_map(|paper| &paper.claims);
-    let ids: BTreeSet<&str> = claims()
-        .map(|claim| claim.entry.id.get_ref().as_str())
+        .filter_map(|slug| reading.paper(|name| folder::read(folder, slug, name)))
         .collect();
-    for claim in claims() {
-        for used in &claim.entry.uses {
-            if !ids.contains(used.get_ref().as_str()) {
-                let message = format!("no claim has the id `{}`", used.get_ref());
-                let help = "`uses` takes full ids, such as `gbt-developable/eq-2.2`";
-                let origin = Origin::of(&claim.origin.source, used);
-                return Err(LoadError::Derivation(Box::new(
-                    DerivationError::at(&origin, whole(used), message).with_help(help),
-                )));
-            }
-        }
-    }
-    Ok(())
+    Ok(reading.loaded(papers))
 }
 
 /// Loads one paper through `read`, which returns a file of its folder.
+///
+/// # Errors
+/// The first mistake.
 pub fn paper(read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Result<Paper, LoadError> {
-    let source = read("paper.toml")?;
-    let file: PaperFile = toml_file(&source)?;
-    let mut declarations = Declarations::default();
-    declarations.add_symbols(&source, &file.symbols)?;
-    declarations.add_bases(&source, &file.basis)?;
-    add_definitions(&mut declarations, &source, &file.define)?;
-    let declarations = Arc::new(declarations);
-    let mut claims = vec![];
-    let mut own_figures = vec![];
-    for name in &file.paper.claims {
-        let source = read(name.get_ref())?;
-        let (more, figures) = claims_of(&source, &declarations, &file.paper.id)?;
-        claims.extend(more);
-        own_figures.extend(figures);
-    }
-    let mut seen: BTreeMap<&str, ()> = BTreeMap::new();
-    for claim in &claims {
-        if seen.insert(claim.entry.id.get_ref(), ()).is_some() {
-            return Err(wrong(
-                &claim.origin,
-                format!("the id `{}` is used twice", claim.entry.id.get_ref()),
-            ));
-        }
-    }
-    for figure in &own_figures {
-        if seen.insert(&figure.id, ()).is_some() {
-            let message = format!("the id `{}` is used twice", figure.id);
-            return Err(wrong(&figure.origin, message));
-        }
-    }
-    Ok(Paper {
-        head: file.paper,
-        declarations,
-        claims,
-        own_figures,
+    let mut reading = Reading::default();
+    let paper = reading.paper(read);
+    let mut papers = reading.loaded(paper.into_iter().collect()).complete()?;
+    papers.pop().ok_or_else(|| LoadError::Empty {
+        path: "the paper".to_owned(),
     })
 }
 
-fn claims_of(
-    source: &Arc<Source>,
-    paper: &Arc<Declarations>,
-    slug: &str,
-) -> Result<(Vec<Claim>, Vec<Figure>), LoadError> {
-    let file: ClaimsFile = toml_file(source)?;
-    let mut shared = (**paper).clone();
-    shared.add_symbols(source, &file.symbols)?;
-    shared.add_bases(source, &file.basis)?;
-    add_definitions(&mut shared, source, &file.define)?;
-    let shared = Arc::new(shared);
-    let mut claims: Vec<Claim> = file
-        .claim
-        .iter()
-        .map(|entry| claim(source, &shared, slug, entry))
-        .collect::<Result<_, _>>()?;
+/// What was found so far.
+#[derive(Default)]
+struct Reading {
+    errors: Errors,
+    left_out: Vec<String>,
+    /// Every id, of what is left out too.
+    ids: BTreeSet<String>,
+}
+
+impl Reading {
+    /// A paper with what is well formed in it; none if its head is wrong.
+    fn paper(&mut self, read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Option<Paper> {
+        let source = self.errors.keep(read("paper.toml"))?;
+        let mut sections = self.errors.keep(sections(&source))?;
+        let head = sections.remove("paper").ok_or_else(|| {
+            let message = "the section [paper] is missing: id, title, authors, venue, claims";
+            table::complaint(&source, 0..1, message.to_owned())
+        });
+        let mut shared = Declarations::default();
+        self.declare(&mut shared, &source, &mut sections);
+        nothing_else(
+            &source,
+            sections,
+            &["paper", "symbols", "basis", "define"],
+            &mut self.errors,
+        );
+        let head = head.and_then(|head| entry::<PaperHead>(&source, head));
+        let head = self.errors.keep(head)?;
+        let declarations = Arc::new(shared);
+        let (mut claims, mut own_figures) = (vec![], vec![]);
+        for name in &head.claims {
+            let file = folder::check_name(&source, name).and_then(|()| read(name.get_ref()));
+            if let Some(source) = self.errors.keep(file) {
+                self.file(
+                    &source,
+                    &declarations,
+                    &head.id,
+                    &mut claims,
+                    &mut own_figures,
+                );
+            }
+        }
+        Some(Paper {
+            head,
+            declarations,
+            claims,
+            own_figures,
+        })
+    }
+
+    /// Adds the declarations of a file. Those that are wrong are marked as such.
+    fn declare(
+        &mut self,
+        declarations: &mut Declarations,
+        source: &Arc<Source>,
+        sections: &mut BTreeMap<String, Spanned<toml::de::DeValue<'_>>>,
+    ) {
+        let errors = &mut self.errors;
+        let (symbols, unread) = table::table(source, sections.remove("symbols"), errors);
+        declarations.spoil(unread);
+        declarations.add_symbols(source, &symbols, errors);
+        let (bases, unread) = table::table(source, sections.remove("basis"), errors);
+        declarations.spoil(unread);
+        declarations.add_bases(source, &bases, errors);
+        let (definitions, unread) = table::table(source, sections.remove("define"), errors);
+        declarations.spoil(unread.iter().map(|head| name_of(head)));
+        add_definitions(declarations, source, &definitions, errors);
+    }
+
+    /// Adds the claims and figures of a file.
+    fn file(
+        &mut self,
+        source: &Arc<Source>,
+        paper: &Arc<Declarations>,
+        slug: &str,
+        claims: &mut Vec<Claim>,
+        own_figures: &mut Vec<Figure>,
+    ) {
+        let Some(mut sections) = self.errors.keep(sections(source)) else {
+            return;
+        };
+        let mut shared = (**paper).clone();
+        self.declare(&mut shared, source, &mut sections);
+        let entries: Vec<ClaimEntry> = list(source, sections.remove("claim"), &mut self.errors);
+        let drawn: Vec<Spanned<FigureEntry>> =
+            list(source, sections.remove("figure"), &mut self.errors);
+        nothing_else(
+            source,
+            sections,
+            &["symbols", "basis", "define", "claim", "figure"],
+            &mut self.errors,
+        );
+        let shared = Arc::new(shared);
+        let mut more = vec![];
+        for entry in entries {
+            let id = entry.id.clone();
+            let before = self.errors.0.len();
+            self.add_id(source, &id);
+            let claim = claim(source, &shared, slug, entry, &mut self.errors);
+            match claim.filter(|claim| self.errors.0.len() == before && !rests_on_wrong(claim)) {
+                Some(claim) => more.push(claim),
+                None => self.left_out.push(id.into_inner()),
+            }
+        }
+        gather_examples(&mut more);
+        claims.append(&mut more);
+        for entry in drawn {
+            let before = self.errors.0.len();
+            let id = entry.get_ref().id.clone();
+            let figure = own_figure(source, &shared, slug, entry, &mut self.errors);
+            if let Some(id) = &id {
+                self.add_id(source, id);
+            }
+            let wrong = |figure: &Figure| figure.declarations.any_wrong();
+            match figure.filter(|figure| self.errors.0.len() == before && !wrong(figure)) {
+                Some(figure) => own_figures.push(figure),
+                None => self.left_out.extend(id.map(Spanned::into_inner)),
+            }
+        }
+    }
+
+    /// An id may be used once in a folder.
+    fn add_id(&mut self, source: &Arc<Source>, id: &Spanned<String>) {
+        if !self.ids.insert(id.get_ref().clone()) {
+            let message = format!("the id `{}` is used twice", id.get_ref());
+            self.errors.0.push(wrong(&Origin::of(source, id), message));
+        }
+    }
+
+    /// Looks at what claims say of each other, and ends.
+    fn loaded(mut self, papers: Vec<Paper>) -> Loaded {
+        for claim in papers.iter().flat_map(|paper| &paper.claims) {
+            for used in &claim.entry.uses {
+                if !self.ids.contains(used.get_ref()) {
+                    let message = format!("no claim has the id `{}`", used.get_ref());
+                    let help = "`uses` takes full ids, such as `gbt-developable/eq-2.2`";
+                    let origin = Origin::of(&claim.origin.source, used);
+                    let error = DerivationError::at(&origin, whole(used), message).with_help(help);
+                    self.errors.0.push(LoadError::Derivation(Box::new(error)));
+                }
+            }
+        }
+        Loaded {
+            papers,
+            errors: self.errors.0,
+            left_out: self.left_out,
+        }
+    }
+}
+
+/// Whether a formula of the claim mentions a declaration that is wrong, be it through others.
+fn rests_on_wrong(claim: &Claim) -> bool {
+    let formulas = claim.given.iter().chain(&claim.unknowns);
+    let formulas = formulas.chain(&claim.assumptions).chain(&claim.statement);
+    let figure = claim.figure.as_ref();
+    claim.declarations.rest_on_wrong(formulas.map(|w| &w.expr))
+        || figure.is_some_and(|figure| figure.declarations.any_wrong())
+}
+
+/// Shows every value of an example all values of it.
+fn gather_examples(claims: &mut [Claim]) {
     let mut examples: BTreeMap<String, Vec<Claim>> = BTreeMap::new();
     for value in claims
         .iter()
@@ -209,12 +335,6 @@ fn claims_of(
             value.example = Arc::clone(&values);
         }
     }
-    let figures = file
-        .figure
-        .into_iter()
-        .map(|entry| own_figure(source, &shared, slug, entry))
-        .collect::<Result<_, _>>()?;
-    Ok((claims, figures))
 }
 
 /// The id up to the first point: `hermite-developable/ex-4` for `hermite-developable/ex-4.r0u`.
@@ -230,20 +350,27 @@ fn own_figure(
     shared: &Arc<Declarations>,
     slug: &str,
     entry: Spanned<FigureEntry>,
-) -> Result<Figure, LoadError> {
+    errors: &mut Errors,
+) -> Option<Figure> {
     let range = entry.span();
     let entry = entry.into_inner();
     let Some(id) = entry.id.clone() else {
-        let origin = Origin::range(source, range.start, range.end);
         let message = "a figure of its own needs an `id`".to_owned();
-        return Err(wrong(&origin, message));
+        errors.0.push(table::complaint(source, range, message));
+        return None;
     };
     let origin = Origin::of(source, &id);
-    if !id.get_ref().starts_with(&format!("{slug}/")) {
-        return Err(wrong(&origin, format!("the id must begin with `{slug}/`")));
-    }
+    errors.keep(folder::check_id(source, &id, slug))?;
     let claims = entry.claims.iter().map(|c| c.get_ref().clone()).collect();
-    figure(source, origin, shared, id.into_inner(), claims, entry)
+    Some(figure(
+        source,
+        origin,
+        shared,
+        id.into_inner(),
+        claims,
+        entry,
+        errors,
+    ))
 }
 
 fn figure(
@@ -253,90 +380,79 @@ fn figure(
     id: String,
     claims: Vec<String>,
     entry: FigureEntry,
-) -> Result<Figure, LoadError> {
+    errors: &mut Errors,
+) -> Figure {
     let mut declarations = (**shared).clone();
-    declarations.add_symbols(source, &entry.symbols)?;
-    add_definitions(&mut declarations, source, &entry.local)?;
-    Ok(Figure {
+    declarations.add_symbols(source, &entry.symbols, errors);
+    add_definitions(&mut declarations, source, &entry.local, errors);
+    Figure {
         id,
         claims,
         entry,
         origin,
         source: Arc::clone(source),
         declarations: Arc::new(declarations),
-    })
+    }
 }
 
+/// A claim with those of its formulas that are well formed; none if it cannot be one.
 fn claim(
     source: &Arc<Source>,
     shared: &Arc<Declarations>,
     slug: &str,
-    entry: &Spanned<ClaimEntry>,
-) -> Result<Claim, LoadError> {
-    let entry = entry.get_ref().clone();
+    entry: ClaimEntry,
+    errors: &mut Errors,
+) -> Option<Claim> {
     let origin = Origin::of(source, &entry.id);
-    if !entry.id.get_ref().starts_with(&format!("{slug}/")) {
-        return Err(wrong(&origin, format!("the id must begin with `{slug}/`")));
-    }
+    errors.keep(folder::check_id(source, &entry.id, slug));
     let declarations = if entry.symbols.is_empty() && entry.local.is_empty() {
         Arc::clone(shared)
     } else {
         let mut own = (**shared).clone();
-        own.add_symbols(source, &entry.symbols)?;
-        add_definitions(&mut own, source, &entry.local)?;
+        own.add_symbols(source, &entry.symbols, errors);
+        add_definitions(&mut own, source, &entry.local, errors);
         Arc::new(own)
     };
-    let all = |texts: &[Spanned<String>]| -> Result<Vec<Written>, LoadError> {
-        texts.iter().map(|text| written(source, text)).collect()
+    let mut all = |texts: &[Spanned<String>]| -> Vec<Written> {
+        let parsed = texts.iter().map(|text| written(source, text));
+        parsed.filter_map(|result| errors.keep(result)).collect()
     };
-    let statement = entry
-        .states
-        .as_ref()
-        .map(|text| written(source, text))
-        .transpose()?;
+    let statement = all(entry.states.as_slice()).pop();
+    let (given, unknowns) = (all(&entry.given), all(&entry.solve_for));
+    let assumptions = all(&entry.assume);
     let undecidable = entry.underspecified.is_some() || entry.out_of_scope.is_some();
     let needs_statement = !matches!(
         entry.kind,
         crate::words::Kind::Definition | crate::words::Kind::Figure
     ) && !undecidable;
-    if needs_statement && statement.is_none() {
-        return Err(LoadError::Derivation(Box::new(
-            DerivationError::at(
-                &origin,
-                whole(&entry.id),
-                "this claim states nothing: the field `states` is missing",
-            )
-            .with_help(
-                "add `states = '...'`, or say why not with `underspecified` or `out_of_scope`",
-            ),
-        )));
+    if needs_statement && entry.states.is_none() {
+        let message = "this claim states nothing: the field `states` is missing";
+        let help = "add `states = '...'`, or say why not with `underspecified` or `out_of_scope`";
+        let error = DerivationError::at(&origin, whole(&entry.id), message).with_help(help);
+        errors.0.push(LoadError::Derivation(Box::new(error)));
     }
-    let drawn = match &entry.figure {
-        None => None,
-        Some(drawn) => {
-            let id = entry.id.get_ref();
-            let (origin, claims) = (origin.clone(), vec![id.clone()]);
-            let drawn = (**drawn).clone();
-            Some(figure(
-                source,
-                origin,
-                &declarations,
-                id.clone(),
-                claims,
-                drawn,
-            )?)
-        }
-    };
     if entry.given.is_empty() != entry.solve_for.is_empty() {
-        return Err(wrong(
-            &origin,
-            "`given` and `solve_for` go together".to_owned(),
-        ));
+        let message = "`given` and `solve_for` go together".to_owned();
+        errors.0.push(wrong(&origin, message));
     }
-    Ok(Claim {
-        given: all(&entry.given)?,
-        unknowns: all(&entry.solve_for)?,
-        assumptions: all(&entry.assume)?,
+    let drawn = entry.figure.as_ref().map(|drawn| {
+        let id = entry.id.get_ref();
+        let (origin, claims) = (origin.clone(), vec![id.clone()]);
+        let drawn = (**drawn).clone();
+        figure(
+            source,
+            origin,
+            &declarations,
+            id.clone(),
+            claims,
+            drawn,
+            errors,
+        )
+    });
+    Some(Claim {
+        given,
+        unknowns,
+        assumptions,
         statement,
         figure: drawn,
         declarations,
@@ -375,53 +491,54 @@ pub fn parsed(
     }
 }
 
-/// Parses definitions: the key is a name or a head `F(z, mu)`.
+/// Parses definitions: the key is a name or a head `F(z, mu)`. Those that are wrong are marked as such.
 fn add_definitions(
     declarations: &mut Declarations,
     source: &Arc<Source>,
     table: &BTreeMap<String, Spanned<String>>,
-) -> Result<(), LoadError> {
-    use crate::syntax::Node;
+    errors: &mut Errors,
+) {
     for (head, text) in table {
-        let body = written(source, text)?;
-        let bad_head = || {
-            wrong(
-                &body.origin,
-                format!("`{head}` is no name and no head such as `F(z, mu)`"),
-            )
-        };
-        let (name, parameters) = match parse(head).map_err(|_| bad_head())?.node {
-            Node::Name(name) => (name, vec![]),
-            Node::Call(function, arguments) => {
-                let parameters = arguments.into_iter().map(|a| match a.node {
-                    Node::Name(parameter) => Ok(parameter),
-                    _ => Err(bad_head()),
-                });
-                match &function.node {
-                    Node::Name(name) => (name.clone(), parameters.collect::<Result<_, _>>()?),
-                    _ => return Err(bad_head()),
-                }
-            }
-            _ => return Err(bad_head()),
-        };
-        declarations.define(name, Definition { parameters, body });
+        let definition = definition(source, head, text);
+        match errors.keep(definition) {
+            Some((name, definition)) => declarations.define(name, definition),
+            None => declarations.spoil([name_of(head)]),
+        }
     }
-    Ok(())
 }
 
-/// Reads a TOML file into its schema, with the place of a mistake.
-fn toml_file<T: serde::de::DeserializeOwned>(source: &Arc<Source>) -> Result<T, LoadError> {
-    toml::from_str(&source.text).map_err(|error| {
-        let range = error.span().unwrap_or(0..0);
-        let origin = Origin::range(
-            source,
-            range.start,
-            range.end.max(range.start + 1).min(source.text.len()),
-        );
-        LoadError::Derivation(Box::new(DerivationError::at(
-            &origin,
-            crate::syntax::Place::default(),
-            error.message().to_owned(),
-        )))
-    })
+/// What a head `F(z, mu)` defines, even if it is wrong.
+fn name_of(head: &str) -> String {
+    let name = head.split_once('(').map_or(head, |(name, _)| name);
+    name.trim().to_owned()
+}
+
+fn definition(
+    source: &Arc<Source>,
+    head: &str,
+    text: &Spanned<String>,
+) -> Result<(String, Definition), LoadError> {
+    use crate::syntax::Node;
+    let body = written(source, text)?;
+    let name = |expr: &Expr| match &expr.node {
+        Node::Name(name) if is_name(name) => Some(name.clone()),
+        _ => None,
+    };
+    let parts = parse(head).ok().and_then(|head| match &head.node {
+        Node::Call(function, arguments) => {
+            let parameters: Option<Vec<String>> = arguments.iter().map(name).collect();
+            Some((name(function)?, parameters?))
+        }
+        _ => Some((name(&head)?, vec![])),
+    });
+    let Some((name, parameters)) = parts else {
+        let message = format!("`{head}` is no name and no head such as `F(z, mu)`");
+        return Err(wrong(&body.origin, message));
+    };
+    let distinct: BTreeSet<&String> = parameters.iter().collect();
+    if distinct.len() != parameters.len() {
+        let message = format!("`{head}` has two parameters of the same name");
+        return Err(wrong(&body.origin, message));
+    }
+    Ok((name, Definition { parameters, body }))
 }

@@ -6,11 +6,14 @@
 pub mod declarations;
 mod error;
 mod figure;
+mod folder;
 mod load;
 pub mod schema;
 mod source;
+mod table;
 
 pub use error::{DerivationError, LoadError};
 pub use figure::Figure;
-pub use load::{Claim, Paper, Written, load, paper, parsed, written};
+pub use folder::MAX_BYTES;
+pub use load::{Claim, Loaded, Paper, Written, load, load_all, paper, parsed, written};
 pub use source::{Origin, Source};

@@ -11,23 +11,6 @@ use toml::Spanned;
 /// A text of the file and its place there.
 pub type Text = Spanned<String>;
 
-/// The file `paper.toml` of a paper's folder.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PaperFile {
-    /// Who and what.
-    pub paper: PaperHead,
-    /// Symbols that every claim of the paper may use.
-    #[serde(default)]
-    pub symbols: BTreeMap<String, SymbolEntry>,
-    /// Basis families.
-    #[serde(default)]
-    pub basis: BTreeMap<String, BasisEntry>,
-    /// Definitions: `"F(z)" = "sum(...)"`.
-    #[serde(default)]
-    pub define: BTreeMap<String, Text>,
-}
-
 /// The bibliographic head of a paper.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -45,27 +28,6 @@ pub struct PaperHead {
     pub doi: Option<String>,
     /// The files with claims, in the order of the paper.
     pub claims: Vec<Text>,
-}
-
-/// A file with claims.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ClaimsFile {
-    /// Symbols of this file.
-    #[serde(default)]
-    pub symbols: BTreeMap<String, SymbolEntry>,
-    /// Basis families of this file.
-    #[serde(default)]
-    pub basis: BTreeMap<String, BasisEntry>,
-    /// Definitions of this file.
-    #[serde(default)]
-    pub define: BTreeMap<String, Text>,
-    /// The claims.
-    #[serde(default)]
-    pub claim: Vec<Spanned<ClaimEntry>>,
-    /// Figures that are not the paper's.
-    #[serde(default)]
-    pub figure: Vec<Spanned<FigureEntry>>,
 }
 
 /// A symbol: what it stands for and where it lives.

@@ -1,0 +1,95 @@
+//! The files of a paper's folder: only regular files inside of it, and none that is too large.
+
+use super::error::{DerivationError, LoadError};
+use super::source::{Origin, Source};
+use crate::syntax::Place;
+use std::io::Read;
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+use toml::Spanned;
+
+/// The most bytes of one file: the largest of the three papers has a hundredth of that.
+pub const MAX_BYTES: u64 = 4 * 1024 * 1024;
+
+/// Reads a file of the paper's folder `slug` in `folder`.
+///
+/// # Errors
+/// [`LoadError::Unreadable`] for what is no regular file (opening a pipe would wait, a device never ends), for a link that
+/// leads out of the paper's folder, for a file of more than [`MAX_BYTES`] bytes, and for what is no UTF-8.
+pub fn read(folder: &Path, slug: &str, name: &str) -> Result<Arc<Source>, LoadError> {
+    let home = folder.join(slug);
+    let path = home.join(name);
+    let refused = |reason: String| LoadError::Unreadable {
+        path: path.display().to_string(),
+        reason,
+    };
+    let system = |error: std::io::Error| refused(error.to_string());
+    let metadata = std::fs::metadata(&path).map_err(system)?;
+    if !metadata.is_file() {
+        return Err(refused("it is no regular file".to_owned()));
+    }
+    let real = |path: &PathBuf| path.canonicalize().map_err(system);
+    if !real(&path)?.starts_with(real(&home)?) {
+        return Err(refused("it is a link out of the paper's folder".to_owned()));
+    }
+    let mut bytes = vec![];
+    let file = std::fs::File::open(&path).map_err(system)?;
+    // The file may have grown since.
+    file.take(MAX_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .map_err(system)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        let bytes = metadata.len();
+        return Err(refused(format!(
+            "it has {bytes} bytes; at most {MAX_BYTES} are read"
+        )));
+    }
+    let text = String::from_utf8(bytes).map_err(|error| refused(error.utf8_error().to_string()))?;
+    let name = format!("{slug}/{name}");
+    Ok(Arc::new(Source { name, text }))
+}
+
+/// Fails unless the name of a file with claims stays in the paper's folder: `claims.toml`, `part/one.toml`.
+pub fn check_name(source: &Arc<Source>, name: &Spanned<String>) -> Result<(), LoadError> {
+    let path = Path::new(name.get_ref());
+    let inside = |component: Component<'_>| matches!(component, Component::Normal(_));
+    let plain = !name.get_ref().contains(['\\', '\0']);
+    if plain && path.components().count() > 0 && path.components().all(inside) {
+        return Ok(());
+    }
+    let origin = Origin::of(source, name);
+    let message = format!("`{}` is no file below the paper's folder", name.get_ref());
+    let error = DerivationError::at(&origin, whole(name), message)
+        .with_help("`claims` lists files of this folder, such as `claims.toml`");
+    Err(LoadError::Derivation(Box::new(error)))
+}
+
+/// Fails unless the id is `slug/name` with a name of letters, digits, `-`, `_` and `.`, none of them a point at an end or
+/// beside another point: outputs are called after ids.
+pub fn check_id(source: &Arc<Source>, id: &Spanned<String>, slug: &str) -> Result<(), LoadError> {
+    let plain = |word: &str| {
+        let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+        !word.is_empty() && word.chars().all(letter)
+    };
+    let name = id.get_ref().strip_prefix(slug);
+    let name = name.and_then(|rest| rest.strip_prefix('/'));
+    if name.is_some_and(|name| name.split('.').all(plain)) {
+        return Ok(());
+    }
+    let message = match name {
+        Some(name) => format!("`{name}` cannot be the name of a claim or figure"),
+        None => format!("the id `{}` does not begin with `{slug}/`", id.get_ref()),
+    };
+    let help = format!(
+        "an id is `{slug}/` and words of letters, digits, `-` and `_`, with points between: `{slug}/eq-2.1`"
+    );
+    let error = DerivationError::at(&Origin::of(source, id), whole(id), message).with_help(help);
+    Err(LoadError::Derivation(Box::new(error)))
+}
+
+fn whole(text: &Spanned<String>) -> Place {
+    Place {
+        start: 0,
+        end: text.get_ref().len(),
+    }
+}
