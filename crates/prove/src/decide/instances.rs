@@ -14,6 +14,9 @@ use torse_language::derivation::declarations::{Declarations, SymbolKind};
 const SPAN: i64 = 4;
 /// The most instances of one statement.
 const MAX_INSTANCES: usize = 240;
+/// The most assignments of some of the integers that are carried on to the next one: all there are of a few integers, those
+/// of the smallest sum of many.
+const MAX_CARRIED: usize = 4_096;
 
 /// The integers in an order in which a symbol whose bound names another one comes after it.
 #[must_use]
@@ -41,6 +44,9 @@ pub fn ordered(integers: Vec<String>, declarations: &Declarations) -> Vec<String
 }
 
 /// Values of the integers, smallest first, and whether the list is complete.
+///
+/// The work grows with the number of integers and not with its power: at most [`MAX_CARRIED`] assignments of the first of
+/// them are extended by the next.
 #[must_use]
 pub fn assignments(
     integers: &[String],
@@ -64,9 +70,11 @@ pub fn assignments(
             };
             let low = least.as_ref().and_then(number);
             let high = most.as_ref().and_then(number);
-            complete &= low.is_some() && high.is_some_and(|h| h - low.unwrap_or(h) < 12);
+            complete &=
+                low.is_some() && high.is_some_and(|h| h.saturating_sub(low.unwrap_or(h)) < 12);
             let start = low.unwrap_or(0);
-            let end = high.unwrap_or(start + SPAN - 1).min(start + 11);
+            let some = start.saturating_add(SPAN - 1);
+            let end = high.unwrap_or(some).min(start.saturating_add(11));
             for value in start..=end {
                 let mut more = fixed.clone();
                 more.insert(name.clone(), value);
@@ -74,14 +82,25 @@ pub fn assignments(
             }
         }
         all = next;
+        if all.len() > MAX_CARRIED {
+            complete &= cut(&mut all, MAX_CARRIED);
+        }
     }
-    // Small sums of the integers first, so that a counterexample is simple.
-    all.sort_by_key(|fixed| fixed.values().sum::<i64>());
-    if all.len() > MAX_INSTANCES {
-        complete = false;
-        all.truncate(MAX_INSTANCES);
-    }
+    complete &= cut(&mut all, MAX_INSTANCES);
     (all, complete)
+}
+
+/// Sorts by the sum of the integers, so that a counterexample is simple, and cuts off what is too much. Returns whether all
+/// are still there.
+fn cut(all: &mut Vec<BTreeMap<String, i64>>, most: usize) -> bool {
+    let sum = |fixed: &BTreeMap<String, i64>| {
+        let values = fixed.values();
+        values.fold(0_i64, |sum, value| sum.saturating_add(*value))
+    };
+    all.sort_by_key(sum);
+    let complete = all.len() <= most;
+    all.truncate(most);
+    complete
 }
 
 /// The values as fixed symbols.
@@ -154,5 +173,43 @@ pub fn combined(
             reason: reason.to_owned(),
             tried,
         },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use torse_algebra::Affine;
+
+    fn integers(count: i64, most: Option<i64>) -> (Vec<String>, Declarations) {
+        let names: Vec<String> = (0..count).map(|n| format!("n{n:02}")).collect();
+        let mut declarations = Declarations::default();
+        for name in &names {
+            let (least, most) = (Some(Affine::number(0)), most.map(Affine::number));
+            declarations.declare(name, SymbolKind::Integer { least, most });
+        }
+        (names, declarations)
+    }
+
+    #[test]
+    fn a_few_integers_get_all_their_values_and_the_list_says_so() {
+        let (names, declarations) = integers(3, Some(2));
+        let (all, complete) = assignments(&names, &declarations);
+        assert_eq!((all.len(), complete), (27, true));
+        let sums: Vec<i64> = all.iter().map(|fixed| fixed.values().sum()).collect();
+        assert!(sums.is_sorted());
+        assert!(!assignments(&names[..1], &integers(1, None).1).1);
+    }
+
+    #[test]
+    fn many_integers_get_a_few_small_values_each_at_once() {
+        for most in [None, Some(1), Some(i64::MAX)] {
+            let (names, declarations) = integers(60, most);
+            let (all, complete) = assignments(&names, &declarations);
+            assert_eq!((all.len(), complete), (MAX_INSTANCES, false));
+            assert!(all.iter().all(|fixed| fixed.len() == 60));
+            assert!(all[0].values().all(|value| *value == 0));
+            assert!(all.iter().all(|fixed| fixed.values().sum::<i64>() <= 3));
+        }
     }
 }
