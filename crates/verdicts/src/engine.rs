@@ -3,6 +3,8 @@
 use crate::outcome::{Outcome, PaperOutcome};
 use crate::repair;
 use rayon::prelude::*;
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::derivation::{Claim, DerivationError, Figure, Paper, Written};
@@ -39,13 +41,31 @@ pub fn run(paper: &Paper, done: &(dyn Fn() + Sync)) -> Result<PaperOutcome, Box<
     })
 }
 
-/// Decides one claim.
+/// Decides one claim. A claim that makes the engine panic is undecided, with the panic's message as the reason: it takes
+/// no other claim with it.
 ///
 /// # Errors
 /// A [`DerivationError`] when a formula of the claim does not make sense.
 pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<DerivationError>> {
+    let outcome = undecided(paper, claim);
+    // What the closure could leave half done are values of its own and memory of formulas already evaluated.
+    let decided = catch_unwind(AssertUnwindSafe(|| decided(outcome.clone(), claim)));
+    decided.unwrap_or_else(|panic| Ok(panicked(outcome, &*panic)))
+}
+
+/// The outcome of a claim whose decision panicked.
+fn panicked(mut outcome: Outcome, panic: &(dyn Any + Send)) -> Outcome {
+    let text = panic.downcast_ref::<&str>().copied();
+    let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
+    let message = text.unwrap_or("no message");
+    outcome.steps = vec![format!("the engine failed on this claim: {message}")];
+    outcome
+}
+
+/// What the file says of a claim.
+fn undecided(paper: &str, claim: &Claim) -> Outcome {
     let entry = &claim.entry;
-    let mut outcome = Outcome {
+    Outcome {
         id: entry.id.get_ref().clone(),
         paper: paper.to_owned(),
         at: entry.at.clone(),
@@ -70,7 +90,11 @@ pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<Derivatio
         note: entry.note.clone(),
         uses: claim.uses(),
         expect: entry.expect,
-    };
+    }
+}
+
+fn decided(mut outcome: Outcome, claim: &Claim) -> Result<Outcome, Box<DerivationError>> {
+    let entry = &claim.entry;
     if let Some(figure) = &claim.figure {
         outcome.steps.extend(entry.underspecified.clone());
         drawn(&mut outcome, figure);
@@ -197,4 +221,37 @@ fn nonzero(polynomial: &Polynomial) -> Formula {
         Arc::new(left),
         vec![(Relation::Different, zero)],
     )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use torse_language::derivation::{LoadError, Source, paper};
+
+    #[test]
+    fn a_claim_that_makes_the_engine_panic_is_undecided_with_the_reason() {
+        let text = |name: &str| match name {
+            "paper.toml" => {
+                "[paper]\nid = 'p'\ntitle = ''\nauthors = ''\nvenue = ''\nclaims = ['c.toml']\n"
+            }
+            _ => {
+                "[[claim]]\nid = 'p/a'\nat = ''\nkind = 'identity'\nprinted = ''\nstates = '1 == 1'\n"
+            }
+        };
+        let read = |name: &str| -> Result<Arc<Source>, LoadError> {
+            let (name, text) = (name.to_owned(), text(name).to_owned());
+            Ok(Arc::new(Source { name, text }))
+        };
+        let paper = paper(read).unwrap();
+        let claim = &paper.claims[0];
+        for panic in [
+            Box::new("why") as Box<dyn Any + Send>,
+            Box::new("why".to_owned()),
+        ] {
+            let outcome = panicked(undecided("p", claim), &*panic);
+            assert_eq!(outcome.verdict, Verdict::Undecided);
+            assert_eq!(outcome.steps, ["the engine failed on this claim: why"]);
+        }
+        assert_eq!(decide_claim("p", claim).unwrap().verdict, Verdict::Holds);
+    }
 }

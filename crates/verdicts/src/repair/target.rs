@@ -1,5 +1,6 @@
 //! What an edited side must come to: the other side of the equation at the sample point.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use torse_algebra::Fraction;
 use torse_language::core;
@@ -12,12 +13,15 @@ use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::value::{Statement, Value};
 use torse_prove::sample;
 
-/// The work one search may do, in units of a visited node of a formula.
+/// The work one search may do, in units of a visited node of a formula or a term of its value: where sines and cosines stay
+/// symbols, a value has hundreds.
 const MAX_WORK: u64 = 400_000;
 
 /// The side that is not edited, at a few instances of the integers, at the sample point.
 pub struct Target<'a> {
     instances: Vec<(Evaluator<'a>, Vec<Fraction>)>,
+    /// The terms of all values so far.
+    terms: Cell<u64>,
 }
 
 impl<'a> Target<'a> {
@@ -65,7 +69,10 @@ impl<'a> Target<'a> {
                 break;
             }
         }
-        Some(Self { instances })
+        Some(Self {
+            instances,
+            terms: Cell::new(0),
+        })
     }
 
     /// Whether a candidate agrees with the other side at every instance; never once the work is used up.
@@ -73,7 +80,7 @@ impl<'a> Target<'a> {
     pub fn agrees(&self, candidate: &Expr) -> bool {
         self.within_budget()
             && self.instances.iter().all(|(evaluator, other)| {
-                agreeing(evaluator, other, candidate) == Some(other.len())
+                self.agreeing(evaluator, other, candidate) == Some(other.len())
             })
     }
 
@@ -82,25 +89,34 @@ impl<'a> Target<'a> {
     pub fn entries_agreeing(&self, candidate: &Expr) -> usize {
         let first = self.instances.first().filter(|_| self.within_budget());
         first
-            .and_then(|(evaluator, other)| agreeing(evaluator, other, candidate))
+            .and_then(|(evaluator, other)| self.agreeing(evaluator, other, candidate))
             .unwrap_or(0)
     }
 
     fn within_budget(&self) -> bool {
         let work = self.instances.iter().map(|(e, _)| e.work());
-        work.sum::<u64>() <= MAX_WORK
+        work.sum::<u64>().saturating_add(self.terms.get()) <= MAX_WORK
     }
-}
 
-/// How many entries agree; none for a candidate that makes no sense or has another shape.
-fn agreeing(evaluator: &Evaluator<'_>, other: &[Fraction], candidate: &Expr) -> Option<usize> {
-    let value = evaluator.evaluate(candidate).ok()?;
-    let entries = value.entries();
-    let agree = |(q, wanted): &(&Quantity, &Fraction)| {
-        let at_sample = q.as_fraction().and_then(sample::at_sample);
-        at_sample.is_some_and(|found| found == **wanted)
-    };
-    (entries.len() == other.len()).then(|| entries.into_iter().zip(other).filter(agree).count())
+    /// How many entries agree; none for a candidate that makes no sense or has another shape.
+    fn agreeing(
+        &self,
+        evaluator: &Evaluator<'_>,
+        other: &[Fraction],
+        candidate: &Expr,
+    ) -> Option<usize> {
+        let value = evaluator.evaluate(candidate).ok()?;
+        let entries = value.entries();
+        let plain = entries.iter().filter_map(|q| q.as_fraction());
+        let terms: usize = plain.map(|value| value.numerator().len()).sum();
+        self.terms
+            .set(self.terms.get().saturating_add(terms as u64));
+        let agree = |(q, wanted): &(&Quantity, &Fraction)| {
+            let at_sample = q.as_fraction().and_then(sample::at_sample);
+            at_sample.is_some_and(|found| found == **wanted)
+        };
+        (entries.len() == other.len()).then(|| entries.into_iter().zip(other).filter(agree).count())
+    }
 }
 
 /// The side of the comparison that the path does not lead into.
