@@ -1,9 +1,20 @@
 //! Where the derivation files are.
 
 use crate::exit::Failure;
+use crate::mistakes::Mistakes;
 use std::path::{Path, PathBuf};
 use torse_language::derivation;
 use torse_language::derivation::Paper;
+
+/// What a folder of derivations holds.
+pub struct Found {
+    /// The papers.
+    pub papers: Vec<Paper>,
+    /// The ids of claims and figures that are wrong, or rest on what is.
+    pub left_out: Vec<String>,
+    /// What is wrong.
+    pub mistakes: Mistakes,
+}
 
 /// The option that names the folder of derivations.
 #[derive(clap::Args)]
@@ -14,9 +25,19 @@ pub struct Derivations {
 }
 
 impl Derivations {
-    /// The papers of the folder, in the order of their names.
-    pub fn load(&self) -> Result<Vec<Paper>, Failure> {
-        Ok(derivation::load(&self.find()?)?)
+    /// The papers of the folder, in the order of their names, with all that is well formed in them.
+    pub fn load(&self) -> Result<Found, Failure> {
+        let loaded = derivation::load_all(&self.find()?)?;
+        let mut mistakes = Mistakes::default();
+        loaded
+            .errors
+            .into_iter()
+            .for_each(|error| mistakes.add(error));
+        Ok(Found {
+            papers: loaded.papers,
+            left_out: loaded.left_out,
+            mistakes,
+        })
     }
 
     fn find(&self) -> Result<PathBuf, Failure> {

@@ -2,7 +2,7 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
-use crate::{selection, terminal};
+use crate::{guard, selection, terminal};
 use clap::{Args, ValueEnum};
 use torse_language::derivation::Paper;
 use torse_language::derivation::declarations::Declarations;
@@ -73,10 +73,19 @@ enum Output {
 impl Derive {
     /// Derives and prints.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let papers = self.derivations.load()?;
-        let derivation = self.derive(selection::paper(&papers, &self.paper)?)?;
+        let found = self.derivations.load()?;
+        let paper = selection::paper(&found.papers, &self.paper);
+        let derivation = match paper.and_then(|paper| self.derive(paper)) {
+            // What is missing may be what is wrong.
+            Err(failure) if !found.mistakes.is_empty() => {
+                terminal::complain(&failure);
+                return Ok(found.mistakes.tell(failure.exit()));
+            }
+            derived => derived?,
+        };
+        guard::finished();
         terminal::print(&print(&derivation, self.language.into()))?;
-        Ok(Exit::AsExpected)
+        Ok(found.mistakes.tell(Exit::AsExpected))
     }
 
     fn derive(&self, paper: &Paper) -> Result<Derivation, Failure> {

@@ -11,49 +11,60 @@ use torse_report::ReportError;
 use torse_verdicts::derive::DeriveError;
 use torse_verdicts::outcome::Outcome;
 
-/// The exit codes of the command.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The exit codes of the command, the least grave first: of several that apply the gravest is the code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exit {
     /// 0: every verdict is the expected one, or none is expected.
     AsExpected,
-    /// 1: a verdict differs from what its derivation file expects.
-    Differs,
-    /// 2: the command line cannot be followed; clap uses the same code.
-    Usage,
     /// 3: a claim that was named by its full id is undecided.
     Undecided,
-    /// 4: a derivation file is wrong.
-    BadData,
+    /// 1: a verdict differs from what its derivation file expects.
+    Differs,
+    /// 8: the time limit ended the run.
+    TimeLimit,
     /// 5: an output could not be made or written.
     Output,
+    /// 4: a derivation file is wrong.
+    BadData,
+    /// 2: the command line cannot be followed; clap uses the same code.
+    Usage,
+    /// 6: a verdict and its replay contradict each other.
+    Contradiction,
 }
 
 impl Exit {
     /// The code for these outcomes, of which those with an id among `named` were asked for by that id.
     pub fn of<'a>(outcomes: impl IntoIterator<Item = &'a Outcome>, named: &[String]) -> Self {
-        let mut exit = Exit::AsExpected;
-        for outcome in outcomes {
-            if !outcome.as_expected() {
-                return Exit::Differs;
-            }
-            if outcome.verdict == Verdict::Undecided && named.contains(&outcome.id) {
-                exit = Exit::Undecided;
-            }
-        }
-        exit
+        let of = |outcome: &Outcome| match outcome.verdict {
+            _ if !outcome.as_expected() => Exit::Differs,
+            Verdict::Undecided if named.contains(&outcome.id) => Exit::Undecided,
+            _ => Exit::AsExpected,
+        };
+        outcomes
+            .into_iter()
+            .map(of)
+            .max()
+            .unwrap_or(Exit::AsExpected)
     }
-}
 
-impl From<Exit> for ExitCode {
-    fn from(exit: Exit) -> Self {
-        ExitCode::from(match exit {
+    /// The number.
+    pub fn code(self) -> u8 {
+        match self {
             Exit::AsExpected => 0,
             Exit::Differs => 1,
             Exit::Usage => 2,
             Exit::Undecided => 3,
             Exit::BadData => 4,
             Exit::Output => 5,
-        })
+            Exit::Contradiction => 6,
+            Exit::TimeLimit => 8,
+        }
+    }
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        ExitCode::from(exit.code())
     }
 }
 
@@ -150,5 +161,26 @@ impl Failure {
             Failure::Load(_) | Failure::Derivation(_) | Failure::Slug { .. } => Exit::BadData,
             Failure::Report(_) | Failure::Figure { .. } | Failure::Print(_) => Exit::Output,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gravest_exit_wins_in_the_order_of_the_manual() {
+        let all = [
+            Exit::Contradiction,
+            Exit::Usage,
+            Exit::BadData,
+            Exit::Output,
+            Exit::TimeLimit,
+            Exit::Differs,
+            Exit::Undecided,
+            Exit::AsExpected,
+        ];
+        assert!(all.is_sorted_by(|a, b| a > b));
+        assert_eq!(all.map(Exit::code), [6, 2, 4, 5, 8, 1, 3, 0]);
     }
 }

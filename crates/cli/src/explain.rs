@@ -1,9 +1,10 @@
 //! `torse explain`: one claim like a referee's note.
 
-use crate::derivations::Derivations;
+use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
+use crate::mistakes::Mistakes;
 use crate::run::Run;
-use crate::{selection, terminal};
+use crate::{guard, selection, terminal};
 use clap::Args;
 use comfy_table::ColumnConstraint;
 use torse_language::derivation::Paper;
@@ -40,16 +41,24 @@ Examples:
 impl Explain {
     /// Decides the claim and prints the note.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let papers = self.derivations.load()?;
+        let Found {
+            papers,
+            left_out,
+            mut mistakes,
+        } = self.derivations.load()?;
+        if left_out.contains(&self.name) {
+            return Ok(mistakes.tell(Exit::BadData));
+        }
         let paper = selection::select_one(&papers, &self.name)?;
-        let run = Run::of(std::slice::from_ref(&paper))?;
+        let run = Run::of(std::slice::from_ref(&paper), &mut mistakes);
         for paper in &run.papers {
             for outcome in &paper.claims {
-                let resting = Resting::on(outcome, &papers)?;
+                let resting = Resting::on(outcome, &papers, &mut mistakes);
+                guard::finished();
                 terminal::print(&self.note(paper, outcome, resting))?;
             }
         }
-        Ok(Exit::AsExpected)
+        Ok(mistakes.tell(Exit::AsExpected))
     }
 
     fn note(&self, paper: &PaperOutcome, outcome: &Outcome, resting: Resting) -> String {
@@ -168,7 +177,7 @@ struct Resting {
 impl Resting {
     /// For a refuted claim, all that rests on it, each decided to see whether it survives; for any other
     /// the claims that use it.
-    fn on(outcome: &Outcome, papers: &[Paper]) -> Result<Self, Failure> {
+    fn on(outcome: &Outcome, papers: &[Paper], mistakes: &mut Mistakes) -> Self {
         let claims = papers.iter().flat_map(|paper| &paper.claims);
         let uses: Vec<(&str, Vec<String>)> = claims
             .map(|claim| (claim.entry.id.get_ref().as_str(), claim.uses()))
@@ -176,18 +185,18 @@ impl Resting {
         let users = users(uses.iter().map(|(id, uses)| (*id, uses.as_slice())));
         if !matches!(outcome.verdict, Verdict::False | Verdict::Misprint) {
             let direct = users.get(outcome.id.as_str());
-            return Ok(Self {
+            return Self {
                 label: "used by",
                 rows: direct
                     .into_iter()
                     .flatten()
                     .map(|id| (*id).to_owned())
                     .collect(),
-            });
+            };
         }
         let ids = resting(&outcome.id, &users);
         let ids: Vec<&str> = ids.into_iter().map(|(id, _)| id).collect();
-        let run = Run::of(&selection::only(papers, &ids))?;
+        let run = Run::of(&selection::only(papers, &ids), mistakes);
         let all: Vec<&Outcome> = std::iter::once(outcome).chain(run.outcomes()).collect();
         let rows = consequences(&outcome.id, &all)
             .into_iter()
@@ -198,10 +207,10 @@ impl Resting {
                     None => format!("{}: {fate}", consequence.id),
                 }
             });
-        Ok(Self {
+        Self {
             label: "rests on it",
             rows: rows.collect(),
-        })
+        }
     }
 }
 

@@ -4,12 +4,14 @@
 //! whose files are there is read instead of drawn: equal fingerprints mean equal pictures.
 
 use crate::exit::Failure;
+use crate::guard;
+use crate::mistakes::Mistakes;
 use crate::terminal::Progress;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
 use torse_language::derivation::Paper;
-use torse_plates::{Plate, PlateError};
+use torse_plates::{Plate, PlateError, figure};
 use torse_report::{FigureImage, Image, write_file};
 
 /// The fingerprints of the figures in a folder, by the name of their files.
@@ -31,6 +33,24 @@ pub fn remember(folder: &Path, fingerprints: &Fingerprints) -> Result<&'static s
     text.push('\n');
     write_file(&folder.join(LIST), text.as_bytes())?;
     Ok(LIST)
+}
+
+/// Adds what is wrong with the formulas of figures, which are evaluated and not drawn.
+pub fn check(papers: &[Paper], mistakes: &mut Mistakes) {
+    let figures: Vec<_> = papers.iter().flat_map(Paper::figures).collect();
+    let checked: Vec<_> = figures
+        .par_iter()
+        .map(|figure| {
+            guard::named(&figure.id, || {
+                figure::drawing(figure)?;
+                figure::interactive(figure)
+            })
+        })
+        .collect();
+    // Collected first, so that mistakes are always told in the same order.
+    for error in checked.into_iter().filter_map(Result::err) {
+        mistakes.add(error);
+    }
 }
 
 /// A figure as the report shows it, with its fingerprint.

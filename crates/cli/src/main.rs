@@ -8,6 +8,8 @@ mod derive;
 mod exit;
 mod explain;
 mod figures;
+mod guard;
+mod mistakes;
 mod recheck;
 mod report;
 mod run;
@@ -19,6 +21,7 @@ mod verify;
 use clap::{Parser, Subcommand};
 use exit::{Exit, Failure};
 use std::process::ExitCode;
+use std::time::Duration;
 
 /// Proves, corrects and illustrates the mathematics of developable and shape-adjustable surfaces.
 ///
@@ -27,6 +30,9 @@ use std::process::ExitCode;
 #[derive(Parser)]
 #[command(name = "torse", version, max_term_width = 100, after_help = EXAMPLES, after_long_help = LONG_EXAMPLES)]
 struct Arguments {
+    /// End the run after this many seconds, without verdicts (exit code 8)
+    #[arg(long, value_name = "SECONDS", global = true, default_value_t = TIME_LIMIT, value_parser = clap::value_parser!(u64).range(1..))]
+    time_limit: u64,
     #[command(subcommand)]
     command: Command,
 }
@@ -52,13 +58,15 @@ Examples:
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
   torse recheck                          every proof again, by a second evaluator
 
-Exit codes:
-  0  every verdict is as expected (or nothing is said about it)
-  1  a verdict differs from what its derivation file expects, or a replay from the verdict
+Exit codes (of several that apply, the uppermost):
+  6  a verdict and its replay contradict each other
   2  the command line cannot be followed: an unknown name, a missing folder
-  3  a claim named by its full id is undecided
-  4  a derivation file is wrong; the message shows file, line and column
+  4  a derivation file is wrong; all mistakes are shown with file, line and column
   5  an output could not be made or written
+  8  the time limit has ended the run, without verdicts
+  1  a verdict differs from what its derivation file expects
+  3  a claim named by its full id is undecided
+  0  every verdict is as expected (or nothing is said about it)
 
 Colours and progress are for terminals only; NO_COLOR=1 turns colours off there too.";
 
@@ -83,10 +91,40 @@ impl Command {
     }
 }
 
-fn main() -> ExitCode {
-    let exit = Arguments::parse().command.run().unwrap_or_else(|failure| {
+/// Seconds: a hundred times what the three papers take.
+const TIME_LIMIT: u64 = 3600;
+
+/// Bytes of the stack of every thread that computes. Formulas are bounded in height and definitions in depth, and their
+/// product fits; memory is taken only as far as a stack grows.
+const STACK: usize = 256 * 1024 * 1024;
+
+fn run(arguments: &Arguments) -> Exit {
+    guard::watch(Duration::from_secs(arguments.time_limit));
+    arguments.command.run().unwrap_or_else(|failure| {
+        guard::finished();
         terminal::complain(&failure);
         failure.exit()
-    });
-    exit.into()
+    })
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    // A claim that panics is undecided and says why; the place in our code says nothing to the user.
+    std::panic::set_hook(Box::new(|_| {}));
+    // There is one pool, made here; were there one already, its threads would do.
+    let _ = rayon::ThreadPoolBuilder::new()
+        .stack_size(STACK)
+        .build_global();
+    let main = std::thread::Builder::new().stack_size(STACK);
+    let exit = main
+        .spawn(move || run(&arguments))
+        .map_err(|error| error.to_string())
+        .and_then(|thread| thread.join().map_err(|_| "it has failed".to_owned()));
+    match exit {
+        Ok(exit) => exit.into(),
+        Err(reason) => {
+            terminal::remark(&format!("torse cannot go on: {reason}\n"));
+            ExitCode::from(101)
+        }
+    }
 }

@@ -1,12 +1,13 @@
 //! `torse recheck`: outcomes replayed by the naive evaluator.
 
-use crate::derivations::Derivations;
+use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
 use crate::run::Run;
 use crate::terminal::Progress;
-use crate::{selection, terminal};
+use crate::{guard, selection, terminal};
 use clap::Args;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use torse_language::derivation::{Claim, Paper};
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 use torse_verdicts::recheck::{self, Recheck};
@@ -15,7 +16,7 @@ use torse_verdicts::recheck::{self, Recheck};
 ///
 /// The second evaluator shares the parser and the rational numbers with the engine and nothing else: maps
 /// for polynomials, families by their recursion, sums term by term. An identity must vanish at small
-/// degrees, a refuted statement must not, and its correction must. The exit code is 1 when an outcome is
+/// degrees, a refuted statement must not, and its correction must. The exit code is 6 when an outcome is
 /// contradicted.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -38,9 +39,15 @@ Examples:
 impl Replay {
     /// Decides, replays, prints the counts and every contradiction.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let papers = selection::select(self.derivations.load()?, &self.names)?;
-        let run = Run::of(&papers)?;
+        let Found {
+            papers,
+            left_out,
+            mut mistakes,
+        } = self.derivations.load()?;
+        let papers = selection::select(papers, &self.names, &left_out)?;
+        let run = Run::of(&papers, &mut mistakes);
         let replayed = replay(&papers, &run.papers);
+        guard::finished();
         let mut counts = [0_usize; 3];
         let mut rows = terminal::table();
         for (id, result) in &replayed {
@@ -62,10 +69,10 @@ impl Replay {
             "{confirmed} confirmed, {contradicted} contradicted, {rest} not of a kind that can be replayed\n"
         ));
         terminal::print(&text)?;
-        Ok(match contradicted {
+        Ok(mistakes.tell(match contradicted {
             0 => Exit::AsExpected,
-            _ => Exit::Differs,
-        })
+            _ => Exit::Contradiction,
+        }))
     }
 }
 
@@ -73,10 +80,13 @@ impl Replay {
 fn replay(papers: &[Paper], decided: &[PaperOutcome]) -> Vec<(String, Recheck)> {
     let claims = papers.iter().flat_map(|paper| &paper.claims);
     let outcomes = decided.iter().flat_map(|paper| &paper.claims);
-    let pairs: Vec<(&Claim, &Outcome)> = claims.zip(outcomes).collect();
+    let outcomes: BTreeMap<&str, &Outcome> = outcomes.map(|o| (o.id.as_str(), o)).collect();
+    let pairs: Vec<(&Claim, &Outcome)> = claims
+        .filter_map(|claim| Some((claim, *outcomes.get(claim.entry.id.get_ref().as_str())?)))
+        .collect();
     let progress = Progress::new("replaying", pairs.len());
     let replayed = pairs.par_iter().map(|(claim, outcome)| {
-        let result = recheck::claim(claim, outcome);
+        let result = guard::named(&outcome.id, || recheck::claim(claim, outcome));
         progress.step();
         (outcome.id.clone(), result)
     });

@@ -1,10 +1,10 @@
 //! `torse report`: verdicts, typeset reports and figures into a folder.
 
-use crate::derivations::Derivations;
+use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
 use crate::run::Run;
 use crate::terminal::Progress;
-use crate::{figures, selection, terminal};
+use crate::{figures, guard, selection, terminal};
 use clap::Args;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ use torse_verdicts::outcome::PaperOutcome;
 /// The folder gets `verdicts.json` and `summary.pdf` over all papers, `PAPER.pdf` and `PAPER.html` for each
 /// paper, the figures as PNG and SVG under `figures/`, and `README.md`, which shows them all. Naming papers
 /// leaves out the reports and figures of the others, and the page of all figures; verdicts and summary are
-/// always of all. Figures that did not change are not drawn again. The same input gives the same bytes.
+/// always of all. Nothing is written while a derivation file is wrong. Figures that did not change are not drawn again. The same input gives the same bytes.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Report {
@@ -44,12 +44,22 @@ const FIGURES: &str = "figures";
 impl Report {
     /// Decides, draws, typesets, writes, and says what was written.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let papers = self.derivations.load()?;
+        let Found {
+            papers,
+            mut mistakes,
+            ..
+        } = self.derivations.load()?;
         selection::check_papers(&papers, &self.papers)?;
         for paper in &papers {
             check_slug(&paper.head.id)?;
         }
-        let run = Run::of(&papers)?;
+        let run = Run::of(&papers, &mut mistakes);
+        figures::check(&papers, &mut mistakes);
+        guard::finished();
+        // A report without a claim that the paper makes would not be one.
+        if !mistakes.is_empty() {
+            return Ok(mistakes.tell(Exit::BadData));
+        }
         let wanted: Vec<(&Paper, &PaperOutcome)> = (papers.iter().zip(&run.papers))
             .filter(|(paper, _)| self.wants(&paper.head.id))
             .collect();

@@ -1,6 +1,7 @@
 //! Deciding claims, with progress on the terminal.
 
-use crate::exit::Failure;
+use crate::guard;
+use crate::mistakes::Mistakes;
 use crate::terminal::Progress;
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
@@ -17,8 +18,9 @@ pub struct Run {
 }
 
 impl Run {
-    /// Decides all claims of `papers`, of all papers at once.
-    pub fn of(papers: &[Paper]) -> Result<Self, Failure> {
+    /// Decides all claims of `papers`, of all papers at once. Claims whose formulas make no sense are mistakes of theirs,
+    /// and have no outcome.
+    pub fn of(papers: &[Paper], mistakes: &mut Mistakes) -> Self {
         let claims: Vec<_> = papers
             .iter()
             .flat_map(|paper| paper.claims.iter().map(|claim| (&paper.head.id, claim)))
@@ -30,13 +32,13 @@ impl Run {
             .with_max_len(1)
             .map(|(slug, claim)| {
                 let start = Instant::now();
-                let outcome = decide_claim(slug, claim);
+                let outcome = guard::named(claim.entry.id.get_ref(), || decide_claim(slug, claim));
                 progress.step();
                 outcome.map(|outcome| (outcome, start.elapsed()))
             })
             .collect();
         progress.finish();
-        // Collected first and looked at in file order, so that the first mistake told is always the same.
+        // Collected first and looked at in file order, so that mistakes are always told in the same order.
         let mut decided = decided.into_iter();
         let mut run = Run {
             papers: Vec::with_capacity(papers.len()),
@@ -45,9 +47,13 @@ impl Run {
         for paper in papers {
             let mut outcomes = Vec::with_capacity(paper.claims.len());
             for decision in decided.by_ref().take(paper.claims.len()) {
-                let (outcome, time) = decision?;
-                run.timings.push((outcome.id.clone(), time));
-                outcomes.push(outcome);
+                match decision {
+                    Ok((outcome, time)) => {
+                        run.timings.push((outcome.id.clone(), time));
+                        outcomes.push(outcome);
+                    }
+                    Err(error) => mistakes.add(error),
+                }
             }
             run.papers.push(PaperOutcome {
                 slug: paper.head.id.clone(),
@@ -57,7 +63,7 @@ impl Run {
                 claims: outcomes,
             });
         }
-        Ok(run)
+        run
     }
 
     /// All outcomes, in file order.

@@ -7,10 +7,16 @@
 use crate::exit::Failure;
 use torse_language::derivation::{Claim, Paper};
 
-/// The claims of `papers` that one of `names` means, or all if there is none, in file order.
-pub fn select(papers: Vec<Paper>, names: &[String]) -> Result<Vec<Paper>, Failure> {
+/// The claims of `papers` that one of `names` means, or all if there is none, in file order; figures of our own only with
+/// the whole of their paper. A name may mean what was left out because it is wrong.
+pub fn select(
+    papers: Vec<Paper>,
+    names: &[String],
+    left_out: &[String],
+) -> Result<Vec<Paper>, Failure> {
     for name in names {
-        if !ids(&papers).any(|id| means(name, id)) {
+        let mut known = ids(&papers).chain(left_out.iter().map(String::as_str));
+        if !known.any(|id| means(name, id)) {
             return Err(unknown(&papers, name));
         }
     }
@@ -23,8 +29,10 @@ pub fn select(papers: Vec<Paper>, names: &[String]) -> Result<Vec<Paper>, Failur
                 .iter()
                 .any(|name| means(name, claim.entry.id.get_ref()))
         };
+        let whole = names.contains(&paper.head.id);
         Paper {
             claims: paper.claims.into_iter().filter(wanted).collect(),
+            own_figures: if whole { paper.own_figures } else { vec![] },
             ..paper
         }
     });

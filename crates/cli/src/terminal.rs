@@ -34,8 +34,13 @@ pub fn remark(text: &str) {
     let _ = anstream::stderr().write_all(text.as_bytes());
 }
 
-/// Shows a failure on standard error: message, place in the file with a caret, and what would help.
+/// Shows a failure on standard error.
 pub fn complain(failure: &Failure) {
+    remark(&shown(failure));
+}
+
+/// A failure as text: message, place in the file with a caret, and what would help.
+pub fn shown(failure: &Failure) -> String {
     let theme = GraphicalTheme {
         characters: ThemeCharacters {
             underline: '^',
@@ -49,8 +54,8 @@ pub fn complain(failure: &Failure) {
         .with_links(false);
     let mut text = String::new();
     match handler.render_report(&mut text, failure) {
-        Ok(()) => remark(&text),
-        Err(_) => remark(&format!("{failure}\n")),
+        Ok(()) => text,
+        Err(_) => format!("{failure}\n"),
     }
 }
 

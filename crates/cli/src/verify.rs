@@ -1,9 +1,9 @@
 //! `torse verify`: what is true of the claims.
 
-use crate::derivations::Derivations;
+use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
 use crate::run::Run;
-use crate::{selection, terminal, verdicts};
+use crate::{figures, guard, selection, terminal, verdicts};
 use clap::{Args, ValueEnum};
 use torse_report::verdicts_json;
 
@@ -12,6 +12,8 @@ use torse_report::verdicts_json;
 /// Without names, all claims of all papers. A name is a paper, a claim's id, or what several ids begin
 /// with. The exit code is 0 when every verdict is as expected, 1 when one differs from what its derivation
 /// file expects, and 3 when a claim named by its full id is undecided (in a whole paper that is no failure).
+/// When files are wrong, all mistakes are shown, those of figures too; the claims that are right are decided all the
+/// same, and the exit code is 4.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Verify {
@@ -44,16 +46,26 @@ enum Format {
 impl Verify {
     /// Decides, prints, and says how it went.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let papers = selection::select(self.derivations.load()?, &self.names)?;
-        let run = Run::of(&papers)?;
-        terminal::print(&match self.format {
-            Format::Text => verdicts::text(&run.papers),
-            Format::Json => verdicts_json(run.outcomes())?,
-        })?;
+        let Found {
+            papers,
+            left_out,
+            mut mistakes,
+        } = self.derivations.load()?;
+        let papers = selection::select(papers, &self.names, &left_out)?;
+        let run = Run::of(&papers, &mut mistakes);
+        figures::check(&papers, &mut mistakes);
+        guard::finished();
+        // Where nothing is right there is nothing to show.
+        if mistakes.is_empty() || run.outcomes().next().is_some() {
+            terminal::print(&match self.format {
+                Format::Text => verdicts::text(&run.papers),
+                Format::Json => verdicts_json(run.outcomes())?,
+            })?;
+        }
         if self.timings {
             terminal::remark(&slowest(&run));
         }
-        Ok(Exit::of(run.outcomes(), &self.names))
+        Ok(mistakes.tell(Exit::of(run.outcomes(), &self.names)))
     }
 }
 

@@ -124,6 +124,29 @@ fn the_text_is_plain_where_no_terminal_is_and_no_wider_than_100_columns() {
 }
 
 #[test]
+fn a_run_over_the_time_limit_is_ended_without_verdicts_and_names_the_claim() {
+    // Half a minute and more: a form of six variables and degree 40.
+    let symbols = ["a", "b", "c", "d", "e"]
+        .map(|name| format!("{name} = {{}}"))
+        .join(", ");
+    let slow = format!("symbols = {{ {symbols} }}");
+    let folder = mini(
+        &[
+            claim("slow", "(a + b + c + d + e + x)^40 > 0", &slow),
+            claim("right", TRUE, ""),
+        ]
+        .concat(),
+    );
+    let ran = on(folder.path(), &["verify", "--time-limit", "1"]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(8), ""), "{}", ran.err);
+    assert!(ran.err.contains("being decided: mini/slow"), "{}", ran.err);
+    assert_eq!(
+        on(folder.path(), &["verify", "--time-limit", "0"]).code,
+        Some(2)
+    );
+}
+
+#[test]
 fn timings_go_to_standard_error_and_leave_the_output_as_it_is() {
     let folder = mini(&claim("right", TRUE, ""));
     let plain = on(folder.path(), &["verify"]);

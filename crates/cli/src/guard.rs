@@ -1,0 +1,56 @@
+//! The last resort: a run that takes longer than anyone waits is ended, and the claims that it was deciding are named.
+//!
+//! Verdicts never depend on the clock: a run that is ended writes none.
+
+use crate::exit::Exit;
+use crate::terminal;
+use std::collections::BTreeSet;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// The claims that are being decided; none once the run writes its output.
+static DECIDING: Mutex<Option<BTreeSet<String>>> = Mutex::new(Some(BTreeSet::new()));
+
+fn deciding() -> MutexGuard<'static, Option<BTreeSet<String>>> {
+    DECIDING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ends the process after this time, unless [`finished`] was called before.
+pub fn watch(limit: Duration) {
+    std::thread::spawn(move || {
+        std::thread::sleep(limit);
+        if let Some(claims) = &*deciding() {
+            terminal::remark(&message(limit, claims));
+            std::process::exit(Exit::TimeLimit.code().into());
+        }
+    });
+}
+
+fn message(limit: Duration, claims: &BTreeSet<String>) -> String {
+    let ids: Vec<&str> = claims.iter().map(String::as_str).collect();
+    let doing = match ids.as_slice() {
+        [] => "no claim was being decided".to_owned(),
+        ids => format!("being decided: {}", ids.join(", ")),
+    };
+    let seconds = limit.as_secs();
+    format!(
+        "the time limit of {seconds} s has ended the run, without verdicts; {doing} (--time-limit SECONDS)\n"
+    )
+}
+
+/// What was asked for is decided: what is written now is written to the end.
+pub fn finished() {
+    *deciding() = None;
+}
+
+/// Decides one claim under the eyes of the guard.
+pub fn named<T>(id: &str, decide: impl FnOnce() -> T) -> T {
+    if let Some(claims) = &mut *deciding() {
+        claims.insert(id.to_owned());
+    }
+    let decided = decide();
+    if let Some(claims) = &mut *deciding() {
+        claims.remove(id);
+    }
+    decided
+}
