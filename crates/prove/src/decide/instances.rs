@@ -16,7 +16,7 @@ const SPAN: i64 = 4;
 const MAX_INSTANCES: usize = 240;
 /// The most assignments of some of the integers that are carried on to the next one: all there are of a few integers, those
 /// of the smallest sum of many.
-const MAX_CARRIED: usize = 4_096;
+const MAX_CARRIED: usize = 1_024;
 
 /// The integers in an order in which a symbol whose bound names another one comes after it.
 #[must_use]
@@ -52,8 +52,10 @@ pub fn assignments(
     integers: &[String],
     declarations: &Declarations,
 ) -> (Vec<BTreeMap<String, i64>>, bool) {
-    let mut all: Vec<BTreeMap<String, i64>> = vec![BTreeMap::new()];
+    // Each assignment as the values of the integers so far.
+    let mut all: Vec<Vec<i64>> = vec![vec![]];
     let mut complete = true;
+    let mut names: Vec<&String> = vec![];
     for name in integers {
         let Some(SymbolKind::Integer { least, most }) = declarations.symbol(name) else {
             continue;
@@ -61,8 +63,11 @@ pub fn assignments(
         let mut next = vec![];
         for fixed in &all {
             let number = |form: &torse_algebra::Affine| {
-                fixed
-                    .iter()
+                if let Some(number) = form.as_number() {
+                    return Some(number);
+                }
+                let known = names.iter().zip(fixed);
+                known
                     .fold(form.clone(), |f, (n, v)| {
                         f.substituted(n, &torse_algebra::Affine::number(*v))
                     })
@@ -76,26 +81,33 @@ pub fn assignments(
             let some = start.saturating_add(SPAN - 1);
             let end = high.unwrap_or(some).min(start.saturating_add(11));
             for value in start..=end {
-                let mut more = fixed.clone();
-                more.insert(name.clone(), value);
-                next.push(more);
+                next.push([fixed.as_slice(), &[value]].concat());
             }
         }
         all = next;
+        names.push(name);
         if all.len() > MAX_CARRIED {
             complete &= cut(&mut all, MAX_CARRIED);
         }
     }
     complete &= cut(&mut all, MAX_INSTANCES);
-    (all, complete)
+    let named = |values: Vec<i64>| {
+        names
+            .iter()
+            .map(|name| (*name).clone())
+            .zip(values)
+            .collect()
+    };
+    (all.into_iter().map(named).collect(), complete)
 }
 
 /// Sorts by the sum of the integers, so that a counterexample is simple, and cuts off what is too much. Returns whether all
 /// are still there.
-fn cut(all: &mut Vec<BTreeMap<String, i64>>, most: usize) -> bool {
-    let sum = |fixed: &BTreeMap<String, i64>| {
-        let values = fixed.values();
-        values.fold(0_i64, |sum, value| sum.saturating_add(*value))
+fn cut(all: &mut Vec<Vec<i64>>, most: usize) -> bool {
+    let sum = |values: &Vec<i64>| {
+        values
+            .iter()
+            .fold(0_i64, |sum, value| sum.saturating_add(*value))
     };
     all.sort_by_key(sum);
     let complete = all.len() <= most;
