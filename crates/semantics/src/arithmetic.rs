@@ -1,0 +1,74 @@
+//! The numbers a term is evaluated in.
+//!
+//! The evaluator is written once over [`Arithmetic`] and runs on real numbers that are exact where they can be and
+//! enclosed where they cannot ([`Reals`](crate::Reals)), and on quotients of polynomials
+//! ([`Polynomials`](crate::Polynomials)), which turn a statement at fixed small degrees into an identity.
+
+use crate::gap::Gap;
+use std::fmt::Debug;
+use torse_numbers::Rational;
+
+/// Arithmetic with numbers of one kind.
+///
+/// Every operation returns the value of the mathematical operation, or says that it is undefined, or that it is not
+/// known; it spends work.
+pub trait Arithmetic {
+    /// A number.
+    type Number: Clone + Debug + PartialEq;
+
+    /// A rational number.
+    fn rational(&self, value: &Rational) -> Self::Number;
+
+    /// The circle number.
+    fn pi(&self) -> Self::Number;
+
+    /// `a + b`.
+    ///
+    /// # Errors
+    /// [`Gap::Unknown`] for too much work.
+    fn plus(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, Gap>;
+
+    /// `-a`.
+    fn negated(&self, a: &Self::Number) -> Self::Number;
+
+    /// `a * b`.
+    ///
+    /// # Errors
+    /// [`Gap::Unknown`] for too much work or numbers that grow too large.
+    fn times(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, Gap>;
+
+    /// `a / b`.
+    ///
+    /// # Errors
+    /// [`Gap::Undefined`] if b is zero, [`Gap::Unknown`] if that is not known.
+    fn over(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, Gap>;
+
+    /// The root that is not negative.
+    ///
+    /// # Errors
+    /// [`Gap::Undefined`] for negative numbers, [`Gap::Unknown`] if the sign is not known.
+    fn square_root(&self, a: &Self::Number) -> Result<Self::Number, Gap>;
+
+    /// `(sin a, cos a)` of an angle in radians.
+    ///
+    /// # Errors
+    /// [`Gap::Unknown`] where they cannot be expressed.
+    fn sine_cosine(&self, a: &Self::Number) -> Result<(Self::Number, Self::Number), Gap>;
+
+    /// Whether the number is zero; `None` if that is not known.
+    fn is_zero(&self, a: &Self::Number) -> Option<bool>;
+
+    /// The number, if it is known to be this rational one.
+    fn as_rational(&self, a: &Self::Number) -> Option<Rational>;
+
+    /// A bound of the size of the number as a power of two, if it has a size.
+    fn bit_length(&self, a: &Self::Number) -> Option<u64>;
+
+    /// `a - b`.
+    ///
+    /// # Errors
+    /// As [`Arithmetic::plus`].
+    fn minus(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, Gap> {
+        self.plus(a, &self.negated(b))
+    }
+}

@@ -1,0 +1,102 @@
+//! A point in the making: every number is drawn from its declared set when it is asked for first.
+
+use super::set;
+use super::stream::Stream;
+use crate::name::Name;
+use crate::real::Real;
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
+use torse_language::core::{Claim, Set};
+use torse_numbers::Affine;
+use torse_numbers::rational::integer;
+
+/// How deep bounds of integers may name other integers.
+const MAX_DEPTH: usize = 16;
+/// The most numbers of a point.
+const MAX_NAMES: usize = 4000;
+
+/// A point in the making.
+pub(crate) struct Draft<'a> {
+    claim: &'a Claim,
+    stream: Stream,
+    values: RefCell<BTreeMap<Name, Real>>,
+    /// Whether a declared range turned out to be empty.
+    pub empty: Cell<bool>,
+}
+
+impl<'a> Draft<'a> {
+    pub fn new(claim: &'a Claim, seed: &str, attempt: u64) -> Self {
+        Self {
+            claim,
+            stream: Stream::new(seed, attempt),
+            values: RefCell::default(),
+            empty: Cell::new(false),
+        }
+    }
+
+    /// The choices of this attempt.
+    pub fn stream(&self) -> &Stream {
+        &self.stream
+    }
+
+    /// The number of this name, drawn if need be.
+    pub fn value(&self, name: &Name) -> Option<Real> {
+        self.value_within(name, MAX_DEPTH)
+    }
+
+    fn value_within(&self, name: &Name, depth: usize) -> Option<Real> {
+        if let Some(known) = self.values.borrow().get(name) {
+            return Some(known.clone());
+        }
+        if self.values.borrow().len() >= MAX_NAMES {
+            return None;
+        }
+        let label = name.to_string();
+        let drawn = match (name, self.claim.symbols.get(name.declared())?) {
+            (Name::Symbol(_), Set::Real(interval)) => {
+                set::in_interval(interval, &self.stream, &label)
+            }
+            (Name::Symbol(_), Set::Integer { least, most }) => {
+                let bound = |form: &Option<Affine>| match form {
+                    None => Some(None),
+                    Some(form) => self.form(form, depth).map(Some),
+                };
+                let (least, most) = (bound(least)?, bound(most)?);
+                let Some(drawn) = set::integer_between(least, most, &self.stream, &label) else {
+                    self.empty.set(true);
+                    return None;
+                };
+                integer(drawn).into()
+            }
+            _ => set::anywhere(&self.stream, &label).into(),
+        };
+        self.values.borrow_mut().insert(name.clone(), drawn.clone());
+        Some(drawn)
+    }
+
+    /// The value of an index form.
+    fn form(&self, form: &Affine, depth: usize) -> Option<i64> {
+        let depth = depth.checked_sub(1)?;
+        let mut multiples = form.multiples();
+        multiples.try_fold(form.constant(), |sum, (name, multiple)| {
+            let value = self.value_within(&Name::Symbol(name.into()), depth)?;
+            let value = value.as_rational().filter(|v| v.is_integer())?.to_integer();
+            sum.checked_add(multiple.checked_mul(i64::try_from(&value).ok()?)?)
+        })
+    }
+
+    /// Gives a number another value.
+    pub fn set(&self, name: &Name, value: Real) {
+        self.values.borrow_mut().insert(name.clone(), value);
+    }
+
+    /// The names drawn so far.
+    pub fn names(&self) -> Vec<Name> {
+        self.values.borrow().keys().cloned().collect()
+    }
+
+    /// All numbers drawn so far.
+    pub fn values(&self) -> BTreeMap<Name, Real> {
+        self.values.borrow().clone()
+    }
+}

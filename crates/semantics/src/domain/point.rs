@@ -1,0 +1,133 @@
+//! Points: numbers for names, and whether they belong to a domain.
+
+use super::draft::Draft;
+use super::set;
+use super::solve::{Solved, solve};
+use crate::gap::Work;
+use crate::judge::{Judge, Judgement};
+use crate::name::Name;
+use crate::real::Real;
+use std::collections::BTreeMap;
+use std::fmt;
+use torse_language::core::{Claim, Set};
+use torse_numbers::Affine;
+
+/// A point: a number for each symbol, coordinate and member that a statement asks for.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Point {
+    /// The numbers.
+    pub values: BTreeMap<Name, Real>,
+    /// Whether the equations of the domain hold only nearly, to more than 100 digits: they could not be solved exactly.
+    pub near: bool,
+}
+
+impl fmt::Display for Point {
+    /// `a = 1/2, P[0][1] = 3`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts: Vec<String> = self
+            .values
+            .iter()
+            .map(|(name, value)| format!("{name} = {value}"))
+            .collect();
+        write!(f, "{}", parts.join(", "))
+    }
+}
+
+/// Why a point is no point of a domain.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Outside {
+    /// A number is not in its declared set.
+    #[error("{name} is outside of its declared set")]
+    Set {
+        /// The name.
+        name: String,
+    },
+    /// A hypothesis is not true there.
+    #[error("hypothesis {} is {judgement} there", .number + 1)]
+    Hypothesis {
+        /// Its position among the hypotheses of the claim.
+        number: usize,
+        /// What it is.
+        judgement: Judgement,
+    },
+}
+
+/// Whether every number lies in its declared set; the name of the first that does not, or is not known to.
+pub(crate) fn check_sets(claim: &Claim, values: &BTreeMap<Name, Real>) -> Result<(), Outside> {
+    for (name, value) in values {
+        let inside = match claim.symbols.get(name.declared()) {
+            None => false,
+            Some(Set::Real(interval)) => set::contains(interval, value) == Some(true),
+            Some(Set::Integer { least, most }) => {
+                is_in_range(value, least.as_ref(), most.as_ref(), values)
+            }
+            Some(Set::Vector(_) | Set::Family { .. }) => true,
+        };
+        if !inside {
+            return Err(Outside::Set {
+                name: name.to_string(),
+            });
+        }
+    }
+    Ok(())
+}
+
+fn is_in_range(
+    value: &Real,
+    least: Option<&Affine>,
+    most: Option<&Affine>,
+    values: &BTreeMap<Name, Real>,
+) -> bool {
+    let Some(value) = whole(value) else {
+        return false;
+    };
+    let form = |form: &Affine| {
+        let mut multiples = form.multiples();
+        multiples.try_fold(form.constant(), |sum, (name, multiple)| {
+            let value = whole(values.get(&Name::Symbol(name.into()))?)?;
+            sum.checked_add(multiple.checked_mul(value)?)
+        })
+    };
+    least.is_none_or(|low| form(low).is_some_and(|low| low <= value))
+        && most.is_none_or(|high| form(high).is_some_and(|high| value <= high))
+}
+
+/// The integer that a number is.
+fn whole(value: &Real) -> Option<i64> {
+    let value = value.as_rational().filter(|v| v.is_integer())?;
+    i64::try_from(&value.to_integer()).ok()
+}
+
+/// Whether every hypothesis is true.
+pub(crate) fn check_hypotheses(judge: &Judge<'_>) -> Result<(), Outside> {
+    for (number, hypothesis) in judge.claim.hypotheses.iter().enumerate() {
+        let judgement = judge.judge(&hypothesis.statement);
+        if judgement != Judgement::True {
+            return Err(Outside::Hypothesis { number, judgement });
+        }
+    }
+    Ok(())
+}
+
+/// A point of the domain, to be completed by what a statement asks for; `None` if this attempt found none.
+pub(crate) fn drawn<'a>(
+    claim: &'a Claim,
+    seed: &str,
+    attempt: u64,
+    work: &Work,
+) -> Option<(Draft<'a>, bool)> {
+    let draft = Draft::new(claim, seed, attempt);
+    let solved = solve(claim, &draft, work)?;
+    let near = solved == Solved::Nearly;
+    let denied = BTreeMap::new();
+    let judge = Judge {
+        claim,
+        values: &|name| draft.value(name),
+        near,
+        denied: &denied,
+        work,
+    };
+    check_hypotheses(&judge).ok()?;
+    check_sets(claim, &draft.values()).ok()?;
+    (!draft.empty.get()).then_some((draft, near))
+}

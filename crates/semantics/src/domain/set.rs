@@ -1,0 +1,166 @@
+//! Numbers of declared sets.
+
+use super::stream::Stream;
+use crate::arithmetic::Arithmetic;
+use crate::gap::Work;
+use crate::real::{Real, Reals};
+use std::cmp::Ordering;
+use torse_language::core::Set;
+use torse_language::derivation::declarations::{Bound, Interval};
+use torse_numbers::Rational;
+use torse_numbers::rational::integer;
+
+/// How far integers go beyond their bound at most, and how many attempts it takes to go one further.
+const SPAN: i64 = 5;
+const ATTEMPTS_PER_STEP: u64 = 3;
+/// A bounded range of at most so many integers is used as a whole.
+const SHORT_RANGE: i64 = 12;
+/// What stands for an infinite end where an argument between two ends is needed.
+const FAR: i64 = 4;
+
+/// `a + share * b`, exactly.
+fn moved(a: &Real, b: &Real, share: &Rational) -> Real {
+    match (a, b) {
+        (
+            Real::Exact { rational, turns },
+            Real::Exact {
+                rational: r,
+                turns: t,
+            },
+        ) => Real::Exact {
+            rational: rational + share * r,
+            turns: turns + share * t,
+        },
+        _ => a.clone(),
+    }
+}
+
+fn value(bound: &Bound) -> Real {
+    Real::Exact {
+        rational: bound.value.rational.clone(),
+        turns: bound.value.turns.clone(),
+    }
+}
+
+/// The number at this share of the way through an interval; infinite ends are replaced by near ones.
+pub(crate) fn between(set: Option<&Set>, share: &Rational) -> Real {
+    let (lower, upper) = match set {
+        Some(Set::Real(interval)) => (
+            interval.lower.as_ref().map(value),
+            interval.upper.as_ref().map(value),
+        ),
+        _ => (None, None),
+    };
+    let far = |n: i64| Real::from(integer(n));
+    let (lower, upper) = match (lower, upper) {
+        (Some(lower), Some(upper)) => (lower, upper),
+        (Some(lower), None) => (lower.clone(), moved(&lower, &far(FAR), &integer(1))),
+        (None, Some(upper)) => (moved(&upper, &far(-FAR), &integer(1)), upper),
+        (None, None) => (far(-FAR), far(FAR)),
+    };
+    let rest = integer(1) - share;
+    let zero = far(0);
+    moved(&moved(&zero, &lower, &rest), &upper, share)
+}
+
+/// A rational number without a bound: small, and often an integer.
+pub(crate) fn anywhere(stream: &Stream, label: &str) -> Rational {
+    let denominator = match stream.below(&format!("{label}/"), 8) {
+        0..=2 => 1,
+        3 | 4 => 2,
+        5 => 3,
+        6 => 5,
+        _ => 7,
+    };
+    let numerator = stream.below(label, 12 * denominator + 1) - 6 * denominator;
+    Rational::new(numerator.into(), denominator.into())
+}
+
+/// A number of an interval: between the ends, now and then a closed end itself.
+pub(crate) fn in_interval(interval: &Interval, stream: &Stream, label: &str) -> Real {
+    let ends: Vec<&Bound> = [&interval.lower, &interval.upper]
+        .into_iter()
+        .flatten()
+        .filter(|end| end.closed)
+        .collect();
+    if stream.below(&format!("{label} end"), 8) == 0
+        && let Some(end) = usize::try_from(stream.below(&format!("{label} which"), 2))
+            .ok()
+            .and_then(|which| ends.get(which))
+    {
+        return value(end);
+    }
+    let parts = match stream.below(&format!("{label} parts"), 8) {
+        0 => 2,
+        1 => 3,
+        2 | 3 => 4,
+        4 => 6,
+        5 => 7,
+        6 => 12,
+        _ => 16,
+    };
+    let part = 1 + stream.below(label, parts - 1);
+    let share = Rational::new(part.into(), parts.into());
+    match (&interval.lower, &interval.upper) {
+        (Some(_), Some(_)) => between(Some(&Set::Real(Box::new(interval.clone()))), &share),
+        (Some(lower), None) => {
+            let far = 1 + stream.below(&format!("{label} far"), 6);
+            moved(&value(lower), &Real::from(integer(far)), &share)
+        }
+        (None, Some(upper)) => {
+            let far = 1 + stream.below(&format!("{label} far"), 6);
+            moved(&value(upper), &Real::from(integer(-far)), &share)
+        }
+        (None, None) => anywhere(stream, label).into(),
+    }
+}
+
+/// An integer between bounds: near the lower one at first; `None` if there is none.
+pub(crate) fn integer_between(
+    least: Option<i64>,
+    most: Option<i64>,
+    stream: &Stream,
+    label: &str,
+) -> Option<i64> {
+    let reach = i64::try_from(stream.attempt / ATTEMPTS_PER_STEP)
+        .unwrap_or(SPAN)
+        .min(SPAN);
+    let near = stream.below(label, reach + 1);
+    match (least, most) {
+        (Some(least), Some(most)) if least > most => None,
+        (Some(least), Some(most)) => {
+            let length = most.saturating_sub(least).saturating_add(1);
+            Some(if length <= SHORT_RANGE {
+                least + stream.below(label, length)
+            } else {
+                least + near
+            })
+        }
+        (Some(least), None) => least.checked_add(near),
+        (None, Some(most)) => most.checked_sub(near),
+        (None, None) => Some(stream.below(label, 2 * reach + 3) - reach - 1),
+    }
+}
+
+/// Whether a number lies in an interval; `None` if that is not known.
+pub(crate) fn contains(interval: &Interval, number: &Real) -> Option<bool> {
+    let work = Work::new(8);
+    let reals = Reals {
+        bits: 1024,
+        work: &work,
+    };
+    let inside = |bound: &Option<Bound>, outside: Ordering| match bound {
+        None => Some(true),
+        Some(bound) => {
+            let sign = reals.minus(number, &value(bound)).ok()?.sign()?;
+            Some(sign != outside && (bound.closed || sign.is_ne()))
+        }
+    };
+    let lower = inside(&interval.lower, Ordering::Less);
+    let upper = inside(&interval.upper, Ordering::Greater);
+    match (lower, upper) {
+        (Some(false), _) | (_, Some(false)) => Some(false),
+        (Some(true), Some(true)) => Some(true),
+        _ => None,
+    }
+}

@@ -1,0 +1,579 @@
+//! The value of a core term: one rule for each construct, as `derivations/SEMANTICS.md` states it.
+//!
+//! Variables of binders have their values in a [`Scope`]; declared symbols get theirs from the point, through a function
+//! from [`Name`]s to numbers. All parts are evaluated before the whole, so that a term with an undefined part is
+//! undefined.
+
+use crate::arithmetic::Arithmetic;
+use crate::gap::{Gap, Undefined, Unknown};
+use crate::name::Name;
+use crate::series::Series;
+use crate::value::Value;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use torse_language::core::{Family, Node, Points, Term};
+use torse_language::syntax::Operator;
+
+/// How deep terms may be nested, not counting chains of one operator.
+const MAX_DEPTH: usize = 300;
+/// The longest sum.
+const MAX_TERMS: i64 = 4000;
+/// The largest exponent, degree of a basis and order of a derivative.
+const MAX_EXPONENT: i64 = 2000;
+const MAX_DEGREE: i64 = 60;
+const MAX_ORDER: i64 = 40;
+/// The largest power, in bits.
+const MAX_POWER_BITS: u64 = 20_000;
+
+/// The values of variables of enclosing binders, innermost first.
+pub(crate) struct Scope<'s, N> {
+    outer: Option<&'s Scope<'s, N>>,
+    binding: Binding<N>,
+    /// How many binders enclose the term.
+    depth: usize,
+    /// How many infinitesimals there are.
+    level: usize,
+    /// Whether a declared symbol is bound, so that closed terms have other values here.
+    symbols: bool,
+}
+
+enum Binding<N> {
+    Nothing,
+    Variable(u32, Value<N>),
+    /// A declared symbol as a variable: its own value plus an infinitesimal.
+    Symbol(Name, Series<N>),
+}
+
+impl<N: Clone> Scope<'_, N> {
+    pub(crate) fn outermost() -> Self {
+        Self {
+            outer: None,
+            binding: Binding::Nothing,
+            depth: 0,
+            level: 0,
+            symbols: false,
+        }
+    }
+
+    fn inner<'t>(&'t self, binding: Binding<N>) -> Scope<'t, N> {
+        Scope {
+            outer: Some(self),
+            depth: self.depth + 1,
+            level: self.level,
+            symbols: self.symbols || matches!(binding, Binding::Symbol(..)),
+            binding,
+        }
+    }
+
+    /// One step further in, to bound the depth.
+    fn deeper(&self) -> Result<Scope<'_, N>, Gap> {
+        if self.depth >= MAX_DEPTH {
+            return Err(Unknown::Large {
+                what: "the depth of a term",
+            }
+            .into());
+        }
+        Ok(self.inner(Binding::Nothing))
+    }
+
+    fn with<'t>(&'t self, variable: u32, value: Value<N>) -> Scope<'t, N> {
+        self.inner(Binding::Variable(variable, value))
+    }
+
+    fn variable(&self, number: u32) -> Option<&Value<N>> {
+        match &self.binding {
+            Binding::Variable(own, value) if *own == number => Some(value),
+            _ => self.outer.and_then(|outer| outer.variable(number)),
+        }
+    }
+
+    fn symbol(&self, name: &Name) -> Option<&Series<N>> {
+        if !self.symbols {
+            return None;
+        }
+        match &self.binding {
+            Binding::Symbol(own, value) if own == name => Some(value),
+            _ => self.outer.and_then(|outer| outer.symbol(name)),
+        }
+    }
+}
+
+/// The functions of one basis at one degree and one tuple of arguments.
+struct Row<N> {
+    family: usize,
+    degree: i64,
+    arguments: Vec<Value<N>>,
+    functions: Vec<Series<N>>,
+}
+
+/// Evaluates terms at one point.
+pub struct Evaluator<'a, A: Arithmetic> {
+    pub(crate) arithmetic: &'a A,
+    values: &'a dyn Fn(&Name) -> Option<A::Number>,
+    closed: RefCell<BTreeMap<usize, Value<A::Number>>>,
+    rows: RefCell<Vec<Row<A::Number>>>,
+}
+
+pub(crate) type Outcome<A> = Result<Value<<A as Arithmetic>::Number>, Gap>;
+pub(crate) type Sc<'s, A> = Scope<'s, <A as Arithmetic>::Number>;
+
+impl<'a, A: Arithmetic> Evaluator<'a, A> {
+    /// An evaluator at the point that gives declared symbols these values.
+    pub fn new(arithmetic: &'a A, values: &'a dyn Fn(&Name) -> Option<A::Number>) -> Self {
+        Self {
+            arithmetic,
+            values,
+            closed: RefCell::default(),
+            rows: RefCell::default(),
+        }
+    }
+
+    /// The value of a closed term.
+    ///
+    /// # Errors
+    /// [`Gap`]: the term is undefined here, or its value is not known.
+    pub fn value(&self, term: &Term) -> Outcome<A> {
+        self.term(term, &Scope::outermost())
+    }
+
+    /// The number of this name at the point.
+    pub(crate) fn point_value(&self, name: &Name) -> Result<A::Number, Gap> {
+        (self.values)(name).ok_or_else(|| no_value(&name.to_string()))
+    }
+
+    /// The value, the first derivative and half the second derivative of a term by a declared symbol.
+    ///
+    /// # Errors
+    /// As [`Evaluator::value`].
+    pub(crate) fn expansion(
+        &self,
+        term: &Term,
+        name: &Name,
+        scope: &Sc<'_, A>,
+    ) -> Result<[Value<A::Number>; 3], Gap> {
+        let a = self.arithmetic;
+        let own = self.symbol(name.clone(), scope)?;
+        let level = scope.level + 1;
+        let mut inner = scope.inner(Binding::Symbol(name.clone(), own.shifted(level, 2, a)));
+        inner.level = level;
+        let value = self.term(term, &inner)?;
+        let part = |order| value.each(&|s| Ok(s.coefficient(level, order, a)));
+        Ok([part(0)?, part(1)?, part(2)?])
+    }
+
+    pub(crate) fn number(&self, term: &Term, scope: &Sc<'_, A>) -> Result<Series<A::Number>, Gap> {
+        self.term(term, scope)?.number()
+    }
+
+    pub(crate) fn integer_value(&self, n: i64) -> Value<A::Number> {
+        Value::Number(Series::integer(n, self.arithmetic))
+    }
+
+    /// The integer that a term is worth.
+    pub(crate) fn integer(
+        &self,
+        term: &Term,
+        what: &'static str,
+        scope: &Sc<'_, A>,
+    ) -> Result<i64, Gap> {
+        let value = self.number(term, scope)?;
+        // What varies with the variable of a derivative is no integer near the point.
+        let Some(number) = value.as_number() else {
+            return Err(Undefined::NotDifferentiable.into());
+        };
+        let Some(rational) = self.arithmetic.as_rational(number) else {
+            return Err(Unknown::Precision.into());
+        };
+        if !rational.is_integer() {
+            return Err(Undefined::NoInteger { what }.into());
+        }
+        i64::try_from(&rational.to_integer()).map_err(|_| Unknown::Large { what }.into())
+    }
+
+    pub(crate) fn term(&self, term: &Term, scope: &Sc<'_, A>) -> Outcome<A> {
+        let a = self.arithmetic;
+        let inside = scope.deeper()?;
+        match &*term.node {
+            Node::Number(value) => Ok(Value::Number(Series::rational(value, a))),
+            Node::Pi => Ok(Value::Number(Series::Number(a.pi()))),
+            Node::Symbol(name) => Ok(Value::Number(
+                self.symbol(Name::Symbol(Arc::clone(name)), scope)?,
+            )),
+            Node::Variable(variable) => scope
+                .variable(variable.number())
+                .cloned()
+                .ok_or_else(|| no_value(variable.name())),
+            Node::Vector(name, dimension) => self.vector(name, *dimension, scope),
+            Node::Member(points, indices) => self.member(points, indices, &inside),
+            Node::Basis {
+                family,
+                index,
+                degree,
+                arguments,
+            } => self.basis(family, index, degree, arguments, &inside),
+            Node::Negative(inner) => Ok(self.term(inner, &inside)?.negated(a)),
+            Node::Binary(..) => self.chain(term, &inside),
+            Node::List(items) => {
+                let items = items.iter().map(|item| self.term(item, &inside));
+                Ok(Value::Many(items.collect::<Result<_, _>>()?))
+            }
+            Node::Entry(of, indices) => self.entry(of, indices, &inside),
+            Node::Sum {
+                index,
+                low,
+                high,
+                term,
+            } => self.sum(index.number(), low, high, term, &inside),
+            Node::Let {
+                variable,
+                value,
+                body,
+            } => {
+                let value = self.term(value, &inside)?;
+                self.term(body, &inside.with(variable.number(), value))
+            }
+            Node::Derivative {
+                variable,
+                order,
+                body,
+                at,
+            } => self.derivative(variable.number(), order, body, at, &inside),
+            Node::Apply(function, arguments) => self.apply(*function, arguments, &inside),
+            Node::Opened { closed, body, .. } => {
+                if !closed || scope.symbols {
+                    return self.term(body, &inside);
+                }
+                // A closed body has one value at the point, wherever it stands.
+                let key = Arc::as_ptr(&body.node).addr();
+                if let Some(known) = self.closed.borrow().get(&key) {
+                    return Ok(known.clone());
+                }
+                let value = self.term(body, &inside)?;
+                self.closed.borrow_mut().insert(key, value.clone());
+                Ok(value)
+            }
+        }
+    }
+
+    fn symbol(&self, name: Name, scope: &Sc<'_, A>) -> Result<Series<A::Number>, Gap> {
+        if let Some(bound) = scope.symbol(&name) {
+            return Ok(bound.clone());
+        }
+        match (self.values)(&name) {
+            Some(value) => Ok(Series::Number(value)),
+            None => Err(no_value(&name.to_string())),
+        }
+    }
+
+    fn vector(&self, name: &Arc<str>, dimension: Option<u8>, scope: &Sc<'_, A>) -> Outcome<A> {
+        let Some(dimension) = dimension else {
+            let generic = self.symbol(Name::Symbol(Arc::clone(name)), scope)?;
+            return Ok(Value::Number(generic));
+        };
+        let coordinates =
+            (1..=dimension).map(|c| self.symbol(Name::Coordinate(Arc::clone(name), c), scope));
+        Ok(Value::vector(coordinates.collect::<Result<_, _>>()?))
+    }
+
+    /// A member of a family: undefined outside of the declared ranges of its indices.
+    fn member(&self, points: &Points, indices: &[Term], scope: &Sc<'_, A>) -> Outcome<A> {
+        let indices: Vec<i64> = indices
+            .iter()
+            .map(|i| self.integer(i, "an index", scope))
+            .collect::<Result<_, _>>()?;
+        for (index, (low, high)) in indices.iter().zip(&points.ranges) {
+            let (low, high) = (self.form(low, scope)?, self.form(high, scope)?);
+            if !(low..=high).contains(index) {
+                return Err(Undefined::IndexOutside {
+                    name: points.name.to_string(),
+                    index: *index,
+                    low,
+                    high,
+                }
+                .into());
+            }
+        }
+        let coordinate = |c: Option<u8>| {
+            self.symbol(
+                Name::Member(Arc::clone(&points.name), indices.clone(), c),
+                scope,
+            )
+        };
+        match points.dimension {
+            None | Some(1) => Ok(Value::Number(coordinate(None)?)),
+            Some(d) => {
+                let all = (1..=d).map(|c| coordinate(Some(c)));
+                Ok(Value::vector(all.collect::<Result<_, _>>()?))
+            }
+        }
+    }
+
+    /// The value of an index form: integers of the claim have integer values.
+    pub(crate) fn form(&self, form: &torse_numbers::Affine, scope: &Sc<'_, A>) -> Result<i64, Gap> {
+        let mut total = form.constant();
+        for (name, multiple) in form.multiples() {
+            let value = self.symbol(Name::Symbol(Arc::from(name)), scope)?;
+            let number = value.as_number().ok_or(Undefined::NotDifferentiable)?;
+            let rational = self
+                .arithmetic
+                .as_rational(number)
+                .ok_or(Unknown::Precision)?;
+            if !rational.is_integer() {
+                return Err(Undefined::NoInteger { what: "a bound" }.into());
+            }
+            let large = || Unknown::Large { what: "a bound" };
+            let value = i64::try_from(&rational.to_integer()).map_err(|_| large())?;
+            let product = value.checked_mul(multiple).ok_or_else(large)?;
+            total = total.checked_add(product).ok_or_else(large)?;
+        }
+        Ok(total)
+    }
+
+    /// The function of this index: row by row from the seeds, `g[i,j+1] = a g[i,j] + b g[i-1,j]`.
+    fn basis(
+        &self,
+        family: &Arc<Family>,
+        index: &Term,
+        degree: &Term,
+        arguments: &[Term],
+        scope: &Sc<'_, A>,
+    ) -> Outcome<A> {
+        let index = self.integer(index, "an index", scope)?;
+        let degree = self.integer(degree, "a degree", scope)?;
+        let arguments: Vec<Value<A::Number>> = arguments
+            .iter()
+            .map(|argument| self.term(argument, scope))
+            .collect::<Result<_, _>>()?;
+        let functions = self.functions(family, degree, arguments, scope)?;
+        let function = usize::try_from(index)
+            .ok()
+            .and_then(|i| functions.get(i).cloned());
+        Ok(function.map_or_else(|| self.integer_value(0), Value::Number))
+    }
+
+    /// All functions of a degree at these arguments.
+    pub(crate) fn functions(
+        &self,
+        family: &Arc<Family>,
+        degree: i64,
+        arguments: Vec<Value<A::Number>>,
+        scope: &Sc<'_, A>,
+    ) -> Result<Vec<Series<A::Number>>, Gap> {
+        let steps = degree - i64::from(family.degree);
+        if steps < 0 {
+            return Err(Undefined::BelowSeeds {
+                name: family.name.to_string(),
+                degree,
+                least: family.degree,
+            }
+            .into());
+        }
+        if degree > MAX_DEGREE {
+            return Err(Unknown::Large { what: "a degree" }.into());
+        }
+        let key = Arc::as_ptr(family).addr();
+        if !scope.symbols {
+            let rows = self.rows.borrow();
+            let known = rows.iter().find(|row| {
+                row.family == key && row.degree == degree && row.arguments == arguments
+            });
+            if let Some(known) = known {
+                return Ok(known.functions.clone());
+            }
+        }
+        let functions = self.recursion(family, steps, &family.variables, &arguments, scope)?;
+        if !scope.symbols {
+            let mut rows = self.rows.borrow_mut();
+            if rows.len() >= 24 {
+                rows.remove(0);
+            }
+            rows.push(Row {
+                family: key,
+                degree,
+                arguments,
+                functions: functions.clone(),
+            });
+        }
+        Ok(functions)
+    }
+
+    fn recursion(
+        &self,
+        family: &Family,
+        steps: i64,
+        variables: &[torse_language::core::Variable],
+        arguments: &[Value<A::Number>],
+        scope: &Sc<'_, A>,
+    ) -> Result<Vec<Series<A::Number>>, Gap> {
+        let a = self.arithmetic;
+        if let (Some((variable, variables)), Some((argument, arguments))) =
+            (variables.split_first(), arguments.split_first())
+        {
+            let inner = scope.with(variable.number(), argument.clone());
+            return self.recursion(family, steps, variables, arguments, &inner);
+        }
+        let mut row: Vec<Series<A::Number>> = family
+            .seeds
+            .iter()
+            .map(|seed| self.number(seed, scope))
+            .collect::<Result<_, _>>()?;
+        let (keep, shift) = (
+            self.number(&family.step.0, scope)?,
+            self.number(&family.step.1, scope)?,
+        );
+        for _ in 0..steps {
+            let zero = Series::integer(0, a);
+            let same = row.iter().chain(std::iter::once(&zero));
+            let before = std::iter::once(&zero).chain(&row);
+            row = same
+                .zip(before)
+                .map(|(same, before)| keep.times(same, a)?.plus(&shift.times(before, a)?, a))
+                .collect::<Result<_, Gap>>()?;
+        }
+        Ok(row)
+    }
+
+    /// A chain `a + b - c + ...` or any other operator: the left operands are walked without recursion, so that long
+    /// sums are not deep.
+    fn chain(&self, term: &Term, scope: &Sc<'_, A>) -> Outcome<A> {
+        let mut rights = vec![];
+        let mut left = term;
+        while let Node::Binary(operator, a, b) = &*left.node {
+            rights.push((*operator, b));
+            left = a;
+        }
+        let mut value = self.term(left, scope)?;
+        while let Some((operator, right)) = rights.pop() {
+            value = self.binary(operator, &value, right, scope)?;
+        }
+        Ok(value)
+    }
+
+    fn binary(
+        &self,
+        operator: Operator,
+        left: &Value<A::Number>,
+        right: &Term,
+        scope: &Sc<'_, A>,
+    ) -> Outcome<A> {
+        let a = self.arithmetic;
+        match operator {
+            Operator::Add => left.plus(&self.term(right, scope)?, a),
+            Operator::Subtract => left.plus(&self.term(right, scope)?.negated(a), a),
+            Operator::Multiply => left.times(&self.term(right, scope)?, a),
+            Operator::Divide => {
+                let divisor = self.number(right, scope)?;
+                left.each(&|x| x.over(&divisor, a))
+            }
+            Operator::Power => {
+                let exponent = self.integer(right, "an exponent", scope)?;
+                let base = left.clone().number()?;
+                if exponent.abs() > MAX_EXPONENT {
+                    return Err(Unknown::Large {
+                        what: "an exponent",
+                    }
+                    .into());
+                }
+                self.check_power(&base, exponent)?;
+                let power = base.power(exponent.unsigned_abs(), a)?;
+                Ok(Value::Number(if exponent < 0 {
+                    Series::integer(1, a).over(&power, a)?
+                } else {
+                    power
+                }))
+            }
+        }
+    }
+
+    fn check_power(&self, base: &Series<A::Number>, exponent: i64) -> Result<(), Gap> {
+        let size = match base {
+            Series::Number(n) => self.arithmetic.bit_length(n).unwrap_or(1),
+            Series::Powers { terms, .. } => {
+                return terms
+                    .first()
+                    .map_or(Ok(()), |first| self.check_power(first, exponent));
+            }
+        };
+        if size.saturating_mul(exponent.unsigned_abs()) > MAX_POWER_BITS {
+            return Err(Unknown::Large { what: "a power" }.into());
+        }
+        Ok(())
+    }
+
+    /// Entries are counted from 1.
+    fn entry(&self, of: &Term, indices: &[Term], scope: &Sc<'_, A>) -> Outcome<A> {
+        let mut value = self.term(of, scope)?;
+        for index in indices {
+            let index = self.integer(index, "an index", scope)?;
+            let Value::Many(items) = value else {
+                return Err(Gap::shape("an entry of a number"));
+            };
+            let position = index.checked_sub(1).and_then(|p| usize::try_from(p).ok());
+            let found = position.and_then(|p| items.get(p).cloned());
+            value = found.ok_or_else(|| Undefined::IndexOutside {
+                name: "entry".to_owned(),
+                index,
+                low: 1,
+                high: i64::try_from(items.len()).unwrap_or(i64::MAX),
+            })?;
+        }
+        Ok(value)
+    }
+
+    /// Term by term; an empty sum is 0.
+    fn sum(
+        &self,
+        index: u32,
+        low: &Term,
+        high: &Term,
+        term: &Term,
+        scope: &Sc<'_, A>,
+    ) -> Outcome<A> {
+        let low = self.integer(low, "a bound of a sum", scope)?;
+        let high = self.integer(high, "a bound of a sum", scope)?;
+        if high.saturating_sub(low) > MAX_TERMS {
+            return Err(Unknown::Large { what: "a sum" }.into());
+        }
+        (low..=high).try_fold(self.integer_value(0), |total, i| {
+            let inner = scope.with(index, self.integer_value(i));
+            total.plus(&self.term(term, &inner)?, self.arithmetic)
+        })
+    }
+
+    /// `order!` times the coefficient of `e^order` of the body at `at + e`.
+    fn derivative(
+        &self,
+        variable: u32,
+        order: &Term,
+        body: &Term,
+        at: &Term,
+        scope: &Sc<'_, A>,
+    ) -> Outcome<A> {
+        let a = self.arithmetic;
+        let order = self.integer(order, "the order of a derivative", scope)?;
+        if order < 0 {
+            let what = "the order of a derivative";
+            return Err(Undefined::Negative { what }.into());
+        }
+        if order > MAX_ORDER {
+            let what = "the order of a derivative";
+            return Err(Unknown::Large { what }.into());
+        }
+        let point = self.number(at, scope)?;
+        let (level, terms) = (scope.level + 1, usize::try_from(order).unwrap_or(0));
+        let mut inner = scope.with(variable, Value::Number(point.shifted(level, terms, a)));
+        inner.level = level;
+        let factorial = (1..=order).map(torse_numbers::rational::integer).product();
+        let factorial = Series::rational(&factorial, a);
+        self.term(body, &inner)?
+            .each(&|s| s.coefficient(level, terms, a).times(&factorial, a))
+    }
+}
+
+fn no_value(name: &str) -> Gap {
+    Unknown::NoValue {
+        name: name.to_owned(),
+    }
+    .into()
+}

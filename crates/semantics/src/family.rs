@@ -1,0 +1,179 @@
+//! Properties of a basis family at one point: at its shape parameters, and at small degrees.
+//!
+//! A property speaks about every degree and all values of the variables; a point has one value of each. At a point are
+//! judged, for the degree of the seeds and the next ones:
+//!
+//! - *nonnegative*: the signs of all functions at the value of the variable;
+//! - *independent*: functions are independent if the determinant of their values at as many arguments is not zero
+//!   (if it is zero nothing follows);
+//! - *variation diminishing*: for control values and a line made from the value of the variable, changes of sign are
+//!   counted along arguments of the interval. More than the polygon has disprove the property; that no more are seen
+//!   is one more trial that it stood.
+
+use crate::domain::set;
+use crate::domain::stream::Stream;
+use crate::evaluate::{Evaluator, Scope};
+use crate::gap::{Gap, Unknown};
+use crate::judge::Judgement;
+use crate::linear;
+use crate::name::Name;
+use crate::real::{Real, Reals};
+use crate::series::Series;
+use crate::value::Value;
+use std::cmp::Ordering;
+use std::sync::Arc;
+use torse_language::core::{Claim, Family, FamilyProperty};
+use torse_numbers::Rational;
+use torse_numbers::rational::integer;
+
+/// How many degrees are looked at.
+const DEGREES: i64 = 3;
+/// How many polygons are tried at a point, and at how many arguments.
+const POLYGONS: u64 = 6;
+const ARGUMENTS: i64 = 24;
+
+type At<'a, 'b> = Evaluator<'a, Reals<'b>>;
+
+/// Judges a property.
+pub(crate) fn judge(
+    property: FamilyProperty,
+    family: &Arc<Family>,
+    claim: &Claim,
+    at: &At<'_, '_>,
+) -> Result<Judgement, Gap> {
+    let values: Vec<Real> = family
+        .variables
+        .iter()
+        .map(|v| at.point_value(&Name::Symbol(Arc::from(v.name()))))
+        .collect::<Result<_, _>>()?;
+    let least = i64::from(family.degree);
+    let mut all = Judgement::True;
+    for degree in least..least + DEGREES {
+        let found = match property {
+            FamilyProperty::Nonnegative => nonnegative(family, degree, &values, at)?,
+            FamilyProperty::Independent => independent(family, degree, &values, claim, at)?,
+            FamilyProperty::VariationDiminishing => {
+                diminishing(family, degree, &values, claim, at)?
+            }
+        };
+        match found {
+            Some(false) => return Ok(Judgement::False),
+            Some(true) => {}
+            None => all = Judgement::Undecided,
+        }
+    }
+    Ok(all)
+}
+
+fn functions(
+    family: &Arc<Family>,
+    degree: i64,
+    values: &[Real],
+    at: &At<'_, '_>,
+) -> Result<Vec<Series<Real>>, Gap> {
+    let arguments = values
+        .iter()
+        .map(|v| Value::Number(Series::Number(v.clone())))
+        .collect();
+    at.functions(family, degree, arguments, &Scope::outermost())
+}
+
+fn nonnegative(
+    family: &Arc<Family>,
+    degree: i64,
+    values: &[Real],
+    at: &At<'_, '_>,
+) -> Result<Option<bool>, Gap> {
+    let mut all = Some(true);
+    for function in functions(family, degree, values, at)? {
+        match function.as_number().and_then(Real::sign) {
+            Some(Ordering::Less) => return Ok(Some(false)),
+            Some(_) => {}
+            None => all = None,
+        }
+    }
+    Ok(all)
+}
+
+/// The functions at arguments of the interval of the variable, in increasing order.
+fn sampled(
+    family: &Arc<Family>,
+    degree: i64,
+    values: &[Real],
+    count: i64,
+    claim: &Claim,
+    at: &At<'_, '_>,
+) -> Result<Vec<Vec<Series<Real>>>, Gap> {
+    let variable = family.variables.first().ok_or(Unknown::Precision)?;
+    let interval = claim.symbols.get(variable.name());
+    let mut rows = vec![];
+    for step in 1..=count {
+        let share = Rational::new(step.into(), (count + 1).into());
+        let argument = set::between(interval, &share);
+        let mut arguments = values.to_vec();
+        if let Some(slot) = arguments.first_mut() {
+            *slot = argument;
+        }
+        rows.push(functions(family, degree, &arguments, at)?);
+    }
+    Ok(rows)
+}
+
+fn independent(
+    family: &Arc<Family>,
+    degree: i64,
+    values: &[Real],
+    claim: &Claim,
+    at: &At<'_, '_>,
+) -> Result<Option<bool>, Gap> {
+    let rows = sampled(family, degree, values, degree + 1, claim, at)?;
+    let determinant = linear::determinant(&rows, at.arithmetic)?;
+    Ok(match determinant.is_zero(at.arithmetic) {
+        Some(false) => Some(true),
+        _ => None,
+    })
+}
+
+fn diminishing(
+    family: &Arc<Family>,
+    degree: i64,
+    values: &[Real],
+    claim: &Claim,
+    at: &At<'_, '_>,
+) -> Result<Option<bool>, Gap> {
+    let a = at.arithmetic;
+    let rows = sampled(family, degree, values, ARGUMENTS, claim, at)?;
+    let text: Vec<String> = values.iter().map(ToString::to_string).collect();
+    for polygon in 0..POLYGONS {
+        let stream = Stream::new(&text.join(","), polygon);
+        let line = Rational::new((2 * stream.below("line", 4) + 1).into(), 2.into());
+        let controls: Vec<Rational> = (0..=degree)
+            .map(|i| integer(stream.below(&format!("control {i}"), 4)) - &line)
+            .collect();
+        let line = Series::rational(&line, a);
+        let mut along = vec![];
+        for row in &rows {
+            let mut height = line.negated(a);
+            for (function, control) in row.iter().zip(&controls) {
+                // The control value, not its distance from the line: the functions need not sum to one.
+                let control = Series::rational(control, a).plus(&line, a)?;
+                height = height.plus(&function.times(&control, a)?, a)?;
+            }
+            along.extend(height.as_number().and_then(Real::sign));
+        }
+        let polygon = controls.iter().filter_map(|c| Real::from(c.clone()).sign());
+        if changes(along) > changes(polygon) {
+            return Ok(Some(false));
+        }
+    }
+    Ok(Some(true))
+}
+
+/// Changes of sign, zeros left out.
+fn changes(signs: impl IntoIterator<Item = Ordering>) -> usize {
+    let signs: Vec<Ordering> = signs.into_iter().filter(|s| s.is_ne()).collect();
+    signs
+        .windows(2)
+        .filter(|pair| pair.first() != pair.last())
+        .count()
+}

@@ -1,0 +1,189 @@
+//! The built-in functions.
+
+use crate::arithmetic::Arithmetic;
+use crate::evaluate::{Evaluator, Outcome, Sc};
+use crate::gap::{Gap, Undefined, Unknown};
+use crate::linear;
+use crate::name::Name;
+use crate::series::Series;
+use crate::value::{Value, dot, transposed};
+use std::sync::Arc;
+use torse_language::core::{BuiltIn, Node, Term};
+use torse_numbers::rational::integer;
+
+/// The largest argument of a factorial and lower argument of a binomial coefficient.
+const MAX_FACTORIAL: i64 = 400;
+/// The largest unit matrix.
+const MAX_IDENTITY: i64 = 16;
+
+impl<A: Arithmetic> Evaluator<'_, A> {
+    pub(crate) fn apply(
+        &self,
+        function: BuiltIn,
+        arguments: &[Term],
+        scope: &Sc<'_, A>,
+    ) -> Outcome<A> {
+        let a = self.arithmetic;
+        let value = |term: &Term| self.term(term, scope);
+        let number = |term: &Term| self.number(term, scope);
+        Ok(match (function, arguments) {
+            (BuiltIn::Binomial, [n, j]) => Value::Number(self.binomial(
+                &number(n)?,
+                self.integer(j, "the lower number of a binomial coefficient", scope)?,
+            )?),
+            (BuiltIn::Factorial, [n]) => {
+                let what = "the argument of a factorial";
+                let n = self.integer(n, what, scope)?;
+                if n < 0 {
+                    return Err(Undefined::Negative { what }.into());
+                }
+                if n > MAX_FACTORIAL {
+                    return Err(Unknown::Large { what }.into());
+                }
+                let product = (1..=n).map(integer).product();
+                Value::Number(Series::rational(&product, a))
+            }
+            (BuiltIn::SquareRoot, [q]) => Value::Number(number(q)?.square_root(a)?),
+            (BuiltIn::Sine, [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.0),
+            (BuiltIn::Cosine, [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.1),
+            (BuiltIn::Dot, [x, y]) => {
+                Value::Number(dot(&value(x)?.entries()?, &value(y)?.entries()?, a)?)
+            }
+            (BuiltIn::Norm, [v]) => {
+                let entries = value(v)?.entries()?;
+                Value::Number(dot(&entries, &entries, a)?.square_root(a)?)
+            }
+            (BuiltIn::Cross, [x, y]) => {
+                let (x, y) = (value(x)?.entries()?, value(y)?.entries()?);
+                let ([x1, x2, x3], [y1, y2, y3]) = (x.as_slice(), y.as_slice()) else {
+                    return Err(Gap::shape("a cross product of vectors of other lengths"));
+                };
+                let minor = |p: &Series<A::Number>, q: &Series<A::Number>, r, s| {
+                    p.times(q, a)?.minus(&Series::times(r, s, a)?, a)
+                };
+                Value::vector(vec![
+                    minor(x2, y3, x3, y2)?,
+                    minor(x3, y1, x1, y3)?,
+                    minor(x1, y2, x2, y1)?,
+                ])
+            }
+            (BuiltIn::Determinant, [m]) => {
+                Value::Number(linear::determinant(&value(m)?.rows()?, a)?)
+            }
+            (BuiltIn::Transpose, [m]) => Value::matrix(transposed(&value(m)?.rows()?)),
+            (BuiltIn::Inverse, [m]) => Value::matrix(linear::inverse(&value(m)?.rows()?, a)?),
+            (BuiltIn::Solve, [m, right]) => self.solve(value(m)?, value(right)?)?,
+            (BuiltIn::Identity, [n]) => {
+                let what = "the size of a unit matrix";
+                let n = self.integer(n, what, scope)?;
+                if n < 0 {
+                    return Err(Undefined::Negative { what }.into());
+                }
+                if n > MAX_IDENTITY {
+                    return Err(Unknown::Large { what }.into());
+                }
+                Value::matrix(linear::identity(usize::try_from(n).unwrap_or(0), a))
+            }
+            (BuiltIn::Coefficients, [forms, unknowns]) => {
+                self.coefficients(forms, unknowns, scope)?
+            }
+            _ => return Err(Gap::shape("a number of arguments to the function")),
+        })
+    }
+
+    /// `n (n-1) ... (n-j+1) / j!`, 0 for a negative j.
+    fn binomial(&self, n: &Series<A::Number>, j: i64) -> Result<Series<A::Number>, Gap> {
+        let a = self.arithmetic;
+        if j < 0 {
+            return Ok(Series::integer(0, a));
+        }
+        if j > MAX_FACTORIAL {
+            let what = "a binomial coefficient";
+            return Err(Unknown::Large { what }.into());
+        }
+        (0..j).try_fold(Series::integer(1, a), |product, i| {
+            let factor = n.minus(&Series::integer(i, a), a)?;
+            product
+                .times(&factor, a)?
+                .over(&Series::integer(i + 1, a), a)
+        })
+    }
+
+    /// The x with `M x = b`, for a vector or a matrix b.
+    fn solve(&self, matrix: Value<A::Number>, right: Value<A::Number>) -> Outcome<A> {
+        let a = self.arithmetic;
+        let matrix = matrix.rows()?;
+        let is_vector = matches!(&right, Value::Many(items)
+            if items.iter().all(|item| matches!(item, Value::Number(_))));
+        if is_vector {
+            let column: Vec<Vec<_>> = right.entries()?.into_iter().map(|x| vec![x]).collect();
+            let solution = linear::solution(&matrix, &column, a)?;
+            return Ok(Value::vector(solution.into_iter().flatten().collect()));
+        }
+        Ok(Value::matrix(linear::solution(&matrix, &right.rows()?, a)?))
+    }
+
+    /// One row for each form, one column for each unknown: the derivatives, if the second ones are zero.
+    fn coefficients(&self, forms: &Term, unknowns: &Term, scope: &Sc<'_, A>) -> Outcome<A> {
+        let names = self.names(unknowns, scope)?;
+        let mut columns = vec![];
+        for name in &names {
+            let [_, first, second] = self.expansion(forms, name, scope)?;
+            let curved = second
+                .numbers()
+                .into_iter()
+                .map(|x| x.is_zero(self.arithmetic));
+            for flat in curved {
+                match flat {
+                    Some(true) => {}
+                    Some(false) => return Err(Undefined::NotLinear.into()),
+                    None => return Err(Unknown::Precision.into()),
+                }
+            }
+            columns.push(first.numbers().into_iter().cloned().collect::<Vec<_>>());
+        }
+        Ok(Value::matrix(transposed(&columns)))
+    }
+
+    /// The numbers of a point that a list of symbols, coordinates and members consists of.
+    pub(crate) fn names(&self, term: &Term, scope: &Sc<'_, A>) -> Result<Vec<Name>, Gap> {
+        let not_covered = || {
+            Gap::from(Unknown::NotCovered {
+                what: "a formula where a symbol is needed",
+            })
+        };
+        Ok(match &*term.node {
+            Node::List(items) => {
+                let names = items.iter().map(|item| self.names(item, scope));
+                names.collect::<Result<Vec<_>, _>>()?.concat()
+            }
+            Node::Opened { body, .. } => self.names(body, scope)?,
+            Node::Symbol(name) | Node::Vector(name, None) => vec![Name::Symbol(Arc::clone(name))],
+            Node::Vector(name, Some(dimension)) => (1..=*dimension)
+                .map(|c| Name::Coordinate(Arc::clone(name), c))
+                .collect(),
+            Node::Member(points, indices) => {
+                let indices: Vec<i64> = indices
+                    .iter()
+                    .map(|i| self.integer(i, "an index", scope))
+                    .collect::<Result<_, _>>()?;
+                let member = |c| Name::Member(Arc::clone(&points.name), indices.clone(), c);
+                match points.dimension {
+                    None | Some(1) => vec![member(None)],
+                    Some(d) => (1..=d).map(|c| member(Some(c))).collect(),
+                }
+            }
+            Node::Entry(of, indices) => {
+                let all = self.names(of, scope)?;
+                let [index] = indices.as_slice() else {
+                    return Err(not_covered());
+                };
+                let index = self.integer(index, "an index", scope)?;
+                let position = usize::try_from(index - 1).ok();
+                let name = position.and_then(|p| all.get(p).cloned());
+                vec![name.ok_or_else(not_covered)?]
+            }
+            _ => return Err(not_covered()),
+        })
+    }
+}

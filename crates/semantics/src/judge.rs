@@ -1,0 +1,326 @@
+//! Whether a statement is true at a point.
+//!
+//! Every part is evaluated, so that a statement with an undefined part is undefined. Falsity is proved: two balls that
+//! do not meet hold different numbers. Truth of an order relation is proved likewise, and so is equality of exact
+//! numbers. Enclosed numbers are called equal if their difference is enclosed within `2^-128` times the larger of 1
+//! and the sides: for two formulas that are no identity an agreement that no chance explains, but no proof.
+
+use crate::arithmetic::Arithmetic;
+use crate::evaluate::Evaluator;
+use crate::family;
+use crate::gap::{Gap, Undefined, Unknown, Work};
+use crate::name::Name;
+use crate::real::{Real, Reals};
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+use std::fmt;
+use torse_language::core::{Claim, Printed, Statement, Term};
+use torse_language::syntax::{Connective, Relation};
+use torse_numbers::{Ball, Integer, Rational, order};
+
+/// The precisions that are tried, in bits.
+const PRECISIONS: [usize; 2] = [320, 1280];
+/// Equal enclosures differ by at most two to the minus this, relative to the larger of 1 and the sides.
+const AGREEMENT_BITS: usize = 128;
+/// At a point that satisfies its hypotheses only nearly, different numbers differ by at least two to the minus this.
+const SLACK_BITS: usize = 64;
+
+/// What a statement is at a point.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Judgement {
+    /// True.
+    True,
+    /// False, and all parts are defined.
+    False,
+    /// Some part is undefined: the claim says nothing about this point.
+    Undefined(Undefined),
+    /// All parts are defined, but the enclosures do not tell whether it is true.
+    Undecided,
+    /// Whether all parts are defined, or their values, is not known.
+    Unknown(Unknown),
+}
+
+impl fmt::Display for Judgement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::True => write!(f, "true"),
+            Self::False => write!(f, "false"),
+            Self::Undefined(why) => write!(f, "undefined: {why}"),
+            Self::Undecided => write!(f, "undecided"),
+            Self::Unknown(why) => write!(f, "not known: {why}"),
+        }
+    }
+}
+
+impl Judgement {
+    fn of(truth: Option<bool>) -> Self {
+        match truth {
+            Some(true) => Self::True,
+            Some(false) => Self::False,
+            None => Self::Undecided,
+        }
+    }
+
+    /// Whether the statement is settled here.
+    #[must_use]
+    pub fn decided(&self) -> Option<bool> {
+        match self {
+            Self::True => Some(true),
+            Self::False => Some(false),
+            Self::Undefined(_) | Self::Undecided | Self::Unknown(_) => None,
+        }
+    }
+
+    /// What two parts make together; undefined or unknown if one of them is.
+    fn joined(
+        self,
+        other: Self,
+        join: impl Fn(Option<bool>, Option<bool>) -> Option<bool>,
+    ) -> Self {
+        match (self, other) {
+            (Self::Undefined(why), _) | (_, Self::Undefined(why)) => Self::Undefined(why),
+            (Self::Unknown(why), _) | (_, Self::Unknown(why)) => Self::Unknown(why),
+            (a, b) => Self::of(join(a.decided(), b.decided())),
+        }
+    }
+}
+
+impl From<Gap> for Judgement {
+    fn from(gap: Gap) -> Self {
+        match gap {
+            Gap::Undefined(why) => Self::Undefined(why),
+            Gap::Unknown(why) => Self::Unknown(why),
+        }
+    }
+}
+
+/// A point at which statements of a claim are judged.
+pub(crate) struct Judge<'a> {
+    pub claim: &'a Claim,
+    /// The numbers of the point.
+    pub values: &'a dyn Fn(&Name) -> Option<Real>,
+    /// Whether the numbers satisfy the equations of the domain only nearly.
+    pub near: bool,
+    /// The denials `not p` that are known to be true, because p fails somewhere: by the address of p.
+    pub denied: &'a BTreeMap<usize, ()>,
+    pub work: &'a Work,
+}
+
+/// The key of a denied statement.
+pub(crate) fn address(statement: &Statement) -> usize {
+    std::ptr::from_ref(statement).addr()
+}
+
+impl Judge<'_> {
+    /// Judges, with more precision where that is needed.
+    pub fn judge(&self, statement: &Statement) -> Judgement {
+        let mut last = Judgement::Undecided;
+        for bits in PRECISIONS {
+            let reals = Reals {
+                bits,
+                work: self.work,
+            };
+            last = self.statement(statement, &Evaluator::new(&reals, self.values));
+            if !matches!(
+                last,
+                Judgement::Undecided | Judgement::Unknown(Unknown::Precision)
+            ) {
+                break;
+            }
+        }
+        last
+    }
+
+    fn statement(&self, statement: &Statement, at: &Evaluator<'_, Reals<'_>>) -> Judgement {
+        match statement {
+            Statement::Compare {
+                relation,
+                left,
+                right,
+            } => self
+                .compare(*relation, left, right, at)
+                .unwrap_or_else(Judgement::from),
+            Statement::Agrees { value, printed, .. } => {
+                agrees(value, printed, at).unwrap_or_else(Judgement::from)
+            }
+            Statement::Family(property, family) => {
+                family::judge(*property, family, self.claim, at).unwrap_or_else(Judgement::from)
+            }
+            Statement::Join(..) => self.join(statement, at),
+            Statement::Not(inner) => {
+                if self.denied.contains_key(&address(inner)) {
+                    return Judgement::True;
+                }
+                match self.statement(inner, at) {
+                    // One point where p fails makes `not p` true at every point.
+                    Judgement::False => Judgement::True,
+                    _ => Judgement::Unknown(Unknown::NotCovered {
+                        what: "a denial without a point where the denied statement fails",
+                    }),
+                }
+            }
+        }
+    }
+
+    /// Long chains are walked without recursion.
+    fn join(&self, statement: &Statement, at: &Evaluator<'_, Reals<'_>>) -> Judgement {
+        let mut rights = vec![];
+        let mut left = statement;
+        while let Statement::Join(connective, a, b) = left {
+            rights.push((*connective, b));
+            left = a;
+        }
+        let mut all = self.statement(left, at);
+        while let Some((connective, right)) = rights.pop() {
+            let right = self.statement(right, at);
+            all = all.joined(right, |a, b| match connective {
+                Connective::And => both(a, b),
+                Connective::Or => both(a.map(|t| !t), b.map(|t| !t)).map(|t| !t),
+                Connective::Implies => both(a, b.map(|t| !t)).map(|t| !t),
+            });
+        }
+        all
+    }
+
+    fn compare(
+        &self,
+        relation: Relation,
+        left: &Term,
+        right: &Term,
+        at: &Evaluator<'_, Reals<'_>>,
+    ) -> Result<Judgement, Gap> {
+        let (left, right) = (at.value(left)?, at.value(right)?);
+        let reals = at.arithmetic;
+        let mut signs = vec![];
+        for (x, y) in left.pairs(&right, reals)? {
+            let (Some(x), Some(y)) = (x.as_number(), y.as_number()) else {
+                return Err(Gap::shape("an infinitesimal to a comparison"));
+            };
+            signs.push(self.sign(x, y, reals)?);
+        }
+        let equal = || {
+            let each = signs.iter().map(|sign| match sign {
+                Sign::Known(order) => Some(order.is_eq()),
+                Sign::Near => Some(true),
+                Sign::Open => None,
+            });
+            each.fold(Some(true), both)
+        };
+        let ordered = |wanted: fn(Ordering) -> bool| match signs.as_slice() {
+            [Sign::Known(order)] => Ok(Some(wanted(*order))),
+            [_] => Ok(None),
+            _ => Err(Gap::shape("an order of vectors")),
+        };
+        Ok(Judgement::of(match relation {
+            Relation::Equal => equal(),
+            Relation::Different => equal().map(|e| !e),
+            Relation::Less => ordered(Ordering::is_lt)?,
+            Relation::AtMost => ordered(Ordering::is_le)?,
+            Relation::Greater => ordered(Ordering::is_gt)?,
+            Relation::AtLeast => ordered(Ordering::is_ge)?,
+        }))
+    }
+
+    /// How x compares with y.
+    fn sign(&self, x: &Real, y: &Real, reals: &Reals<'_>) -> Result<Sign, Gap> {
+        let gap = reals.minus(x, y)?;
+        let size = || {
+            let one = Ball::from_rational(&torse_numbers::rational::integer(1), 8);
+            let (x, y) = (x.ball(reals.bits).abs(), y.ball(reals.bits).abs());
+            one.hull(&x).hull(&y).upper()
+        };
+        let within = |bits: usize| {
+            let bound = size() / Rational::from_integer(Integer::ONE << bits);
+            order::compare(&gap.ball(reals.bits).abs().upper(), &bound).is_le()
+        };
+        match gap.sign() {
+            Some(Ordering::Equal) => Ok(Sign::Known(Ordering::Equal)),
+            Some(order) if !self.near => Ok(Sign::Known(order)),
+            Some(order) => Ok(if within(AGREEMENT_BITS) {
+                Sign::Near
+            } else if within(SLACK_BITS) {
+                Sign::Open
+            } else {
+                Sign::Known(order)
+            }),
+            None if within(AGREEMENT_BITS) => Ok(Sign::Near),
+            None => Ok(Sign::Open),
+        }
+    }
+}
+
+/// How two numbers compare.
+enum Sign {
+    /// Known.
+    Known(Ordering),
+    /// Equal as far as one can see.
+    Near,
+    /// Not known.
+    Open,
+}
+
+/// Both are true; false as soon as one is false.
+fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
+    match (a, b) {
+        (Some(false), _) | (_, Some(false)) => Some(false),
+        (Some(true), Some(true)) => Some(true),
+        _ => None,
+    }
+}
+
+/// `agrees`: every entry is its printed number, rounded to as many digits as are printed, or cut off there.
+fn agrees(
+    value: &Term,
+    printed: &[Printed],
+    at: &Evaluator<'_, Reals<'_>>,
+) -> Result<Judgement, Gap> {
+    let value = at.value(value)?;
+    let numbers = value.numbers();
+    if numbers.len() != printed.len() {
+        return Err(Gap::shape("the printed numbers to the value"));
+    }
+    let mut all = Some(true);
+    for (number, printed) in numbers.into_iter().zip(printed) {
+        let number = number
+            .as_number()
+            .ok_or_else(|| Gap::shape("an infinitesimal"))?;
+        all = both(all, agrees_with(number, printed, at.arithmetic)?);
+    }
+    Ok(Judgement::of(all))
+}
+
+fn agrees_with(value: &Real, printed: &Printed, reals: &Reals<'_>) -> Result<Option<bool>, Gap> {
+    let gap = reals.minus(value, &printed.value.clone().into())?;
+    let Some(decimals) = printed.decimals.filter(|d| *d > 0) else {
+        // An integer is exact.
+        return Ok(gap.sign().map(Ordering::is_eq));
+    };
+    if usize::try_from(decimals).is_ok_and(|d| d * 4 > reals.bits * 4) {
+        return Err(Unknown::Large {
+            what: "a number of printed digits",
+        }
+        .into());
+    }
+    let unit = Rational::new(
+        1.into(),
+        Integer::from(10).pow(usize::try_from(decimals).unwrap_or(usize::MAX)),
+    );
+    let half: Real = (&unit / torse_numbers::rational::integer(2)).into();
+    let at_most = |x: &Real, y: &Real| -> Result<Option<bool>, Gap> {
+        Ok(reals.minus(x, y)?.sign().map(Ordering::is_le))
+    };
+    let rounded = both(at_most(&gap, &half)?, at_most(&reals.negated(&half), &gap)?);
+    // Cut off: the value lies between the printed number and the next one away from zero.
+    let outward = if printed.negative {
+        reals.negated(&gap)
+    } else {
+        gap
+    };
+    let beyond = outward.sign().map(Ordering::is_ge);
+    let below = reals
+        .minus(&outward, &unit.into())?
+        .sign()
+        .map(Ordering::is_lt);
+    let cut = both(beyond, below);
+    Ok(both(rounded.map(|t| !t), cut.map(|t| !t)).map(|t| !t))
+}

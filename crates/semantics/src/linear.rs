@@ -1,0 +1,151 @@
+//! Determinants, inverses and linear systems.
+//!
+//! Elimination needs a pivot that is certainly not zero. Where none is known the determinant is expanded, which
+//! divides by nothing, and the rest follows by Cramer's rule from determinants.
+
+use crate::arithmetic::Arithmetic;
+use crate::gap::{Gap, Undefined, Unknown};
+use crate::series::Series;
+
+/// The largest matrix.
+const MAX_SIZE: usize = 12;
+/// The largest determinant that is expanded.
+const MAX_EXPANDED: usize = 6;
+
+type Rows<A> = Vec<Vec<Series<<A as Arithmetic>::Number>>>;
+
+fn check_size(size: usize, limit: usize) -> Result<(), Unknown> {
+    if size > limit {
+        return Err(Unknown::Large { what: "a matrix" });
+    }
+    Ok(())
+}
+
+/// Whether the constant part of a series is certainly not zero: only then it may be divided by.
+fn is_unit<A: Arithmetic>(x: &Series<A::Number>, a: &A) -> bool {
+    match x {
+        Series::Number(n) => a.is_zero(n) == Some(false),
+        Series::Powers { terms, .. } => terms.first().is_some_and(|first| is_unit(first, a)),
+    }
+}
+
+/// The determinant.
+///
+/// # Errors
+/// [`Gap::Unknown`] for large matrices and such as are not square.
+pub fn determinant<A: Arithmetic>(rows: &Rows<A>, a: &A) -> Result<Series<A::Number>, Gap> {
+    check_size(rows.len(), MAX_SIZE)?;
+    if rows.iter().any(|row| row.len() != rows.len()) {
+        return Err(Gap::shape("a matrix that is not square"));
+    }
+    let mut rest = rows.clone();
+    let mut product = Series::integer(1, a);
+    while !rest.is_empty() {
+        let pivot = rest
+            .iter()
+            .position(|row| row.first().is_some_and(|x| is_unit(x, a)));
+        let Some(pivot) = pivot else {
+            return product.times(&expanded(&rest, a)?, a);
+        };
+        let row = rest.remove(pivot);
+        let Some((leading, tail)) = row.split_first() else {
+            break;
+        };
+        product = product.times(leading, a)?;
+        if pivot % 2 == 1 {
+            product = product.negated(a);
+        }
+        rest = rest
+            .iter()
+            .map(|other| {
+                let Some((first, others)) = other.split_first() else {
+                    return Ok(vec![]);
+                };
+                let factor = first.over(leading, a)?;
+                let pairs = others.iter().zip(tail);
+                pairs
+                    .map(|(x, y)| x.minus(&factor.times(y, a)?, a))
+                    .collect::<Result<Vec<_>, Gap>>()
+            })
+            .collect::<Result<_, _>>()?;
+    }
+    Ok(product)
+}
+
+/// The determinant, expanded along its first row.
+fn expanded<A: Arithmetic>(rows: &Rows<A>, a: &A) -> Result<Series<A::Number>, Gap> {
+    check_size(rows.len(), MAX_EXPANDED)?;
+    let Some((first, rest)) = rows.split_first() else {
+        return Ok(Series::integer(1, a));
+    };
+    let mut total = Series::integer(0, a);
+    for (column, entry) in first.iter().enumerate() {
+        if entry.is_zero(a) == Some(true) {
+            continue;
+        }
+        let minor: Rows<A> = rest.iter().map(|row| without(row, column)).collect();
+        let term = entry.times(&expanded(&minor, a)?, a)?;
+        total = if column % 2 == 0 {
+            total.plus(&term, a)?
+        } else {
+            total.minus(&term, a)?
+        };
+    }
+    Ok(total)
+}
+
+fn without<T: Clone>(row: &[T], column: usize) -> Vec<T> {
+    let kept = row.iter().enumerate().filter(|(c, _)| *c != column);
+    kept.map(|(_, x)| x.clone()).collect()
+}
+
+/// The X with `matrix * X = right`: Cramer's rule, column by column.
+///
+/// # Errors
+/// [`Undefined::ZeroDivisor`] for a singular matrix, [`Gap::Unknown`] where that is not known.
+pub fn solution<A: Arithmetic>(matrix: &Rows<A>, right: &Rows<A>, a: &A) -> Result<Rows<A>, Gap> {
+    let size = matrix.len();
+    if right.len() != size {
+        return Err(Gap::shape("the right side to the matrix"));
+    }
+    let whole = determinant(matrix, a)?;
+    if whole.is_zero(a) == Some(true) {
+        return Err(Undefined::ZeroDivisor.into());
+    }
+    let width = right.first().map_or(0, Vec::len);
+    let entry = |unknown: usize, column: usize| {
+        let replaced: Rows<A> = matrix
+            .iter()
+            .zip(right)
+            .map(|(row, values)| {
+                let mut row = row.clone();
+                if let (Some(slot), Some(value)) = (row.get_mut(unknown), values.get(column)) {
+                    slot.clone_from(value);
+                }
+                row
+            })
+            .collect();
+        determinant(&replaced, a)?.over(&whole, a)
+    };
+    (0..size)
+        .map(|unknown| (0..width).map(|column| entry(unknown, column)).collect())
+        .collect()
+}
+
+/// The unit matrix.
+pub fn identity<A: Arithmetic>(size: usize, a: &A) -> Rows<A> {
+    let row = |r| {
+        (0..size)
+            .map(|c| Series::integer(i64::from(r == c), a))
+            .collect()
+    };
+    (0..size).map(row).collect()
+}
+
+/// The inverse.
+///
+/// # Errors
+/// As [`solution`].
+pub fn inverse<A: Arithmetic>(matrix: &Rows<A>, a: &A) -> Result<Rows<A>, Gap> {
+    solution(matrix, &identity(matrix.len(), a), a)
+}

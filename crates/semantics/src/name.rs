@@ -1,0 +1,43 @@
+//! The numbers that make up a point: one for each symbol, coordinate and member of a family.
+
+use std::fmt;
+use std::sync::Arc;
+
+/// What a point gives a number to. The order is alphabetical, members by their indices.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Name {
+    /// A declared number, integer, or the generic coordinate of a vector.
+    Symbol(Arc<str>),
+    /// A coordinate of a declared vector, counted from 1.
+    Coordinate(Arc<str>, u8),
+    /// A member of a declared family: its indices, and the coordinate counted from 1, or `None` for a number or the
+    /// generic coordinate.
+    Member(Arc<str>, Vec<i64>, Option<u8>),
+}
+
+impl Name {
+    /// The name under which it is declared.
+    #[must_use]
+    pub fn declared(&self) -> &Arc<str> {
+        match self {
+            Self::Symbol(name) | Self::Coordinate(name, _) | Self::Member(name, ..) => name,
+        }
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Symbol(name) => write!(f, "{name}"),
+            Self::Coordinate(name, coordinate) => write!(f, "{name}[{coordinate}]"),
+            Self::Member(name, indices, coordinate) => {
+                let indices: Vec<String> = indices.iter().map(ToString::to_string).collect();
+                write!(f, "{name}[{}]", indices.join(","))?;
+                match coordinate {
+                    Some(coordinate) => write!(f, "[{coordinate}]"),
+                    None => Ok(()),
+                }
+            }
+        }
+    }
+}

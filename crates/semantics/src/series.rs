@@ -1,0 +1,319 @@
+//! Truncated power series in infinitesimals, one for each derivative that encloses the term.
+//!
+//! To differentiate `body` by x at p, n times, x is given the value `p + e`, the body is evaluated with `e^(n+1) = 0`,
+//! and the coefficient of `e^n` times n! is the derivative (Taylor). The rules of the product, the quotient, the
+//! chain and so on are those of arithmetic with such series. A derivative inside a derivative has an infinitesimal
+//! of its own, one level up: its coefficients are series in the outer ones.
+
+use crate::arithmetic::Arithmetic;
+use crate::gap::{Gap, Undefined, Unknown};
+use torse_numbers::Rational;
+use torse_numbers::rational::integer;
+
+/// A number, or a series in the infinitesimal of its level.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Series<N> {
+    /// A number.
+    Number(N),
+    /// `terms[0] + terms[1] e + terms[2] e^2 + ...`, cut off: all series of one level have as many terms.
+    Powers {
+        /// Which infinitesimal; the coefficients have lower ones only.
+        level: usize,
+        /// The coefficients, at least one.
+        terms: Vec<Series<N>>,
+    },
+}
+
+type Outcome<N> = Result<Series<N>, Gap>;
+
+impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
+    /// The rational number q.
+    pub fn rational<A: Arithmetic<Number = N>>(q: &Rational, a: &A) -> Self {
+        Self::Number(a.rational(q))
+    }
+
+    /// The integer n.
+    pub fn integer<A: Arithmetic<Number = N>>(n: i64, a: &A) -> Self {
+        Self::rational(&integer(n), a)
+    }
+
+    /// `self + e` with the infinitesimal of a level above all of `self`, cut off after `e^order`.
+    pub fn shifted<A: Arithmetic<Number = N>>(self, level: usize, order: usize, a: &A) -> Self {
+        let mut terms = vec![Self::integer(0, a); order + 1];
+        if let Some(slot) = terms.get_mut(1) {
+            *slot = Self::integer(1, a);
+        }
+        if let Some(slot) = terms.get_mut(0) {
+            *slot = self;
+        }
+        Self::Powers { level, terms }
+    }
+
+    /// The coefficient of `e^order` of the infinitesimal of this level, which is the highest.
+    pub fn coefficient<A: Arithmetic<Number = N>>(
+        &self,
+        level: usize,
+        order: usize,
+        a: &A,
+    ) -> Self {
+        match self {
+            Self::Powers { level: own, terms } if *own == level => terms
+                .get(order)
+                .cloned()
+                .unwrap_or_else(|| Self::integer(0, a)),
+            _ if order == 0 => self.clone(),
+            _ => Self::integer(0, a),
+        }
+    }
+
+    /// The number, if no infinitesimal occurs in it.
+    pub fn as_number(&self) -> Option<&N> {
+        match self {
+            Self::Number(number) => Some(number),
+            Self::Powers { .. } => None,
+        }
+    }
+
+    fn level(&self) -> usize {
+        match self {
+            Self::Number(_) => 0,
+            Self::Powers { level, .. } => *level,
+        }
+    }
+
+    /// The coefficients of both as series of the higher level of the two; `None` if both are numbers.
+    fn aligned<A: Arithmetic<Number = N>>(
+        x: &Self,
+        y: &Self,
+        a: &A,
+    ) -> Option<(usize, Vec<Self>, Vec<Self>)> {
+        let level = x.level().max(y.level());
+        let terms = |s: &Self| match s {
+            Self::Powers { level: own, terms } if *own == level => Some(terms.clone()),
+            _ => None,
+        };
+        let lifted = |s: &Self, count: usize| {
+            let mut all = vec![Self::integer(0, a); count];
+            if let Some(slot) = all.first_mut() {
+                *slot = s.clone();
+            }
+            all
+        };
+        match (terms(x), terms(y)) {
+            _ if level == 0 => None,
+            (Some(xs), Some(ys)) => Some((level, xs, ys)),
+            (Some(xs), None) => {
+                let ys = lifted(y, xs.len());
+                Some((level, xs, ys))
+            }
+            (None, Some(ys)) => Some((level, lifted(x, ys.len()), ys)),
+            (None, None) => None,
+        }
+    }
+
+    /// `self + other`.
+    pub fn plus<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Outcome<N> {
+        if let (Self::Number(x), Self::Number(y)) = (self, other) {
+            return Ok(Self::Number(a.plus(x, y)?));
+        }
+        let (level, xs, ys) = Self::aligned(self, other, a).ok_or(Unknown::Precision)?;
+        let terms = xs.iter().zip(&ys).map(|(x, y)| x.plus(y, a));
+        Ok(Self::Powers {
+            level,
+            terms: terms.collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// `-self`.
+    pub fn negated<A: Arithmetic<Number = N>>(&self, a: &A) -> Self {
+        match self {
+            Self::Number(x) => Self::Number(a.negated(x)),
+            Self::Powers { level, terms } => Self::Powers {
+                level: *level,
+                terms: terms.iter().map(|t| t.negated(a)).collect(),
+            },
+        }
+    }
+
+    /// `self - other`.
+    pub fn minus<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Outcome<N> {
+        self.plus(&other.negated(a), a)
+    }
+
+    /// `self * other`: `c_k = sum of x_j y_(k-j)`.
+    pub fn times<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Outcome<N> {
+        match (self, other) {
+            (Self::Number(x), Self::Number(y)) => Ok(Self::Number(a.times(x, y)?)),
+            (Self::Powers { level, terms }, factor) | (factor, Self::Powers { level, terms })
+                if factor.level() < *level =>
+            {
+                let terms = terms.iter().map(|t| t.times(factor, a));
+                Ok(Self::Powers {
+                    level: *level,
+                    terms: terms.collect::<Result<_, _>>()?,
+                })
+            }
+            _ => {
+                let (level, xs, ys) = Self::aligned(self, other, a).ok_or(Unknown::Precision)?;
+                let terms = (0..xs.len()).map(|k| Self::convolution(&xs, &ys, 0, k, a));
+                Ok(Self::Powers {
+                    level,
+                    terms: terms.collect::<Result<_, _>>()?,
+                })
+            }
+        }
+    }
+
+    /// `sum of x_j y_(k-j)` for j from `first` to k, as far as there are coefficients.
+    fn convolution<A: Arithmetic<Number = N>>(
+        xs: &[Self],
+        ys: &[Self],
+        first: usize,
+        k: usize,
+        a: &A,
+    ) -> Outcome<N> {
+        let pairs = (first..=k).filter_map(|j| Some((xs.get(j)?, ys.get(k - j)?)));
+        let mut total: Option<Self> = None;
+        for (x, y) in pairs {
+            let product = x.times(y, a)?;
+            total = Some(match total {
+                None => product,
+                Some(before) => before.plus(&product, a)?,
+            });
+        }
+        Ok(total.unwrap_or_else(|| Self::integer(0, a)))
+    }
+
+    /// `self / other`: `q_k = (x_k - sum of y_j q_(k-j) for j >= 1) / y_0`.
+    pub fn over<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Outcome<N> {
+        if let (Self::Number(x), Self::Number(y)) = (self, other) {
+            return Ok(Self::Number(a.over(x, y)?));
+        }
+        let (level, xs, ys) = Self::aligned(self, other, a).ok_or(Unknown::Precision)?;
+        let leading = ys.first().ok_or(Unknown::Precision)?;
+        let mut quotient: Vec<Self> = vec![];
+        for (k, x) in xs.iter().enumerate() {
+            let known = Self::convolution(&ys, &quotient, 1, k, a)?;
+            quotient.push(x.minus(&known, a)?.over(leading, a)?);
+        }
+        Ok(Self::Powers {
+            level,
+            terms: quotient,
+        })
+    }
+
+    /// `self^exponent` by squaring; `x^0` is 1.
+    pub fn power<A: Arithmetic<Number = N>>(&self, exponent: u64, a: &A) -> Outcome<N> {
+        let mut power = Self::integer(1, a);
+        let mut square = self.clone();
+        let mut rest = exponent;
+        while rest > 0 {
+            if rest % 2 == 1 {
+                power = power.times(&square, a)?;
+            }
+            rest /= 2;
+            if rest > 0 {
+                square = square.times(&square, a)?;
+            }
+        }
+        Ok(power)
+    }
+
+    /// The root: from `s^2 = x`, `s_k = (x_k - sum of s_j s_(k-j) for 0 < j < k) / (2 s_0)`.
+    ///
+    /// A root at zero has no derivative if the series begins with a first power.
+    pub fn square_root<A: Arithmetic<Number = N>>(&self, a: &A) -> Outcome<N> {
+        let (level, terms) = match self {
+            Self::Number(x) => return Ok(Self::Number(a.square_root(x)?)),
+            Self::Powers { level, terms } => (*level, terms),
+        };
+        let Some((first, rest)) = terms.split_first() else {
+            return Err(Unknown::Precision.into());
+        };
+        if first.is_zero(a) == Some(true) && !rest.is_empty() {
+            return Err(match rest.first().and_then(|second| second.is_zero(a)) {
+                Some(false) => Undefined::NotDifferentiable.into(),
+                _ => Unknown::NotCovered {
+                    what: "the derivative of a root at a double zero",
+                }
+                .into(),
+            });
+        }
+        let mut root = vec![first.square_root(a)?];
+        let twice = root
+            .first()
+            .ok_or(Unknown::Precision)?
+            .times(&Self::integer(2, a), a)?;
+        for (before, x) in rest.iter().enumerate() {
+            let k = before + 1;
+            let inner = (1..k).filter_map(|j| Some((root.get(j)?, root.get(k - j)?)));
+            let mut known = Self::integer(0, a);
+            for (s, t) in inner {
+                known = known.plus(&s.times(t, a)?, a)?;
+            }
+            let next = x.minus(&known, a)?.over(&twice, a)?;
+            root.push(next);
+        }
+        Ok(Self::Powers { level, terms: root })
+    }
+
+    /// `(sin, cos)`: from `s' = c f'` and `c' = -s f'`.
+    pub fn sine_cosine<A: Arithmetic<Number = N>>(&self, a: &A) -> Result<(Self, Self), Gap> {
+        let (level, terms) = match self {
+            Self::Number(x) => {
+                let (sine, cosine) = a.sine_cosine(x)?;
+                return Ok((Self::Number(sine), Self::Number(cosine)));
+            }
+            Self::Powers { level, terms } => (*level, terms),
+        };
+        let first = terms.first().ok_or(Unknown::Precision)?;
+        let (s, c) = first.sine_cosine(a)?;
+        let (mut sines, mut cosines) = (vec![s], vec![c]);
+        for k in 1..terms.len() {
+            let (mut s, mut c) = (Self::integer(0, a), Self::integer(0, a));
+            for j in 1..=k {
+                let (Some(f), Some(sine), Some(cosine)) =
+                    (terms.get(j), sines.get(k - j), cosines.get(k - j))
+                else {
+                    continue;
+                };
+                let share = Rational::new(
+                    i64::try_from(j).unwrap_or(i64::MAX).into(),
+                    i64::try_from(k).unwrap_or(i64::MAX).into(),
+                );
+                let rate = f.times(&Self::rational(&share, a), a)?;
+                s = s.plus(&rate.times(cosine, a)?, a)?;
+                c = c.minus(&rate.times(sine, a)?, a)?;
+            }
+            sines.push(s);
+            cosines.push(c);
+        }
+        Ok((
+            Self::Powers {
+                level,
+                terms: sines,
+            },
+            Self::Powers {
+                level,
+                terms: cosines,
+            },
+        ))
+    }
+
+    /// Whether every coefficient is zero; `None` if that is not known.
+    pub fn is_zero<A: Arithmetic<Number = N>>(&self, a: &A) -> Option<bool> {
+        match self {
+            Self::Number(x) => a.is_zero(x),
+            Self::Powers { terms, .. } => {
+                let found: Vec<Option<bool>> = terms.iter().map(|t| t.is_zero(a)).collect();
+                if found.contains(&Some(false)) {
+                    Some(false)
+                } else if found.contains(&None) {
+                    None
+                } else {
+                    Some(true)
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! Points as text: counterexamples that the engine prints.
+
+use crate::domain::point::{Outside, Point};
+use crate::evaluate::Evaluator;
+use crate::gap::Work;
+use crate::judge::Judgement;
+use crate::name::Name;
+use crate::net::{Numbers, check};
+use crate::real::{Real, Reals};
+use std::sync::Arc;
+use torse_language::core::{Claim, Elaborator, Set, Statement};
+use torse_language::derivation::declarations::Declarations;
+use torse_language::syntax::{Expr, Node, parse};
+
+/// The precision of numbers that are not exact, in bits.
+const BITS: usize = 1280;
+
+/// Why a text is no point of a claim.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Unreadable {
+    /// A name that is no symbol, coordinate or member of the claim.
+    #[error("`{name}` is no number of the claim")]
+    Name {
+        /// The name.
+        name: String,
+    },
+    /// A value that is no closed formula with a real value.
+    #[error("`{value}` is no number")]
+    Value {
+        /// The value.
+        value: String,
+    },
+}
+
+/// Reads a point: names such as `a`, `p[1]`, `P[0,1]`, `P[0,1][2]`, values such as `3/7`, `pi/2`, `sqrt(2)`.
+///
+/// # Errors
+/// [`Unreadable`]: what is no name of the claim, or no number.
+pub fn read<'t>(
+    claim: &Claim,
+    numbers: impl IntoIterator<Item = (&'t str, &'t str)>,
+) -> Result<Point, Unreadable> {
+    let mut values = Numbers::new();
+    for (name, value) in numbers {
+        let unknown_name = || Unreadable::Name {
+            name: name.to_owned(),
+        };
+        let number = number(value).ok_or_else(|| Unreadable::Value {
+            value: value.to_owned(),
+        })?;
+        let name = parse(name)
+            .ok()
+            .and_then(|expr| name_of(claim, &expr))
+            .ok_or_else(unknown_name)?;
+        values.insert(name, number);
+    }
+    Ok(Point {
+        values,
+        near: false,
+    })
+}
+
+/// The value of a closed formula.
+fn number(text: &str) -> Option<Real> {
+    let declarations = Declarations::default();
+    let term = Elaborator::new(&declarations)
+        .term(&parse(text).ok()?)
+        .ok()?;
+    let work = Work::new(10_000);
+    let reals = Reals {
+        bits: BITS,
+        work: &work,
+    };
+    let at = Evaluator::new(&reals, &|_| None);
+    at.value(&term).ok()?.number().ok()?.as_number().cloned()
+}
+
+fn name_of(claim: &Claim, expr: &Expr) -> Option<Name> {
+    let (mut head, mut indices) = (expr, vec![]);
+    while let Node::Index(inner, own) = &head.node {
+        indices.splice(0..0, own.iter());
+        head = inner;
+    }
+    let Node::Name(name) = &head.node else {
+        return None;
+    };
+    let indices: Vec<i64> = indices.into_iter().map(integer).collect::<Option<_>>()?;
+    let declared = claim.symbols.get(name.as_str())?;
+    let name: Arc<str> = Arc::from(name.as_str());
+    let coordinate = |c: &i64, dimension: &Option<u8>| {
+        let c = u8::try_from(*c).ok()?;
+        dimension.filter(|d| (1..=*d).contains(&c)).map(|_| c)
+    };
+    match (declared, indices.as_slice()) {
+        (Set::Real(_) | Set::Integer { .. } | Set::Vector(None), []) => Some(Name::Symbol(name)),
+        (Set::Vector(dimension), [c]) => Some(Name::Coordinate(name, coordinate(c, dimension)?)),
+        (Set::Family { dimension, ranges }, all) => {
+            let scalar = matches!(dimension, None | Some(1));
+            let count = match (ranges.len(), scalar) {
+                (0, true) => all.len(),
+                (0, false) => all.len().checked_sub(1)?,
+                (count, _) => count,
+            };
+            let (members, rest) = all.split_at_checked(count)?;
+            match rest {
+                [] if scalar => Some(Name::Member(name, members.to_vec(), None)),
+                [c] if !scalar => {
+                    let c = coordinate(c, dimension)?;
+                    Some(Name::Member(name, members.to_vec(), Some(c)))
+                }
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// An integer, written.
+fn integer(expr: &Expr) -> Option<i64> {
+    match &expr.node {
+        Node::Number { value, .. } if value.is_integer() => i64::try_from(&value.to_integer()).ok(),
+        Node::Negative(inner) => integer(inner)?.checked_neg(),
+        _ => None,
+    }
+}
+
+/// What a counterexample turns out to be.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Witness {
+    /// It lies in every declared set, satisfies every hypothesis, every part of the statement is defined there, and
+    /// the statement is false.
+    Refutes,
+    /// It does not belong to the domain.
+    Outside(Outside),
+    /// The statement is not false there.
+    Stands(Judgement),
+    /// It cannot be read.
+    Unreadable(Unreadable),
+}
+
+/// Checks a counterexample to a statement about the domain of a claim.
+///
+/// Every number that the hypotheses and the statement ask for has to be named; bounds of integers as well.
+#[must_use]
+pub fn check_witness<'t>(
+    claim: &Claim,
+    statement: &Statement,
+    numbers: impl IntoIterator<Item = (&'t str, &'t str)>,
+) -> Witness {
+    let point = match read(claim, numbers) {
+        Ok(point) => point,
+        Err(why) => return Witness::Unreadable(why),
+    };
+    match check(claim, statement, &point) {
+        Ok(Judgement::False) => Witness::Refutes,
+        Ok(other) => Witness::Stands(other),
+        Err(outside) => Witness::Outside(outside),
+    }
+}
