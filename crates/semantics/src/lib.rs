@@ -1,4 +1,60 @@
 //! What core terms mean, written to be read.
+//!
+//! `derivations/SEMANTICS.md` states the meaning of each construct in mathematics; this crate executes it. Nothing is
+//! shared with the prover but the core terms and the numbers: a mistake there has to be made here once more, in other
+//! words, to pass.
+//!
+//! - [`Evaluator`]: the value of a term, with one rule for each construct, over any [`Arithmetic`]: [`Reals`] (exact
+//!   where they can be, enclosed beyond) or [`Polynomials`] (identities). Derivatives are carried out on truncated
+//!   power series ([`Series`]).
+//! - [`judge`]: what a statement is at a [`Point`]: a [`Judgement`], which is never guessed.
+//! - [`tally`]: a statement at points of its domain, drawn from a seeded stream: the net under a proof.
+//! - [`check_witness`]: whether a printed counterexample is one: the net under a refutation.
+//! - [`excepting`]: the domain where a condition fails: the net under a condition.
+//! - [`identity`] at [`instances`]: equations at fixed small integers, decided exactly.
+//!
+//! All work is bounded by a budget of operations, so answers are the same on every machine.
+//!
+//! ```
+//! use std::sync::Arc;
+//! use torse_language::core::Claim;
+//! use torse_language::derivation::{paper, Source};
+//! use torse_semantics::{Witness, check_witness, tally};
+//!
+//! let files = |name: &str| Ok(Arc::new(Source {
+//!     name: name.to_owned(),
+//!     text: match name {
+//!         "paper.toml" => r#"
+//!             [paper]
+//!             id = "p"
+//!             title = "t"
+//!             authors = "a"
+//!             venue = "v"
+//!             claims = ["c.toml"]
+//!             [symbols]
+//!             x = { in = "[0, 1]" }
+//!         "#,
+//!         _ => r#"
+//!             [[claim]]
+//!             id = "p/square"
+//!             at = "p. 1"
+//!             kind = "inequality"
+//!             printed = "x² < x"
+//!             states = 'x^2 < x'
+//!         "#,
+//!     }.to_owned(),
+//! }));
+//! let paper = paper(files)?;
+//! let written = &paper.claims[0];
+//! let claim = Claim::new(written, written.statement.as_ref().unwrap()).expect("it can be read");
+//!
+//! let found = tally(&claim, &claim.statement, &[], "p/square", 20, 1_000_000);
+//! let point = found.failing.expect("it is false at the ends");
+//! assert!(["x = 0", "x = 1"].contains(&point.to_string().as_str()));
+//! let witness = check_witness(&claim, &claim.statement, [("x", "2")]);
+//! assert!(matches!(witness, Witness::Outside(_)));
+//! # Ok::<(), torse_language::derivation::LoadError>(())
+//! ```
 #![warn(missing_docs)]
 
 mod arithmetic;
@@ -7,10 +63,12 @@ mod evaluate;
 mod family;
 mod functions;
 mod gap;
+mod instance;
 mod judge;
 mod linear;
 mod name;
 mod net;
+mod polynomial;
 mod real;
 mod series;
 mod value;
@@ -20,9 +78,11 @@ pub use arithmetic::Arithmetic;
 pub use domain::point::{Outside, Point};
 pub use evaluate::Evaluator;
 pub use gap::{Gap, Undefined, Unknown, Work};
+pub use instance::{Identity, Instance, identity, instances};
 pub use judge::Judgement;
 pub use name::Name;
 pub use net::{Tally, check, excepting, judge, tally};
+pub use polynomial::{Polynomials, Quotient};
 pub use real::{Real, Reals};
 pub use series::Series;
 pub use value::Value;

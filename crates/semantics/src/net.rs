@@ -214,10 +214,8 @@ fn settle(
 
 /// The claim with the denial of a comparison among its hypotheses: where a condition fails. `None` for other statements.
 ///
-/// ```
-/// # use torse_semantics::excepting;
-/// # let _ = excepting;
-/// ```
+/// A tally of the changed claim tells whether the condition is needed: it is if the statement is false or undefined
+/// where the condition fails, and it is not if the changed domain has no points.
 #[must_use]
 pub fn excepting(claim: &Claim, condition: &Statement) -> Option<Claim> {
     let Statement::Compare {

@@ -54,7 +54,13 @@ impl<'a> Draft<'a> {
         let label = name.to_string();
         let drawn = match (name, self.claim.symbols.get(name.declared())?) {
             (Name::Symbol(_), Set::Real(interval)) => {
-                set::in_interval(interval, &self.stream, &label)
+                let drawn = set::in_interval(interval, &self.stream, &label);
+                if set::contains(interval, &drawn) != Some(true) {
+                    // The ends are exchanged, or one point is left and does not belong to the interval.
+                    self.empty.set(true);
+                    return None;
+                }
+                drawn
             }
             (Name::Symbol(_), Set::Integer { least, most }) => {
                 let bound = |form: &Option<Affine>| match form {

@@ -35,8 +35,8 @@ pub(crate) enum Solved {
     Nearly,
 }
 
-/// The equations that every point of the domain satisfies: those of conjunctions of hypotheses.
-pub(crate) fn equations(claim: &Claim) -> Vec<(&Term, &Term)> {
+/// The comparisons that every point of the domain satisfies: those of conjunctions of hypotheses.
+pub(crate) fn constraints(claim: &Claim) -> Vec<(Relation, &Term, &Term)> {
     let mut pending: Vec<&Statement> = claim
         .hypotheses
         .iter()
@@ -48,14 +48,23 @@ pub(crate) fn equations(claim: &Claim) -> Vec<(&Term, &Term)> {
         match statement {
             Statement::Join(Connective::And, a, b) => pending.extend([&**b, &**a]),
             Statement::Compare {
-                relation: Relation::Equal,
+                relation,
                 left,
                 right,
-            } => all.push((left, right)),
+            } => all.push((*relation, left, right)),
             _ => {}
         }
     }
     all
+}
+
+/// The equations among them.
+fn equations(claim: &Claim) -> Vec<(&Term, &Term)> {
+    constraints(claim)
+        .into_iter()
+        .filter(|(relation, ..)| *relation == Relation::Equal)
+        .map(|(_, left, right)| (left, right))
+        .collect()
 }
 
 /// Changes the draft until the equations hold; `None` if that does not succeed.

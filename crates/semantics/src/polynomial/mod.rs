@@ -1,0 +1,190 @@
+//! Quotients of polynomials: the arithmetic in which a statement at fixed integers is an identity.
+
+mod sum;
+mod turn;
+
+use crate::arithmetic::Arithmetic;
+use crate::gap::{Gap, Undefined, Unknown, Work};
+use crate::name::Name;
+use num_traits::{One, Signed, Zero};
+use sum::{Sum, Variable};
+use torse_numbers::rational::integer;
+use torse_numbers::{Integer, Rational};
+
+/// A numerator over a denominator that is not zero, never cancelled except by numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quotient {
+    above: Sum,
+    below: Sum,
+}
+
+impl From<Sum> for Quotient {
+    fn from(above: Sum) -> Self {
+        Self {
+            above,
+            below: Sum::constant(Rational::one()),
+        }
+    }
+}
+
+impl Quotient {
+    fn number(value: Rational) -> Self {
+        Sum::constant(value).into()
+    }
+
+    /// A number of the point, as a variable.
+    #[must_use]
+    pub fn variable(name: Name) -> Self {
+        Sum::variable(Variable::Named(name)).into()
+    }
+
+    /// The number of terms of the numerator.
+    #[must_use]
+    pub fn terms(&self) -> usize {
+        self.above.len()
+    }
+
+    fn as_constant(&self) -> Option<Rational> {
+        let below = self.below.as_constant()?;
+        self.above.as_constant().map(|above| above / below)
+    }
+
+    /// With a constant denominator divided out, and zero over one.
+    fn tidy(above: Sum, below: Sum) -> Result<Self, Gap> {
+        match below.as_constant() {
+            Some(number) if number.is_zero() => Err(Undefined::ZeroDivisor.into()),
+            Some(number) if number.is_one() => Ok(above.into()),
+            Some(number) => Ok(above.scaled(&number.recip()).into()),
+            None if above.is_zero() => Ok(Sum::default().into()),
+            None => Ok(Self { above, below }),
+        }
+    }
+
+    fn plus(&self, other: &Self, work: &Work) -> Result<Self, Gap> {
+        work.spend(u64::try_from(self.above.len() + other.above.len()).unwrap_or(u64::MAX))?;
+        if self.below == other.below {
+            return Self::tidy(self.above.plus(&other.above), self.below.clone());
+        }
+        let left = self.above.times(&other.below, work)?;
+        let right = other.above.times(&self.below, work)?;
+        Self::tidy(left.plus(&right), self.below.times(&other.below, work)?)
+    }
+
+    fn negated(&self) -> Self {
+        Self {
+            above: self.above.scaled(&-Rational::one()),
+            below: self.below.clone(),
+        }
+    }
+
+    fn times(&self, other: &Self, work: &Work) -> Result<Self, Gap> {
+        Self::tidy(
+            self.above.times(&other.above, work)?,
+            self.below.times(&other.below, work)?,
+        )
+    }
+
+    fn over(&self, other: &Self, work: &Work) -> Result<Self, Gap> {
+        Self::tidy(
+            self.above.times(&other.below, work)?,
+            self.below.times(&other.above, work)?,
+        )
+    }
+}
+
+/// The arithmetic of quotients of polynomials.
+///
+/// A quotient is zero if it is zero as a function. A divisor that is not zero as a function counts as different from
+/// zero: what comes out is meant where all divisors are.
+#[derive(Debug)]
+pub struct Polynomials<'a> {
+    /// The budget.
+    pub work: &'a Work,
+}
+
+impl Arithmetic for Polynomials<'_> {
+    type Number = Quotient;
+
+    fn rational(&self, value: &Rational) -> Quotient {
+        Quotient::number(value.clone())
+    }
+
+    fn pi(&self) -> Quotient {
+        Sum::variable(Variable::Pi).into()
+    }
+
+    fn plus(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Gap> {
+        a.plus(b, self.work)
+    }
+
+    fn negated(&self, a: &Quotient) -> Quotient {
+        a.negated()
+    }
+
+    fn times(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Gap> {
+        a.times(b, self.work)
+    }
+
+    fn over(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Gap> {
+        a.over(b, self.work)
+    }
+
+    fn square_root(&self, a: &Quotient) -> Result<Quotient, Gap> {
+        root(a, self.work)
+    }
+
+    fn sine_cosine(&self, a: &Quotient) -> Result<(Quotient, Quotient), Gap> {
+        turn::sine_cosine(a, self.work)
+    }
+
+    fn is_zero(&self, a: &Quotient) -> Option<bool> {
+        Some(a.above.is_zero())
+    }
+
+    fn as_rational(&self, a: &Quotient) -> Option<Rational> {
+        a.as_constant()
+    }
+
+    fn bit_length(&self, _: &Quotient) -> Option<u64> {
+        None
+    }
+}
+
+/// The square root of a rational number that is not negative: `sqrt(p/q) = sqrt(p q)/q`, squares pulled out.
+fn root(value: &Quotient, work: &Work) -> Result<Quotient, Gap> {
+    let large = || Gap::from(Unknown::Large { what: "a root" });
+    let number = value.as_constant().ok_or(Unknown::NotCovered {
+        what: "a square root of a formula",
+    })?;
+    if number.is_negative() {
+        return Err(Undefined::NegativeRoot.into());
+    }
+    if number.is_zero() {
+        return Ok(Sum::default().into());
+    }
+    let product: Integer = number.numer() * number.denom();
+    let mut rest = i64::try_from(&product)
+        .ok()
+        .filter(|p| *p < 1 << 36)
+        .ok_or_else(large)?;
+    let mut sum = Sum::constant(Rational::new(1.into(), number.denom().clone()));
+    let mut prime = 2;
+    while rest > 1 {
+        if prime * prime > rest {
+            prime = rest;
+        }
+        let mut exponent = 0;
+        while rest % prime == 0 {
+            rest /= prime;
+            exponent += 1;
+        }
+        let whole = (0..exponent / 2).map(|_| integer(prime)).product();
+        sum = sum.scaled(&whole);
+        if exponent % 2 == 1 {
+            let prime = u32::try_from(prime).map_err(|_| large())?;
+            sum = sum.times(&Sum::variable(Variable::Root(prime)), work)?;
+        }
+        prime += 1;
+    }
+    Ok(sum.into())
+}

@@ -1,0 +1,175 @@
+//! The net: statements that are true stand, statements that are false are caught.
+
+use crate::support::{claim, is_caught, is_empty, netted, stands};
+use torse_semantics::{Judgement, Outside, Witness, check_witness, excepting};
+
+#[test]
+fn multiples_of_assumptions_below_one() {
+    is_caught("assume = ['2*a < 1']", "a > 0");
+    is_caught("assume = ['2*a^2 > -1']", "a^2 < 0");
+}
+
+#[test]
+fn a_sum_whose_index_stands_in_an_argument() {
+    is_caught("", "sum(j, 0, m, B[j,m](j*x)) == 1");
+    stands("", "sum(j, 0, m, B[j,m](x)) == 1");
+}
+
+#[test]
+fn derivatives_at_bound_names() {
+    let curve = r#"let = { "C(x)" = 'sum(j, 0, m, B[j,m](x)*P[j])', "V(x)" = 'D(C(x), x)' }"#;
+    is_caught(curve, "V(0) == 0");
+    stands(curve, "V(0) == m*(P[1] - P[0])");
+    stands(curve, "C(0) == P[0] and C(1) == P[m]");
+    is_caught(curve, "C'(0) == P[m] - P[m-1]");
+    let square = r#"let = { "G(x)" = 'at(x^2, x, 3)' }"#;
+    is_caught(square, "G(5)*y == 25*y");
+    stands(square, "G(5)*y == 9*y");
+    stands("assume = ['x == 1']", "D(x^2, x) == 2");
+    is_caught("assume = ['x == 1']", "D(x^2, x) == 0");
+    is_caught("assume = ['y == 1/x', 'x > 0']", "D(x*y, x) == 0");
+    stands("assume = ['y == 1/x', 'x > 0']", "D(x*y, x) == y");
+    let shape = r#"let = { "F(x)" = 'x*mu' }"#;
+    is_caught(shape, "D(F, mu)(mu) == 2*mu");
+    stands(shape, "D(F, mu)(mu) == mu");
+}
+
+#[test]
+fn a_conjunction_with_a_denial() {
+    is_caught("", "sum(j, 1, m, j) <= 3 and not (x == 0)");
+    stands("", "sum(j, 1, m, j) >= 1 and not (x == 0)");
+}
+
+#[test]
+fn at_replaces_degrees_and_indices() {
+    is_caught("", "at(m*P[m], m, 2) == 2*P[m]");
+    stands("assume = ['m >= 2']", "at(m*P[m], m, 2) == 2*P[2]");
+}
+
+#[test]
+fn a_half_angle_is_no_name_of_the_user() {
+    is_caught(
+        "symbols = { h = { in = \"[-5, -4]\" } }",
+        "sin(pi/2*x) + h >= 0",
+    );
+}
+
+#[test]
+fn functions_that_do_not_sum_to_one_do_not_diminish_variation() {
+    is_caught("", "variation_diminishing(H)");
+    stands("", "variation_diminishing(B)");
+}
+
+#[test]
+fn degrees_below_the_seeds_and_indices_outside() {
+    is_caught("", "sum(j, 0, n-3, B[j,n-3](x)) == 1");
+    let tally = netted(&claim("", "sum(j, 0, m, B[j,m](x)*P[j+1]) == 0"));
+    assert_eq!(
+        (tally.holding, tally.failing.is_some()),
+        (0, false),
+        "{tally:?}"
+    );
+    assert!(tally.undefined > 0);
+}
+
+#[test]
+fn integers_stay_integers() {
+    stands("", "sin(pi*m) == 0");
+    stands("", "i <= m");
+    stands(
+        "symbols = { m = { integer = \"1..2\" } }",
+        "sum(j, 1, i, j) <= 3",
+    );
+    stands("assume = ['m >= 1']", "(1-o)*P[0] + o*P[1] == P[o]");
+}
+
+#[test]
+fn replaced_symbols_keep_their_ranges() {
+    stands("assume = ['x == y^2']", "y <= 1");
+    stands("assume = ['w == 1 - u - v']", "u + v <= 1");
+    stands(
+        "symbols = { x = {} }\nassume = ['x > 0', 'x == -y']",
+        "y < 0",
+    );
+    stands("assume = ['y == y^2']", "y^2 - y == 0");
+    stands("assume = ['a*b == 1']", "b != 0");
+    stands("assume = ['a*b == 0', '1 + a < 1/2']", "b >= 0");
+    is_caught("assume = ['m >= 2']", "sum(j, 1, m, j) <= 3");
+}
+
+#[test]
+fn conditions_are_tried_on_both_sides() {
+    let claim = claim("", "y/y == 1");
+    let condition = crate::support::claim("", "y != 0");
+    stands("", "y/y == 1");
+    let outside = excepting(&claim, &condition.statement).expect("a comparison");
+    let tally = netted(&outside);
+    assert!(tally.undefined > 0 && tally.decided() == 0, "{tally:?}");
+}
+
+#[test]
+fn a_condition_excepts_points() {
+    let c = claim("", "y > 0");
+    let condition = claim("", "y > 0").statement;
+    let tally = torse_semantics::tally(&c, &c.statement, &[condition], "t/c", 20, 4_000_000);
+    assert!(tally.excepted > 0 && tally.holding == 20, "{tally:?}");
+}
+
+#[test]
+fn empty_domains_have_no_points() {
+    is_empty("assume = ['1 == 2']", "y == y");
+}
+
+#[test]
+fn properties_of_bases() {
+    stands("", "nonnegative(B)");
+    is_caught("", "nonnegative(T)");
+    stands("", "independent(B)");
+}
+
+#[test]
+fn witnesses_are_checked_in_every_set_and_hypothesis() {
+    let c = claim("assume = ['x == y^2']", "y <= 1");
+    let check = |point: &[(&str, &str)]| check_witness(&c, &c.statement, point.iter().copied());
+    assert_eq!(
+        check(&[("x", "4"), ("y", "2")]),
+        Witness::Outside(Outside::Set {
+            name: "x".to_owned()
+        })
+    );
+    assert!(matches!(
+        check(&[("x", "1"), ("y", "2")]),
+        Witness::Outside(Outside::Hypothesis { number: 0, .. })
+    ));
+    assert_eq!(
+        check(&[("x", "1/2"), ("y", "sqrt(1/2)")]),
+        Witness::Stands(Judgement::True)
+    );
+    assert!(matches!(
+        check(&[("x°", "1"), ("y", "2")]),
+        Witness::Unreadable(_)
+    ));
+    let c = claim("", "sin(pi*m) == 0");
+    assert!(matches!(
+        check_witness(&c, &c.statement, [("m", "3/2")]),
+        Witness::Outside(Outside::Set { .. })
+    ));
+    let c = claim("", "y/y == 1 and y == 1");
+    assert!(matches!(
+        check_witness(&c, &c.statement, [("y", "0")]),
+        Witness::Stands(Judgement::Undefined(_))
+    ));
+    let c = claim("", "P[0] == P[m]");
+    assert_eq!(
+        check_witness(
+            &c,
+            &c.statement,
+            [("m", "2"), ("P[0]", "1"), ("P[2]", "1/3")]
+        ),
+        Witness::Refutes
+    );
+    assert!(matches!(
+        check_witness(&c, &c.statement, [("m", "2"), ("P[0]", "1")]),
+        Witness::Stands(Judgement::Unknown(_))
+    ));
+}

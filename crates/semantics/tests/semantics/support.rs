@@ -1,0 +1,159 @@
+//! Claims from a few lines of text.
+
+use std::sync::Arc;
+use torse_language::core;
+use torse_language::derivation::{self, Source};
+use torse_semantics::{Judgement, Tally, judge, read, tally};
+
+/// Symbols and bases that every claim of the tests may use.
+const SHARED: &str = r#"
+[symbols]
+x = { in = "[0, 1]" }
+u = { in = "[0, 1]" }
+v = { in = "[0, 1]" }
+w = { in = "[0, inf)" }
+mu = { in = "[-1, 1]" }
+phi = { in = "(0, pi)" }
+a = {}
+b = {}
+c = {}
+d = {}
+e = {}
+f = {}
+r = {}
+s = {}
+y = {}
+m = { integer = ">= 1" }
+n = { integer = ">= 2" }
+i = { integer = "0..m" }
+o = { integer = "0..1" }
+p = { vector = 3 }
+q = { vector = 3 }
+g = { vector = "any" }
+P = { family = "any", indices = ["0..m"] }
+Q = { family = 3, indices = ["0..m", "0..1"] }
+
+[basis.B]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['1 - x', 'x']
+
+[basis.H]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['1', 'x']
+
+[basis.T]
+variable = "x"
+parameters = ["mu"]
+degree = 2
+seeds = ['(1 - x)^2 + mu*x', '2*x*(1 - x)', 'x^2']
+step = ['1 - x', 'x']
+
+[[claim]]
+id = "t/c"
+at = "here"
+kind = "property"
+printed = "here"
+"#;
+
+/// A claim with these further fields (TOML) and this statement.
+pub fn claim(fields: &str, states: &str) -> core::Claim {
+    let head = r#"
+        [paper]
+        id = "t"
+        title = "t"
+        authors = "t"
+        venue = "t"
+        claims = ["c.toml"]
+    "#;
+    let claims = format!("{SHARED}{fields}\nstates = '''{states}'''\n");
+    let paper = derivation::paper(|name| {
+        let text = if name == "paper.toml" { head } else { &claims };
+        Ok(Arc::new(Source {
+            name: name.to_owned(),
+            text: text.to_owned(),
+        }))
+    })
+    .unwrap_or_else(|error| panic!("{error:?} in {claims}"));
+    let claim = paper.claims.first().expect("one claim");
+    let statement = claim.statement.as_ref().expect("a statement");
+    core::Claim::new(claim, statement)
+        .unwrap_or_else(|fault| panic!("{} in {states}", fault.problem))
+}
+
+/// The judgement at a point; names that do not occur in the claim are left out.
+pub fn at(claim: &core::Claim, point: &[(&str, &str)]) -> Judgement {
+    let occurs = |name: &str| {
+        claim
+            .symbols
+            .contains_key(name.split('[').next().unwrap_or(name))
+    };
+    let numbers = point.iter().copied().filter(|(name, _)| occurs(name));
+    let point = read(claim, numbers).expect("a point of the claim");
+    judge(claim, &claim.statement, &point)
+}
+
+/// The judgement of a statement at a point, without hypotheses.
+pub fn says(states: &str, point: &[(&str, &str)]) -> Judgement {
+    at(&claim("", states), point)
+}
+
+/// Whether a statement is true at a point.
+#[track_caller]
+pub fn holds(states: &str, point: &[(&str, &str)]) {
+    assert_eq!(
+        says(states, point),
+        Judgement::True,
+        "{states} at {point:?}"
+    );
+}
+
+/// Whether a statement is false at a point.
+#[track_caller]
+pub fn fails(states: &str, point: &[(&str, &str)]) {
+    assert_eq!(
+        says(states, point),
+        Judgement::False,
+        "{states} at {point:?}"
+    );
+}
+
+/// Whether a statement is undefined at a point.
+#[track_caller]
+pub fn is_undefined(states: &str, point: &[(&str, &str)]) {
+    let judgement = says(states, point);
+    assert!(
+        matches!(judgement, Judgement::Undefined(_)),
+        "{states} at {point:?} is {judgement}"
+    );
+}
+
+/// Points of the domain of a claim.
+pub fn netted(claim: &core::Claim) -> Tally {
+    tally(claim, &claim.statement, &[], "t/c", 20, 4_000_000)
+}
+
+/// A claim that a point of its domain contradicts.
+#[track_caller]
+pub fn is_caught(fields: &str, states: &str) {
+    let tally = netted(&claim(fields, states));
+    assert!(tally.failing.is_some(), "{states} with {fields}: {tally:?}");
+}
+
+/// A claim that stands at twenty points of its domain.
+#[track_caller]
+pub fn stands(fields: &str, states: &str) {
+    let tally = netted(&claim(fields, states));
+    assert!(tally.failing.is_none(), "{states} with {fields}: {tally:?}");
+    assert!(tally.holding >= 20, "{states} with {fields}: {tally:?}");
+}
+
+/// A claim whose domain has no point that is found.
+#[track_caller]
+pub fn is_empty(fields: &str, states: &str) {
+    let tally = netted(&claim(fields, states));
+    assert_eq!(tally.found, 0, "{states} with {fields}: {tally:?}");
+}

@@ -1,0 +1,266 @@
+//! Every construct against values computed by hand.
+
+use crate::support::{at, claim, fails, holds, is_undefined, says};
+use torse_semantics::{Judgement, Unknown};
+
+#[test]
+fn numbers_and_operators_have_their_values() {
+    holds("0.1 + 0.2 == 0.3", &[]);
+    holds("2^3^2 == 512 and 12/2*3 == 18 and -2^2 == -4", &[]);
+    holds("y^0 == 1", &[("y", "0")]);
+    holds("y^-2 == 4/9", &[("y", "-3/2")]);
+    holds("1 - 2 + 3 - 4 == -2", &[]);
+    fails("y^3 == y", &[("y", "2")]);
+}
+
+#[test]
+fn a_division_by_zero_is_undefined() {
+    is_undefined("1/y == 0", &[("y", "0")]);
+    is_undefined("0/y == 0", &[("y", "0")]);
+    is_undefined("y^-1 == 0", &[("y", "0")]);
+    is_undefined("y/y == 1 and y == 1", &[("y", "0")]);
+    is_undefined("y == 0 or 1/y == 1", &[("y", "0")]);
+}
+
+#[test]
+fn a_power_needs_an_integer() {
+    is_undefined("y^a == 1", &[("y", "2"), ("a", "1/2")]);
+    holds("y^a == 1/4", &[("y", "2"), ("a", "-2")]);
+}
+
+#[test]
+fn roots_are_not_negative() {
+    holds("sqrt(9/4) == 3/2", &[]);
+    holds("sqrt(y^2) == -y", &[("y", "-3")]);
+    holds("sqrt(2)*sqrt(3) == sqrt(6)", &[]);
+    holds("1.41421 < sqrt(2) < 1.41422", &[]);
+    is_undefined("sqrt(y) == 0", &[("y", "-1")]);
+}
+
+#[test]
+fn angles_are_in_radians() {
+    holds(
+        "sin(pi/6) == 1/2 and cos(pi/3) == 1/2 and cos(pi) == -1",
+        &[],
+    );
+    holds("sin(a)^2 + cos(a)^2 == 1", &[("a", "5/7")]);
+    holds("sin(2*a) == 2*sin(a)*cos(a)", &[("a", "5/7")]);
+    fails("sin(2*a) == 2*sin(a)", &[("a", "5/7")]);
+    holds("sin(pi*m) == 0", &[("m", "3")]);
+    holds("pi/pi == 1 and 3.14159 < pi < 3.1416", &[]);
+}
+
+#[test]
+fn exact_angles_are_exactly_zero() {
+    is_undefined("1/cos(pi/2*x) == 0", &[("x", "1")]);
+}
+
+#[test]
+fn an_empty_sum_is_zero_of_every_shape() {
+    holds("sum(j, 1, 0, j) == 0", &[]);
+    holds(
+        "sum(j, 1, m - 1, P[j]) + P[0] == P[0]",
+        &[("m", "1"), ("P[0]", "3")],
+    );
+    holds(
+        "sum(j, 1, 0, 1)*1 + p == p",
+        &[("p[1]", "1"), ("p[2]", "2"), ("p[3]", "3")],
+    );
+    holds("sum(j, 1, m, j) == m*(m + 1)/2", &[("m", "6")]);
+}
+
+#[test]
+fn an_index_outside_its_range_is_undefined() {
+    is_undefined("P[m + 1] == 0", &[("m", "2")]);
+    is_undefined("[1, 2][3] == 0", &[]);
+    is_undefined("P[1/2] == 0", &[("m", "2")]);
+    holds("[1, 2][2] == 2 and [[1, 2], [3, 4]][2, 1] == 3", &[]);
+}
+
+#[test]
+fn a_basis_is_its_recursion() {
+    holds("B[1,2](x) == 2*x*(1 - x)", &[("x", "1/3")]);
+    holds("B[3,2](x) == 0 and B[0 - 1,2](x) == 0", &[("x", "1/3")]);
+    holds(
+        "T[0,3](x, mu) == (1 - x)*((1 - x)^2 + mu*x)",
+        &[("x", "1/3"), ("mu", "1/2")],
+    );
+    holds("T[0,2](1/2, 1) == 3/4", &[]);
+    is_undefined("T[0,1](x) == 0", &[("x", "1/3"), ("mu", "0")]);
+    is_undefined("sum(j, 0, 1, B[0,m-3](x)) == 1", &[("m", "2"), ("x", "0")]);
+}
+
+#[test]
+fn a_derivative_sees_a_variable_and_not_its_value() {
+    holds("D(x^3*y, x, 2) == 6*x*y", &[("x", "1/2"), ("y", "5")]);
+    holds("D(x^2, x, 0) == x^2", &[("x", "1/2")]);
+    holds("D(D(a^2*b^3, a), b) == 6*a*b^2", &[("a", "2"), ("b", "5")]);
+    holds("D(D(a^4, a), a) == 12*a^2", &[("a", "2")]);
+    holds("D(sqrt(a), a) == 1/(2*sqrt(a))", &[("a", "4")]);
+    holds("D(1/a, a, 3) == -6/a^4", &[("a", "3")]);
+    holds(
+        "D(sin(a*b), a, 2) == -b^2*sin(a*b)",
+        &[("a", "1/3"), ("b", "5/2")],
+    );
+    is_undefined("D(sqrt(a), a) == 0", &[("a", "0")]);
+    is_undefined("D(1/a, a) == 0", &[("a", "0")]);
+    is_undefined("D(a, a, 1/2) == 0", &[("a", "0")]);
+    is_undefined("D(a, a, 0 - 1) == 0", &[("a", "0")]);
+}
+
+#[test]
+fn at_replaces_the_name_everywhere() {
+    holds("at(a^2 + b, a, 3) == 9 + b", &[("a", "7"), ("b", "1")]);
+    holds("at(D(a^2, a), a, 3) == 6", &[("a", "7")]);
+    holds("D(at(a^2, a, 3), a) == 0", &[("a", "7")]);
+    holds("D(at(a^2, a, b^2), b) == 4*b^3", &[("a", "7"), ("b", "3")]);
+}
+
+#[test]
+fn functions_bind_their_parameters() {
+    let with = |definitions: &str, states: &str, point: &[(&str, &str)]| {
+        at(&claim(&format!("let = {{ {definitions} }}"), states), point)
+    };
+    let point = [("x", "1/2"), ("mu", "1/3")];
+    let f = r#""F(x)" = 'x*mu'"#;
+    assert_eq!(with(f, "D(F, mu)(mu) == mu", &point), Judgement::True);
+    assert_eq!(with(f, "D(F, mu)(mu) == 2*mu", &point), Judgement::False);
+    let g = r#""G(x)" = 'at(x^2, x, 3)'"#;
+    assert_eq!(with(g, "G(5) == 9", &[]), Judgement::True);
+    assert_eq!(with(g, "G(5) == 25", &[]), Judgement::False);
+    let k = r#""K(x, a)" = 'x^2*a'"#;
+    assert_eq!(
+        with(k, "K'(3, 5) == 30 and D(K, a)(3, 5) == 9", &[]),
+        Judgement::True
+    );
+}
+
+#[test]
+fn binomials_and_factorials() {
+    holds(
+        "binom(5, 2) == 10 and binom(2, 5) == 0 and binom(3, 0 - 1) == 0",
+        &[],
+    );
+    holds("binom(y, 2) == y*(y - 1)/2", &[("y", "1/2")]);
+    holds("factorial(5) == 120 and factorial(0) == 1", &[]);
+    is_undefined("factorial(0 - 1) == 1", &[]);
+}
+
+#[test]
+fn linear_algebra_by_hand() {
+    holds("dot([1, 2, 3], [4, 5, 6]) == 32", &[]);
+    holds("cross([1, 0, 0], [0, 1, 0]) == [0, 0, 1]", &[]);
+    holds("norm([3, 4]) == 5", &[]);
+    holds("det([[0, 1, 2], [1, 0, 3], [4, 5, 6]]) == 16", &[]);
+    holds(
+        "det([[sin(a), cos(a)], [-cos(a), sin(a)]]) == 1",
+        &[("a", "2/3")],
+    );
+    holds(
+        "inverse([[1, y], [0, 1]]) == [[1, -y], [0, 1]]",
+        &[("y", "3")],
+    );
+    holds("solve([[2, 0], [0, 4]], [2, 2]) == [1, 1/2]", &[]);
+    holds("transpose([[1, 2], [3, 4]]) == [[1, 3], [2, 4]]", &[]);
+    holds(
+        "[[1, 2], [3, 4]]*[1, 1] == [3, 7] and identity(2)*[5, 6] == [5, 6]",
+        &[],
+    );
+    holds("[[1, 2], [3, 4]]*[[0, 1], [1, 0]] == [[2, 1], [4, 3]]", &[]);
+    is_undefined("inverse([[1, y], [y, 1]]) == 0", &[("y", "1")]);
+    is_undefined("solve([[y, 1], [0, 0]], [1, 2]) == 0", &[("y", "1")]);
+}
+
+#[test]
+fn coefficients_of_linear_forms() {
+    holds(
+        "coefficients([3*a - b, b], [a, b]) == [[3, -1], [0, 1]]",
+        &[("a", "2"), ("b", "7")],
+    );
+    holds(
+        "coefficients([a*y], [a]) == [[y]]",
+        &[("a", "2"), ("y", "7")],
+    );
+    is_undefined(
+        "coefficients([a*b + a^2], [a]) == [[1]]",
+        &[("a", "2"), ("b", "7")],
+    );
+}
+
+#[test]
+fn vectors_are_equal_entry_by_entry_and_different_in_one() {
+    let p = [("p[1]", "1"), ("p[2]", "2"), ("p[3]", "3")];
+    holds("p == [1, 2, 3]", &p);
+    fails("p == [1, 2, 4]", &p);
+    holds("p != [1, 2, 4]", &p);
+    fails("p == 0", &p);
+    holds("2*p - p - p == 0", &p);
+    holds("p[2] == 2", &p);
+}
+
+#[test]
+fn connectives_are_those_of_logic() {
+    fails("1 == 1 and 1 == 2", &[]);
+    holds("1 == 1 or 1 == 2", &[]);
+    holds("1 == 2 implies 1 == 3", &[]);
+    fails("1 == 1 implies 1 == 2", &[]);
+}
+
+#[test]
+fn a_denial_needs_a_point_where_the_denied_fails() {
+    holds("not (x == 1/2)", &[("x", "1/3")]);
+    assert!(matches!(
+        says("not (x == 1/2)", &[("x", "1/2")]),
+        Judgement::Unknown(_)
+    ));
+}
+
+#[test]
+fn printed_decimals_agree_rounded_or_cut_off_each_with_its_own_digits() {
+    holds(
+        "agrees(2/3, 0.67) and agrees(2/3, 0.66) and agrees(-2/3, -0.66)",
+        &[],
+    );
+    fails("agrees(2/3, 0.68)", &[]);
+    fails("agrees(2/3, 0.65)", &[]);
+    holds("agrees([0.13, 0.12], [0.1, 0.12])", &[]);
+    fails("agrees([0.13, 0.13], [0.1, 0.12])", &[]);
+    holds("agrees(-0.009, -0.00)", &[]);
+    fails("agrees(0.009, -0.00)", &[]);
+    holds("agrees(0.009, 0.00)", &[]);
+    holds("agrees(pi, 3.14) and agrees(3, 3)", &[]);
+    fails("agrees(3.2, 3)", &[]);
+}
+
+#[test]
+fn a_hundred_printed_digits_are_compared() {
+    let digits = "3".repeat(100);
+    holds(&format!("agrees(1/3, 0.{digits})"), &[]);
+    fails(&format!("agrees(1/3, 0.{digits}5)"), &[]);
+}
+
+#[test]
+fn what_has_no_value_is_not_known() {
+    assert_eq!(
+        says("y == y", &[]),
+        Judgement::Unknown(Unknown::NoValue {
+            name: "y".to_owned()
+        })
+    );
+}
+
+#[test]
+fn large_terms_are_refused_and_long_ones_are_not() {
+    for states in [
+        "((2^2000)^2000)^2000 > 0",
+        "sum(j, 1, 100000, j) > 0",
+        "factorial(5000) > 0",
+    ] {
+        assert!(
+            matches!(says(states, &[]), Judgement::Unknown(_)),
+            "{states}"
+        );
+    }
+    let long = format!("{} == 600", vec!["y"; 600].join(" + "));
+    holds(&long, &[("y", "1")]);
+}
