@@ -279,23 +279,32 @@ fn agrees(
     if numbers.len() != printed.len() {
         return Err(Gap::shape("the printed numbers to the value"));
     }
+    // An integer among decimals is read with as many digits as the decimal that has the fewest.
+    let decimals = printed.iter().filter_map(|p| p.decimals);
+    let fewest = decimals.filter(|d| *d > 0).min().unwrap_or(0);
     let mut all = Some(true);
     for (number, printed) in numbers.into_iter().zip(printed) {
         let number = number
             .as_number()
             .ok_or_else(|| Gap::shape("an infinitesimal"))?;
-        all = both(all, agrees_with(number, printed, at.arithmetic)?);
+        all = both(all, agrees_with(number, printed, fewest, at.arithmetic)?);
     }
     Ok(Judgement::of(all))
 }
 
-fn agrees_with(value: &Real, printed: &Printed, reals: &Reals<'_>) -> Result<Option<bool>, Gap> {
+fn agrees_with(
+    value: &Real,
+    printed: &Printed,
+    fewest: u32,
+    reals: &Reals<'_>,
+) -> Result<Option<bool>, Gap> {
     let gap = reals.minus(value, &printed.value.clone().into())?;
-    let Some(decimals) = printed.decimals.filter(|d| *d > 0) else {
-        // An integer is exact.
+    let decimals = printed.decimals.filter(|d| *d > 0).unwrap_or(fewest);
+    if decimals == 0 {
+        // Integers alone are exact.
         return Ok(gap.sign().map(Ordering::is_eq));
-    };
-    if usize::try_from(decimals).is_ok_and(|d| d * 4 > reals.bits * 4) {
+    }
+    if usize::try_from(decimals).is_ok_and(|d| d > 4 * reals.bits) {
         return Err(Unknown::Large {
             what: "a number of printed digits",
         }

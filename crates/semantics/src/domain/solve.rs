@@ -143,9 +143,33 @@ fn step(
     for unknown in &claim.unknowns {
         unknowns.extend(at.names(unknown, &Scope::outermost()).ok()?);
     }
+    // The unknowns alone mostly suffice.
+    let few = columns(claim, equations, gaps, at, draft, &unknowns, &unknowns);
+    eliminated(few, gaps, a).or_else(|| {
+        let all = draft.names();
+        let all = all.get(..MAX_CANDIDATES.min(all.len())).unwrap_or(&[]);
+        eliminated(
+            columns(claim, equations, gaps, at, draft, &unknowns, all),
+            gaps,
+            a,
+        )
+    })
+}
+
+/// The columns of these names, best candidates for a change first.
+fn columns(
+    claim: &Claim,
+    equations: &[(&Term, &Term)],
+    gaps: &[Real],
+    at: &Evaluator<'_, Reals<'_>>,
+    draft: &Draft<'_>,
+    unknowns: &[Name],
+    names: &[Name],
+) -> Vec<Column> {
+    let a = at.arithmetic;
     let mut columns = vec![];
-    for name in draft.names().into_iter().take(MAX_CANDIDATES) {
-        let Ok((rates, curved)) = rates(equations, &name, at) else {
+    for name in names {
+        let Ok((rates, curved)) = rates(equations, name, at) else {
             continue;
         };
         if rates.len() != gaps.len() || rates.iter().all(|r| a.is_zero(r) != Some(false)) {
@@ -153,15 +177,24 @@ fn step(
         }
         let set = claim.symbols.get(name.declared());
         let rank = (
-            !unknowns.contains(&name),
+            !unknowns.contains(name),
             curved,
             matches!(set, Some(Set::Integer { .. })),
             matches!(set, Some(Set::Real(i)) if i.lower.is_some() || i.upper.is_some()),
             draft.stream().below(&format!("{name} rank"), 1000),
         );
-        columns.push(Column { name, rates, rank });
+        columns.push(Column {
+            name: name.clone(),
+            rates,
+            rank,
+        });
     }
     columns.sort_by_key(|c| c.rank);
+    columns
+}
+
+/// Eliminates: what the columns have to be changed by; `None` if they cannot make all gaps zero.
+fn eliminated(columns: Vec<Column>, gaps: &[Real], a: &Reals<'_>) -> Option<BTreeMap<Name, Real>> {
     // Rows: the rates of all columns, then minus the gap.
     let mut rows: Vec<Vec<Real>> = gaps
         .iter()

@@ -1,4 +1,5 @@
 //! What core terms mean, tested from texts.
+#![allow(clippy::expect_used, clippy::panic, reason = "helpers of tests")]
 
 mod domain;
 mod instances;

@@ -230,6 +230,8 @@ fn printed_decimals_agree_rounded_or_cut_off_each_with_its_own_digits() {
     holds("agrees(0.009, 0.00)", &[]);
     holds("agrees(pi, 3.14) and agrees(3, 3)", &[]);
     fails("agrees(3.2, 3)", &[]);
+    holds("agrees([3.02, 0.12], [3, 0.1])", &[]);
+    fails("agrees([3.02, 0.12], [3, 0.12])", &[]);
 }
 
 #[test]
