@@ -18,6 +18,8 @@ pub enum Value<N> {
 }
 
 type Outcome<N> = Result<Value<N>, Gap>;
+/// Numbers of two sides that stand at the same place.
+type Pairs<N> = Vec<(Series<N>, Series<N>)>;
 
 impl<N: Clone + PartialEq + Debug> Value<N> {
     /// The number.
@@ -99,11 +101,7 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
     ///
     /// # Errors
     /// [`Gap::Unknown`] for other shapes.
-    pub fn pairs<A: Arithmetic<Number = N>>(
-        &self,
-        other: &Self,
-        a: &A,
-    ) -> Result<Vec<(Series<N>, Series<N>)>, Gap> {
+    pub fn pairs<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Result<Pairs<N>, Gap> {
         let zero = || Series::integer(0, a);
         match (self, other) {
             (Self::Number(x), Self::Number(y)) => Ok(vec![(x.clone(), y.clone())]),
