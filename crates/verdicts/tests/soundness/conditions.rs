@@ -1,0 +1,137 @@
+//! Conditions and witnesses: true ones, needed ones, and none that is lost.
+
+use crate::{conditions, expect, expect_one_of, expect_refuted_where, outcome, tried};
+use torse_language::words::Verdict::{Conditional, False, Holds, Undecided, Vacuous};
+
+#[test]
+fn an_inequation_of_vectors_keeps_its_condition() {
+    let found = expect("different", "states = '[1/y, 1] != [0, 2]'", Conditional);
+    assert_eq!(conditions(&found), ["y != 0"]);
+}
+
+#[test]
+fn a_denial_keeps_its_condition() {
+    let found = expect("denied", "states = 'not ([1/y, 1] == [0, 2])'", Conditional);
+    assert_eq!(conditions(&found), ["y != 0"]);
+}
+
+#[test]
+fn a_conjunction_keeps_the_conditions_of_both_parts() {
+    let lines = "states = 'a/a == 1 and [1/y, 1] != [0, 2]'";
+    let found = expect("both", lines, Conditional);
+    let mut found = conditions(&found);
+    found.sort_unstable();
+    assert_eq!(found, ["a != 0", "y != 0"]);
+}
+
+#[test]
+fn a_function_that_is_defined_nowhere_has_no_condition_in_a_name_of_the_engine() {
+    let lines = "let = { \"F(x)\" = '0/cos(pi/2*x)' }\nstates = \"F'(1) == 0\"";
+    let found = expect_one_of("nowhere", lines, &[Vacuous, Undecided]);
+    let text = format!("{found:?}");
+    assert!(!text.contains('°') && !text.contains('#'), "{text}");
+}
+
+#[test]
+fn no_part_of_a_refuted_conjunction_is_undefined_at_its_witness() {
+    let lines = "states = 'y/y == 1 and y == 1'";
+    expect_refuted_where("undefined-part", lines, "y", |y| y != "0");
+}
+
+#[test]
+fn a_witness_gives_one_point_one_value() {
+    let head = "let = { \"C(x)\" = 'sum(i, 0, m, B[i,m](x)*P[i])' }\n";
+    let lines = format!("{head}states = \"C'(0) == P[m] - P[m-1]\"");
+    expect_refuted_where("impossible", &lines, "m", |m| m != "1");
+}
+
+#[test]
+fn the_condition_of_a_linear_system_is_its_determinant() {
+    let head = "given = ['a*r + b*s == e', 'c*r + d*s == f']\nsolve_for = ['r', 's']\n";
+    let lines = format!("{head}states = 's == (a*f - c*e)/(a*d - b*c)'");
+    let found = expect("system", &lines, Conditional);
+    let texts = conditions(&found);
+    assert!(
+        matches!(texts.as_slice(), [one] if one.contains("a*d") && one.contains("b*c")),
+        "{texts:?}"
+    );
+}
+
+#[test]
+fn what_follows_without_division_needs_at_most_the_determinant() {
+    let head = "given = ['a*r + b*s == e', 'c*r + d*s == f']\nsolve_for = ['r', 's']\n";
+    let lines = format!("{head}states = 's*(a*d - b*c) == a*f - c*e'");
+    let found = expect_one_of("without-division", &lines, &[Holds, Conditional]);
+    let texts = conditions(&found);
+    assert!(
+        texts.iter().all(|c| c.contains("a*d") && c.contains("b*c")),
+        "{texts:?}"
+    );
+}
+
+#[test]
+fn a_divisor_that_vanishes_at_no_integer_is_no_condition() {
+    expect("integer", "states = '(2*m - 3)/(2*m - 3) == 1'", Holds);
+}
+
+#[test]
+fn a_divisor_that_vanishes_nowhere_is_no_condition() {
+    expect("squares", "states = '(y^2 + 1)/(y^2 + 1) == 1'", Holds);
+    let lines =
+        "symbols = { phi = { in = \"(0, pi)\" } }\nstates = '(1 - cos(phi))/(1 - cos(phi)) == 1'";
+    expect("open-angle", lines, Holds);
+}
+
+#[test]
+fn a_left_out_argument_under_a_parameter_of_the_same_name_is_an_error() {
+    let lines = "let = { \"C(x)\" = 'sum(i, 0, m, B[i,m]*P[i])' }\nstates = 'C(0) == C(1)'";
+    let found = tried("left-out", lines);
+    assert!(found.is_err(), "{found:#?}");
+}
+
+#[test]
+fn a_denial_says_not_everywhere() {
+    expect("not-everywhere", "states = 'not (x == 1/2)'", Holds);
+    expect("everywhere", "states = 'not (x - x == 0)'", False);
+}
+
+#[test]
+fn an_instance_that_is_not_defined_is_no_error() {
+    let lines = "symbols = { s = { integer = \">= 0\" } }\nstates = 'D(B[0,s](x), x) == -s*B[0,s-1](x) and s >= 1'";
+    expect_one_of("instance", lines, &[Conditional, Undecided]);
+}
+
+#[test]
+fn an_empty_interval_is_vacuous() {
+    let lines = "symbols = { x = { in = \"[1, 0]\" } }\nstates = 'x == 7'";
+    expect("interval", lines, Vacuous);
+    let lines = "symbols = { x = { in = \"(1, 1)\" } }\nstates = 'x == 7'";
+    expect("open-point", lines, Vacuous);
+    let lines = "symbols = { k = { integer = \"3..2\" } }\nstates = 'k == 7'";
+    expect("integers", lines, Vacuous);
+}
+
+#[test]
+fn a_contradiction_is_vacuous() {
+    expect(
+        "contradiction",
+        "assume = ['1 == 2']\nstates = 'y == 7'",
+        Vacuous,
+    );
+    expect("order", "assume = ['1 > 2']\nstates = 'y == 7'", Vacuous);
+    let lines = "assume = ['a == 1', 'a == 2']\nstates = 'y == 7'";
+    expect("two-values", lines, Vacuous);
+}
+
+#[test]
+fn a_condition_that_an_assumption_excludes_is_none() {
+    let found = outcome(
+        "assumed",
+        "assume = ['y > 2']\nstates = '(y - 1)/(y - 1) == 1'",
+    );
+    assert_eq!(
+        (found.verdict, found.conditions.len()),
+        (Holds, 0),
+        "{found:#?}"
+    );
+}
