@@ -1,6 +1,8 @@
 //! A random claim: declarations, a statement, and whether it is true.
 
 use super::Kind;
+use super::corrected::Wanted;
+use super::polynomial::Polynomial;
 use std::fmt::Write;
 
 /// What is true of a claim, by construction.
@@ -61,6 +63,8 @@ pub struct Claim {
     pub states: States,
     /// Whether it is true.
     pub truth: Truth,
+    /// What the right side should be, where the generator knows it as a polynomial.
+    pub wanted: Option<Wanted>,
 }
 
 impl Claim {
@@ -79,6 +83,7 @@ impl Claim {
             assume: vec![],
             states,
             truth,
+            wanted: None,
         }
     }
 
@@ -86,6 +91,16 @@ impl Claim {
     #[must_use]
     pub fn symbol(mut self, name: &str, declaration: impl Into<String>) -> Self {
         self.symbols.push((name.to_owned(), declaration.into()));
+        self
+    }
+
+    /// With the polynomial that the right side should be.
+    #[must_use]
+    pub fn wanting(mut self, names: &[&str], value: &Polynomial) -> Self {
+        self.wanted = Some(Wanted {
+            names: names.iter().map(|name| (*name).to_owned()).collect(),
+            value: value.clone(),
+        });
         self
     }
 

@@ -67,9 +67,9 @@ pub fn outcome(claim: &Claim) -> Result<Outcome, String> {
         .unwrap_or_else(|| Err("no claim".to_owned()))
 }
 
-/// Compares an answer with the truth.
+/// Compares an answer, and a correction where there is one, with the truth.
 #[must_use]
-pub fn judge(truth: &Truth, answer: &Result<Outcome, String>) -> Judgement {
+pub fn judge(claim: &Claim, answer: &Result<Outcome, String>) -> Judgement {
     let outcome = match answer {
         Ok(outcome) => outcome,
         Err(message) => return Judgement::Wrong(format!("error: {message}")),
@@ -83,7 +83,12 @@ pub fn judge(truth: &Truth, answer: &Result<Outcome, String>) -> Judgement {
             outcome.verdict
         ))
     };
-    match (truth, outcome.verdict) {
+    if let (Some(wanted), Some(correction)) = (&claim.wanted, &outcome.correction)
+        && wanted.agrees(&correction.statement.text) == Some(false)
+    {
+        return wrong();
+    }
+    match (&claim.truth, outcome.verdict) {
         (_, Verdict::Undecided)
         | (Truth::Holds, Verdict::Conditional)
         // True of no point: not seen.
@@ -123,7 +128,7 @@ pub fn run(kind: Kind, seed: u64, first: u64, count: u64) -> Tally {
     };
     for number in first..first + count {
         let claim = kind.claim(seed, number);
-        match judge(&claim.truth, &outcome(&claim)) {
+        match judge(&claim, &outcome(&claim)) {
             Judgement::Right => (),
             Judgement::Open => {
                 tally.open += 1;

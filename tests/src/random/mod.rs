@@ -10,6 +10,7 @@
 //! Everything is a function of a seed: no clock, no order of threads.
 
 pub mod claim;
+pub mod corrected;
 pub mod domain;
 pub mod judge;
 mod kinds;

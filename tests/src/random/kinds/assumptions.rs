@@ -183,8 +183,8 @@ fn product(stream: &mut Stream) -> Claim {
         ),
         4 => (
             format!("a*b == ({k})*b"),
-            States::Compare("a".to_owned(), "==", k.to_string()),
-            Truth::Fails("b = 0".to_owned()),
+            States::Compare("b*a".to_owned(), "==", format!("({})*b", k * Q::int(2))),
+            Truth::Fails(format!("a = {k}, b = 1")),
         ),
         5 => (
             format!("a == ({k})*b + a*b"),

@@ -59,6 +59,9 @@ pub fn claim(stream: &mut Stream) -> Claim {
     let states = States::Compare(reading.left, "==", right.text(stream, &NAMES));
     let mut claim = Claim::new(Kind::Calculus, states, truth);
     claim.lets = reading.lets;
+    if reading.assume.is_none() {
+        claim = claim.wanting(&NAMES, &reading.right);
+    }
     claim.assume.extend(reading.assume);
     let claim = claim.symbol("x", domains[0].declaration);
     claim.symbol("y", domains[1].declaration)

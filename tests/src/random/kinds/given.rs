@@ -35,7 +35,11 @@ fn two(stream: &mut Stream) -> Claim {
     let (e, f) = (stream.fraction(), stream.fraction());
     let value = &r.times(e) + &s.times(f);
     let slip = stream.once_in(2);
-    let shown = if slip { value.slipped(stream) } else { value };
+    let shown = if slip {
+        value.slipped(stream)
+    } else {
+        value.clone()
+    };
     let truth = match slip {
         true => Truth::Fails("almost everywhere".to_owned()),
         false => Truth::Holds,
@@ -45,7 +49,7 @@ fn two(stream: &mut Stream) -> Claim {
         "==",
         shown.text(stream, &names),
     );
-    let mut claim = Claim::new(Kind::Given, states, truth);
+    let mut claim = Claim::new(Kind::Given, states, truth).wanting(&names, &value);
     claim.given = given.to_vec();
     claim.unknowns = vec!["r".to_owned(), "s".to_owned()];
     ["x", "y", "r", "s"]

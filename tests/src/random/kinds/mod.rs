@@ -36,7 +36,11 @@ fn equation(
         truth = Truth::Fails(where_not_zero(&difference, names, domains));
     }
     let states = States::Compare(left.to_owned(), "==", printed.text(stream, names));
-    declared(Claim::new(kind, states, truth), names, domains)
+    declared(
+        Claim::new(kind, states, truth).wanting(names, right),
+        names,
+        domains,
+    )
 }
 
 /// With these symbols.
