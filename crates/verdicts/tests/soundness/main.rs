@@ -3,7 +3,12 @@
 //! A claim says that its statement is true for all values in the declared sets that satisfy the hypotheses and at
 //! which every term is defined. Every verdict below was derived from that sentence by hand.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests"
+)]
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -159,8 +159,8 @@ fn reading(stream: &mut Stream, domains: &[Domain]) -> Reading {
         8 => with(
             plain(
                 format!("D(F, y)({c}, x)"),
-                p.derivative(1).with(1, &x).with(0, &constant),
-                p.derivative(0).with(1, &x).with(0, &constant),
+                p.derivative(1).with(0, &constant).with(1, &x),
+                p.derivative(0).with(0, &constant).with(1, &x),
             ),
             "F(x, y)",
             text,
