@@ -76,7 +76,7 @@ fn refuted(verdict: Verdict) -> Verdict {
 #[track_caller]
 fn the_same(variant: Variant) {
     let mut changed = vec![];
-    for mut claim in some(40) {
+    for mut claim in some(25) {
         claim.word = "property";
         let other = variant.of(&claim);
         let (before, after) = (verdict(&claim), verdict(&other));
@@ -113,7 +113,7 @@ fn hypotheses_in_another_order_change_no_verdict() {
 
 #[test]
 fn claims_in_another_order_change_no_verdict() {
-    let claims: Vec<Claim> = some(20)
+    let claims: Vec<Claim> = some(12)
         .map(|mut claim| {
             claim.word = "property";
             claim

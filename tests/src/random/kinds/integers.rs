@@ -15,6 +15,9 @@ pub fn claim(stream: &mut Stream) -> Claim {
     }
 }
 
+/// Whether an assumption holds for m and i.
+type Keep = fn(&(i128, i128)) -> bool;
+
 /// Every pair of m in `low..high` and i in the range that depends on it.
 fn pairs(low: i128, high: i128, first: i128, last: impl Fn(i128) -> i128) -> Vec<(i128, i128)> {
     let all = (low..=high).flat_map(|m| (first..=last(m)).map(move |i| (m, i)));
@@ -34,7 +37,7 @@ fn finite(stream: &mut Stream) -> Claim {
     let mut all = pairs(low, high, first, last);
     let mut assume = None;
     if stream.once_in(4) {
-        let (text, keep): (&str, fn(&(i128, i128)) -> bool) = match stream.below(3) {
+        let (text, keep): (&str, Keep) = match stream.below(3) {
             0 => ("i < m", |&(m, i)| i < m),
             1 => ("m != 2", |&(m, _)| m != 2),
             _ => ("m >= 2", |&(m, _)| m >= 2),
