@@ -76,7 +76,7 @@ fn refuted(verdict: Verdict) -> Verdict {
 #[track_caller]
 fn the_same(variant: Variant) {
     let mut changed = vec![];
-    for mut claim in some(25) {
+    for mut claim in some(32) {
         claim.word = "property";
         let other = variant.of(&claim);
         let (before, after) = (verdict(&claim), verdict(&other));
