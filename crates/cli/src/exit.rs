@@ -28,7 +28,7 @@ pub enum Exit {
     BadData,
     /// 2: the command line cannot be followed; clap uses the same code.
     Usage,
-    /// 6: a verdict and its replay contradict each other.
+    /// 6: the prover and the semantics contradict each other.
     Contradiction,
 }
 
@@ -36,6 +36,7 @@ impl Exit {
     /// The code for these outcomes, of which those with an id among `named` were asked for by that id.
     pub fn of<'a>(outcomes: impl IntoIterator<Item = &'a Outcome>, named: &[String]) -> Self {
         let of = |outcome: &Outcome| match outcome.verdict {
+            _ if outcome.contradiction.is_some() => Exit::Contradiction,
             _ if !outcome.as_expected() => Exit::Differs,
             Verdict::Undecided if named.contains(&outcome.id) => Exit::Undecided,
             _ => Exit::AsExpected,

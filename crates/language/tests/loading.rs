@@ -114,10 +114,7 @@ fn all_mistakes_of_a_folder_are_told_and_the_good_claims_are_loaded() {
         "no claim has the id `mini/nowhere`|mini/nowhere",
     ];
     for (told, expected) in told.iter().zip(expected) {
-        assert!(
-            told.contains(expected),
-            "{told} is not {expected}"
-        );
+        assert!(told.contains(expected), "{told} is not {expected}");
     }
     assert_eq!(told.len(), expected.len(), "{told:#?}");
     assert!(loaded.left_out.contains(&"mini/twice".to_owned()));

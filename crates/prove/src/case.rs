@@ -201,9 +201,7 @@ impl<'a> Ground<'a> {
             let value = Fraction::from(divisor.clone());
             let relation = Relation::Different;
             let constraint = Constraint { value, relation };
-            let known = |c: &Constraint| {
-                c.relation == relation && c.value.numerator() == divisor
-            };
+            let known = |c: &Constraint| c.relation == relation && c.value.numerator() == divisor;
             if !self.domain.constraints.iter().any(known) {
                 self.domain.constraints.push(constraint);
             }

@@ -79,7 +79,10 @@ impl Decider<'_> {
             let ground = self.ground(&Instance::new());
             ground.is_ok_and(|g| {
                 g.domain.pivots.is_empty()
-                    && g.domain.solved.iter().all(|(_, v)| v.conditions().is_empty())
+                    && g.domain
+                        .solved
+                        .iter()
+                        .all(|(_, v)| v.conditions().is_empty())
             })
         };
         match decision {

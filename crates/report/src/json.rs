@@ -1,20 +1,21 @@
 //! The verdicts as JSON: the interface that other programs read.
 //!
-//! One object with `claims`, a list in the order of the files; every claim has the same ten fields in
-//! the same order, each a string or null, except `witness`, an object or null. Nothing in it depends on
+//! One object with `claims`, a list in the order of the files; every claim has the same fields in
+//! the same order, each a string or null, except `witness` and `net`, objects or null. Nothing in it depends on
 //! a clock, a path, a locale or the order of a hash table, so a run's bytes can be compared.
 
 use crate::{ReportError, words};
 use serde::{Serialize, Serializer, ser::SerializeMap};
 use torse_language::notation::Formula;
 use torse_prove::evidence::Witness;
-use torse_verdicts::outcome::Outcome;
+use torse_verdicts::outcome::{Net, Outcome};
 
 /// The verdicts of `outcomes` as pretty-printed JSON, ending in a newline.
 ///
 /// The fields of a claim are `id`, `kind`, `verdict`, `evidence`, `printed`, `parsed`, `corrected`,
 /// `condition` (several are joined by ` and `), `witness` (`at`, an object from names to exact values,
-/// `left`, `right`, `left_decimal`, `right_decimal`) and `note`.
+/// `left`, `right`, `left_decimal`, `right_decimal`), `note`, `net` (`tried` and `decided` points, and `why` there are no
+/// more) and `contradiction`.
 ///
 /// # Errors
 ///
@@ -53,6 +54,8 @@ struct Entry<'a> {
     condition: Option<String>,
     witness: Option<WitnessEntry<'a>>,
     note: Option<&'a str>,
+    net: Option<&'a Net>,
+    contradiction: Option<&'a str>,
 }
 
 impl<'a> From<&'a Outcome> for Entry<'a> {
@@ -72,6 +75,8 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
             condition: (!conditions.is_empty()).then(|| conditions.join(" and ")),
             witness: outcome.witness.as_ref().map(WitnessEntry::from),
             note: outcome.note.as_deref(),
+            net: outcome.net.as_ref(),
+            contradiction: outcome.contradiction.as_deref(),
         }
     }
 }

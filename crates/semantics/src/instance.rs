@@ -16,7 +16,6 @@ use std::fmt;
 use std::sync::Arc;
 use torse_language::core::{Claim, Set, Statement};
 use torse_language::syntax::{Connective, Relation};
-use torse_numbers::order;
 use torse_numbers::rational::integer;
 
 /// How many values of an integer without an upper bound are taken.
@@ -170,7 +169,7 @@ fn decide(claim: &Claim, statement: &Statement, at: &At<'_, '_>) -> Result<Ident
                 }
                 continue;
             };
-            let sign = order::compare(&gap, &integer(0));
+            let sign = gap.cmp(&integer(0));
             let holds = match relation {
                 Relation::Equal => sign.is_eq(),
                 Relation::Different => sign.is_ne(),

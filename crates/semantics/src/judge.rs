@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use torse_language::core::{Claim, Printed, Statement, Term};
 use torse_language::syntax::{Connective, Relation};
-use torse_numbers::{Ball, Integer, Rational, order};
+use torse_numbers::{Ball, Integer, Rational};
 
 /// The precisions that are tried, in bits.
 const PRECISIONS: [usize; 2] = [320, 1280];
@@ -231,7 +231,7 @@ impl Judge<'_> {
         };
         let within = |bits: usize| {
             let bound = size() / Rational::from_integer(Integer::ONE << bits);
-            order::compare(&gap.ball(reals.bits).abs().upper(), &bound).is_le()
+            gap.ball(reals.bits).abs().upper() <= bound
         };
         match gap.sign() {
             Some(Ordering::Equal) => Ok(Sign::Known(Ordering::Equal)),

@@ -9,7 +9,7 @@ use num_traits::{One, Signed, Zero};
 use std::cmp::Ordering;
 use std::fmt;
 use torse_numbers::rational::{integer, ratio};
-use torse_numbers::{Ball, Integer, Rational, Scalar, order};
+use torse_numbers::{Ball, Integer, Rational, Scalar};
 
 /// The longest numerator or denominator of an exact number, in bits; beyond it is enclosed.
 const MAX_EXACT_BITS: usize = 3000;
@@ -91,7 +91,7 @@ impl Real {
     pub fn sign(&self) -> Option<Ordering> {
         match self {
             Self::Exact { rational, turns } if turns.is_zero() => {
-                Some(order::compare(rational, &Rational::zero()))
+                Some(rational.cmp(&Rational::zero()))
             }
             Self::Exact { .. } => [128, 1024, 8192]
                 .into_iter()
@@ -244,7 +244,7 @@ impl Arithmetic for Reals<'_> {
             if t.is_zero() {
                 return Ok(self.exact(rational / r, turns / r));
             }
-            if order::equal(&(rational * t), &(turns * r)) {
+            if rational * t == turns * r {
                 return Ok(self.exact(turns / t, Rational::zero()));
             }
         }

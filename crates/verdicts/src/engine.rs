@@ -1,5 +1,6 @@
 //! Running claims: from a loaded paper to outcomes.
 
+use crate::net;
 use crate::outcome::{Outcome, PaperOutcome};
 use crate::repair;
 use rayon::prelude::*;
@@ -86,6 +87,8 @@ fn undecided(paper: &str, claim: &Claim) -> Outcome {
         difference: None,
         conditions: vec![],
         witness: None,
+        net: None,
+        contradiction: None,
         steps: vec![],
         note: entry.note.clone(),
         uses: claim.uses(),
@@ -123,6 +126,7 @@ fn decided(mut outcome: Outcome, claim: &Claim) -> Result<Outcome, Box<Derivatio
     let decision = decide_statement(claim, statement)
         .map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
     conclude(&mut outcome, claim, statement, decision);
+    net::cast(&mut outcome, claim, statement);
     Ok(outcome)
 }
 

@@ -80,6 +80,29 @@ pub struct DataChange {
     pub new: Formula,
 }
 
+/// What the semantics, an evaluator that shares nothing with the prover, found of a verdict.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Net {
+    /// Points that were drawn.
+    pub tried: u64,
+    /// Points of the domain at which the statement was decided as the verdict says.
+    pub decided: u64,
+    /// Why there are no more of them, where there should be.
+    pub why: Option<String>,
+}
+
+impl Net {
+    /// Nothing was tried.
+    #[must_use]
+    pub fn uncovered(why: &str) -> Self {
+        Self {
+            tried: 0,
+            decided: 0,
+            why: Some(why.to_owned()),
+        }
+    }
+}
+
 /// Everything known about one claim after a run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Outcome {
@@ -115,6 +138,10 @@ pub struct Outcome {
     pub conditions: Vec<Formula>,
     /// A counterexample, for a refuted claim.
     pub witness: Option<Witness>,
+    /// What the net found; none where nothing was decided.
+    pub net: Option<Net>,
+    /// What contradicts the verdict that the prover would have given: the claim is undecided then.
+    pub contradiction: Option<String>,
     /// The steps of the decision, in words, in order.
     pub steps: Vec<String>,
     /// Anything a reader should know.

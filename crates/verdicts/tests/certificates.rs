@@ -56,13 +56,11 @@ fn proved(declarations: &Declarations) -> (Polynomial, Domain<'_>, Certificate) 
     let cubes = &x().power(3) + &y().power(3);
     let form = &cubes + &Polynomial::constant(&ratio(1, 2).unwrap());
     let polynomial = &x() * &form;
-    let domain = Domain {
-        declarations,
-        constraints: vec![Constraint {
-            value: (&x() + &y()).into(),
-            relation: Relation::AtLeast,
-        }],
-    };
+    let mut domain = Domain::new(declarations);
+    domain.constraints.push(Constraint {
+        value: (&x() + &y()).into(),
+        relation: Relation::AtLeast,
+    });
     let certificate = prove(&polynomial, &domain).unwrap();
     (polynomial, domain, certificate)
 }
@@ -128,13 +126,11 @@ fn a_certificate_that_was_tampered_with_is_rejected() {
 #[test]
 fn multipliers_and_factors_that_may_be_negative_are_rejected() {
     let declarations = declarations();
-    let domain = Domain {
-        declarations: &declarations,
-        constraints: vec![Constraint {
-            value: y().into(),
-            relation: Relation::Greater,
-        }],
-    };
+    let mut domain = Domain::new(&declarations);
+    domain.constraints.push(Constraint {
+        value: y().into(),
+        relation: Relation::Greater,
+    });
     // y + x > 0 where y > 0.
     let sum = &x() + &y();
     let good = prove(&sum, &domain).unwrap();
@@ -198,7 +194,7 @@ proptest! {
         offset in 0_i64..12,
     ) {
         let declarations = declarations();
-        let domain = Domain { declarations: &declarations, constraints: vec![] };
+        let domain = Domain::new(&declarations);
         let p = &polynomial(&coefficients) + &number(offset);
         if let Some(certificate) = prove(&p, &domain) {
             prop_assert_eq!(check(&p, &domain, &certificate), Ok(()));

@@ -1,6 +1,6 @@
 //! Walks over core terms and statements.
 
-use super::{Family, Node, Statement, Term, Variable};
+use super::{BuiltIn, Family, Node, Statement, Term, Variable};
 use std::sync::Arc;
 
 impl Term {
@@ -31,6 +31,22 @@ impl Term {
                 order, body, at, ..
             } => vec![order, body, at],
         }
+    }
+
+    /// Whether a built-in function is applied anywhere in the term. Shared parts are visited once.
+    #[must_use]
+    pub fn applies(&self, function: BuiltIn) -> bool {
+        let mut seen = std::collections::BTreeSet::new();
+        let mut pending = vec![self];
+        while let Some(term) = pending.pop() {
+            if matches!(&*term.node, Node::Apply(applied, _) if *applied == function) {
+                return true;
+            }
+            if seen.insert(Arc::as_ptr(&term.node).addr()) {
+                pending.extend(term.parts());
+            }
+        }
+        false
     }
 
     /// Calls `found` with the name of every declared symbol that occurs, those of the seeds and steps of basis families

@@ -14,7 +14,7 @@ use crate::real::{Real, Reals};
 use std::collections::BTreeMap;
 use torse_language::core::{Claim, Set, Statement, Term};
 use torse_language::syntax::{Connective, Relation};
-use torse_numbers::{Integer, Rational, order};
+use torse_numbers::{Integer, Rational};
 
 /// Precision of the rounds that are not exact.
 const BITS: usize = 640;
@@ -107,7 +107,7 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
 
 fn is_near(gap: &Real) -> bool {
     let bound = Rational::new(1.into(), Integer::ONE << NEAR_BITS);
-    order::compare(&gap.ball(BITS).abs().upper(), &bound).is_le()
+    gap.ball(BITS).abs().upper() <= bound
 }
 
 /// Left minus right of every entry of every equation.
