@@ -90,9 +90,36 @@ impl<'a> Ground<'a> {
             .hypotheses
             .iter()
             .partition(|h| h.source == Source::Assume);
-        ground.assume_all(assumed)?;
+        // Inequalities first: they may say that the divisor of an elimination does not vanish.
+        let (equations, others) = assumed
+            .into_iter()
+            .partition(|h: &&Hypothesis| has_equation(&h.statement));
+        ground.assume_all(others)?;
+        ground.assume_all(equations)?;
         ground.solve(&given, &claim.unknowns)?;
+        ground.bound_integers(claim, fixed);
         Ok(ground)
+    }
+
+    /// The ranges of integers whose ends name other integers are constraints.
+    fn bound_integers(&mut self, claim: &core::Claim, fixed: &BTreeMap<String, Fraction>) {
+        for (name, set) in &claim.symbols {
+            let eliminated = self
+                .domain
+                .solved
+                .iter()
+                .any(|(s, _)| *s == Symbol::named(name));
+            let SymbolKind::Integer { least, most } = set else {
+                continue;
+            };
+            let dependent = least
+                .iter()
+                .chain(most)
+                .any(|form| form.as_number().is_none());
+            if dependent && !eliminated && !fixed.contains_key(&**name) {
+                self.keep_range(&Symbol::named(name), &Fraction::named(name));
+            }
+        }
     }
 
     /// Takes the assumptions, each as soon as it can be evaluated: one may fix the degree that another one needs.
@@ -239,9 +266,11 @@ impl<'a> Ground<'a> {
             .or_else(|| candidates.iter().find(|(_, c, _)| self.never_zero(c)))
             .or_else(|| candidates.first())
             .cloned();
-        let (symbol, coefficient, solution) = chosen.ok_or_else(|| {
-            Fault::limit(NOWHERE, "an assumed equality that determines no symbol")
-        })?;
+        let Some((symbol, coefficient, solution)) = chosen else {
+            // It determines no symbol rationally; points have to satisfy it all the same.
+            self.constrain(value, Relation::Equal);
+            return Ok(());
+        };
         let rest = value.numerator() - &(&coefficient * &Polynomial::symbol(symbol.clone()));
         let implied = rest
             .as_constant()
@@ -379,6 +408,15 @@ impl<'a> Ground<'a> {
             .rest
             .iter()
             .try_for_each(|form| self.vanishes(form).map_err(within))
+    }
+}
+
+/// Whether an equation is part of a hypothesis.
+fn has_equation(statement: &core::Statement) -> bool {
+    match statement {
+        core::Statement::Compare { relation, .. } => *relation == Relation::Equal,
+        core::Statement::Join(_, a, b) => has_equation(a) || has_equation(b),
+        _ => false,
     }
 }
 

@@ -150,13 +150,22 @@ impl Decider<'_> {
             Err(fault) if fault.is_limit() => (fault.problem.to_string(), vec![]),
             Err(fault) => return Err(fault),
         };
+        if let Some(decision) = self.by_finite_ranges(statement)? {
+            return Ok(decision);
+        }
         let (assignments, complete) = self.instances();
         if assignments.iter().all(Instance::is_empty) {
             return Ok(Decision::Open { reason, tried });
         }
         let mut decided = vec![];
-        for assignment in assignments {
-            let decision = match self.symbolic(statement, &assignment) {
+        let far = instances::far(&assignments, self.elaborator.declarations());
+        for (number, assignment) in assignments.iter().chain(&far).enumerate() {
+            // Greater integers are for statements that say nothing about small ones.
+            let silent = |(_, d): &(Instance, Decision)| matches!(d, Decision::Vacuous { .. });
+            if number >= assignments.len() && (complete || !decided.iter().all(silent)) {
+                break;
+            }
+            let decision = match self.symbolic(statement, assignment) {
                 Ok(decision) => decision,
                 // Some term is defined at no point of the instance, so the statement says nothing there.
                 Err(fault) if undefined(&fault) => Decision::Vacuous {
@@ -169,12 +178,48 @@ impl Decider<'_> {
                 Err(fault) => return Err(fault),
             };
             let ends = matches!(decision, Decision::Refuted(_) | Decision::Open { .. });
-            decided.push((assignment, decision));
+            decided.push((assignment.clone(), decision));
             if ends {
                 break;
             }
         }
         Ok(instances::combined(decided, complete, &reason))
+    }
+
+    /// A proof by cases over the integers with short ranges of numbers, the others kept symbolic; or a refutation.
+    fn by_finite_ranges(&self, statement: &core::Statement) -> Result<Option<Decision>, Fault> {
+        let finite = |set: &SymbolKind| {
+            matches!(set, SymbolKind::Integer { least: Some(a), most: Some(b) }
+                if a.as_number().is_some() && b.as_number().is_some())
+        };
+        let chosen: Vec<String> = self
+            .claim
+            .symbols
+            .iter()
+            .filter(|(_, set)| finite(set))
+            .map(|(name, _)| name.to_string())
+            .collect();
+        let (assignments, complete) =
+            instances::assignments(&chosen, self.elaborator.declarations());
+        if chosen.is_empty() || !complete {
+            return Ok(None);
+        }
+        let mut decided = vec![];
+        for assignment in assignments {
+            match self.symbolic(statement, &assignment) {
+                Ok(Decision::Open { .. }) => return Ok(None),
+                Ok(decision) => decided.push((assignment, decision)),
+                Err(fault) if undefined(&fault) => decided.push((
+                    assignment,
+                    Decision::Vacuous {
+                        reason: fault.problem.to_string(),
+                    },
+                )),
+                Err(fault) if fault.is_limit() => return Ok(None),
+                Err(fault) => return Err(fault),
+            }
+        }
+        Ok(Some(instances::combined(decided, true, "")))
     }
 
     /// The decision with some integers fixed.
@@ -205,11 +250,21 @@ impl Decider<'_> {
         let mut decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
         if decision.is_refuted() {
             // A point at which some other part of the claim is undefined refutes nothing.
-            let whole = ground.evaluator.truth(&self.claim.statement);
-            let divisors = whole.map(|whole| divisors(&whole)).unwrap_or_default();
-            if !divisors.is_empty() {
-                ground.domain.divisors = divisors;
-                decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
+            match ground.evaluator.truth(&self.claim.statement) {
+                Ok(whole) => {
+                    let divisors = divisors(&whole);
+                    if !divisors.is_empty() {
+                        ground.domain.divisors = divisors;
+                        decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
+                    }
+                }
+                Err(fault) if undefined(&fault) => return Err(fault),
+                Err(fault) => {
+                    return Ok(Decision::Open {
+                        reason: fault.problem.to_string(),
+                        tried: vec![],
+                    });
+                }
             }
         }
         let Decision::Proven {

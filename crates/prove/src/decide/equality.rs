@@ -9,7 +9,7 @@ use super::{Decision, Refutation, witness};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{NOWHERE, Value};
 use crate::evidence::Evidence;
-use torse_algebra::Fraction;
+use torse_algebra::{Fraction, Polynomial};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
 
@@ -87,6 +87,12 @@ pub fn decide(
     if lefts.len() > 1 {
         steps.push(format!("entry {} differs", position + 1));
     }
+    if let Some(conditions) = follows(left, right, domain) {
+        return Ok(Decision::identity(
+            conditions,
+            "each difference is a multiple of an equation that is assumed".to_owned(),
+        ));
+    }
     let point = witness::find(
         plain,
         &lefts.iter().chain(&rights).collect::<Vec<_>>(),
@@ -101,6 +107,31 @@ pub fn decide(
             tried: vec!["simple rational points of the domain".to_owned()],
         },
     })
+}
+
+/// The conditions under which every difference is a multiple of an assumed equation, if it is.
+fn follows(left: &Value, right: &Value, domain: &Domain<'_>) -> Option<Vec<Polynomial>> {
+    let assumed: Vec<&Fraction> = domain
+        .constraints
+        .iter()
+        .filter(|c| c.relation == Relation::Equal)
+        .map(|c| &c.value)
+        .collect();
+    let mut conditions = vec![];
+    for (x, y) in left.entries().into_iter().zip(right.entries()) {
+        let difference = x.minus(y).as_fraction()?.clone();
+        let multiple = |c: &&Fraction| {
+            difference
+                .numerator()
+                .exact_quotient(c.numerator())
+                .is_some()
+        };
+        if !difference.is_zero() && !assumed.iter().any(multiple) {
+            return None;
+        }
+        conditions.extend(difference.conditions().to_vec());
+    }
+    (!assumed.is_empty()).then(|| witness::nonconstant(conditions))
 }
 
 /// Some point of the domain with both sides there.

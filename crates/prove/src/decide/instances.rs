@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 use torse_algebra::Fraction;
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
 
+/// How far integers are raised where small ones say nothing.
+const FAR: i64 = 12;
 /// How many values of each unbounded integer are tried.
 const SPAN: i64 = 4;
 /// The most instances of one statement.
@@ -99,6 +101,28 @@ pub fn assignments(
             .collect()
     };
     (all.into_iter().map(named).collect(), complete)
+}
+
+/// Assignments with greater integers than the first of these, all integers raised together.
+#[must_use]
+pub fn far(
+    assignments: &[BTreeMap<String, i64>],
+    declarations: &Declarations,
+) -> Vec<BTreeMap<String, i64>> {
+    let Some(first) = assignments.first() else {
+        return vec![];
+    };
+    let raised = |by: i64| -> BTreeMap<String, i64> {
+        let value = |name: &String, least: i64| {
+            let greatest = declarations.greatest(&torse_algebra::Affine::symbol(name));
+            least.saturating_add(by).min(greatest.unwrap_or(i64::MAX))
+        };
+        first
+            .iter()
+            .map(|(name, least)| (name.clone(), value(name, *least)))
+            .collect()
+    };
+    (SPAN..=FAR).map(raised).collect()
 }
 
 /// Sorts by the sum of the integers, so that a counterexample is simple, and cuts off what is too much. Returns whether all

@@ -68,6 +68,18 @@ pub fn steps(all: &[Bounded], domain: &Domain<'_>) -> Vec<String> {
     if all.iter().any(|b| b.polynomial.len() > MAX_TERMS) {
         return vec![];
     }
+    // Without any bound a symbol stands for its square in the proof of sign: its values could not be told.
+    let unbounded = |s: &Symbol| {
+        let interval = domain.interval(s);
+        let number = matches!(s, Symbol::Pi | Symbol::Root(_));
+        !number && interval.lower.is_none() && interval.upper.is_none()
+    };
+    if all
+        .iter()
+        .any(|b| b.polynomial.symbols().iter().any(unbounded))
+    {
+        return vec![];
+    }
     let mut names: Vec<&str> = vec![];
     for symbol in all.iter().flat_map(|b| b.polynomial.symbols()) {
         if let Symbol::Named(name) = symbol

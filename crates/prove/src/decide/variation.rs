@@ -48,6 +48,17 @@ pub fn diminishing(
     evaluator: &Evaluator<'_>,
 ) -> Result<Decision, Fault> {
     let (step, seeds) = family(basis, evaluator)?;
+    let one = Fraction::integer(1);
+    let sum_to_one = |parts: &[Fraction]| {
+        let total = parts
+            .iter()
+            .cloned()
+            .fold(Fraction::zero(), |sum, f| sum + f);
+        (total - one.clone()).is_zero()
+    };
+    if !sum_to_one(&seeds) || !sum_to_one(&step) {
+        return Ok(not_affine(basis, domain, &step, &seeds));
+    }
     if powers(&step, &seeds, basis.variable(), domain) {
         let steps = vec![
             "the functions of each degree are one function times powers of the quotient of the step factors, with positive coefficients".to_owned(),
@@ -120,6 +131,65 @@ pub fn diminishing(
         reason: "total positivity is not proved for every degree".to_owned(),
         tried,
     })
+}
+
+/// Functions that do not sum to one move the curve of a constant polygon: where their sum has two values, the curve
+/// crosses a line between them that the polygon does not meet.
+fn not_affine(
+    basis: &Family,
+    domain: &Domain<'_>,
+    step: &[Fraction; 2],
+    seeds: &[Fraction],
+) -> Decision {
+    let variable = Symbol::named(basis.variable());
+    let places = domain.candidates(&variable, Turns::Quarter);
+    for raise in 0..DEGREES {
+        let row = functions(step, seeds, raise);
+        let sum = row.into_iter().fold(Fraction::zero(), |sum, f| sum + f);
+        for point in parameter_points(basis, domain) {
+            let at = |place: &Fraction| {
+                let mut all = point.clone();
+                all.insert(variable.clone(), place.clone());
+                Some((place.clone(), witness::at_point(&sum, &all)?))
+            };
+            let values: Vec<(Fraction, Fraction)> = places.iter().filter_map(at).collect();
+            let Some((first, low)) = values.first() else {
+                continue;
+            };
+            let Some((second, high)) = values.iter().find(|(_, v)| v != low) else {
+                continue;
+            };
+            let parts = [(1, 2), (1, 3)].map(|(n, d)| torse_algebra::rational::ratio(n, d));
+            let level = parts.into_iter().flatten().find_map(|part| {
+                let level = low.clone() + (high.clone() - low.clone()).scaled(&part);
+                (level != Fraction::integer(1)).then_some(level)
+            });
+            let Some(level) = level else { continue };
+            let degree = basis.degree + raise;
+            let mut at = vec![("degree".to_owned(), degree.to_string())];
+            at.extend(point.iter().map(|(s, v)| (s.to_string(), v.to_string())));
+            let decimal = |value: &Fraction| {
+                enclosure(value, 192).map_or_else(String::new, |b| b.decimal(12))
+            };
+            return Decision::Refuted(Box::new(Refutation {
+                witness: Witness {
+                    at,
+                    left: format!(
+                        "the curve of the constant polygon 1 is {low} at {first} and {high} at {second}: it crosses {level}"
+                    ),
+                    right: "the polygon does not".to_owned(),
+                    left_decimal: format!("{} and {}", decimal(low), decimal(high)),
+                    right_decimal: "1".to_owned(),
+                },
+                sides: None,
+                steps: vec!["the functions do not sum to one".to_owned()],
+            }));
+        }
+    }
+    Decision::Open {
+        reason: "the functions do not sum to one".to_owned(),
+        tried: vec!["the curve of a constant polygon".to_owned()],
+    }
 }
 
 /// Whether the seeds are positive multiples of `s a^(d-l) b^l`, all of them nonnegative, with b/a

@@ -4,6 +4,7 @@ use super::value::{Value, Vector};
 use super::{Environment, Evaluator, Outcome, generic, wrong_type};
 use torse_algebra::{Affine, Fraction, Symbol};
 use torse_language::core::{Points, Term};
+use torse_language::derivation::declarations::SymbolKind;
 use torse_language::fault::{Fault, Problem};
 use torse_language::syntax::Place;
 
@@ -165,6 +166,14 @@ impl Evaluator<'_> {
         .ok_or_else(|| wrong_type(place, "nothing", "an entry"))
     }
 
+    /// Whether a name may stand in an index: a declared integer, or the index of a sum.
+    fn may_be_index(&self, name: &str) -> bool {
+        match self.declarations.symbol(name) {
+            Some(kind) => matches!(kind, SymbolKind::Integer { .. }),
+            None => true,
+        }
+    }
+
     /// An integer-affine index.
     pub(super) fn index(&self, expr: &Term, bound: &Environment) -> Outcome<Affine> {
         let value = self.value(expr, bound)?;
@@ -182,7 +191,9 @@ impl Evaluator<'_> {
                         .then(|| i64::try_from(term.coefficient.to_integer()).ok())??;
                     match term.powers.as_slice() {
                         [] => Some(form + Affine::number(n)),
-                        [(Symbol::Named(name), 1)] => Some(form + Affine::symbol(name) * n),
+                        [(Symbol::Named(name), 1)] if self.may_be_index(name) => {
+                            Some(form + Affine::symbol(name) * n)
+                        }
                         _ => None,
                     }
                 })

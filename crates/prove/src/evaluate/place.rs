@@ -3,9 +3,26 @@
 use super::quantity::Quantity;
 use super::value::Value;
 use super::{Evaluator, Outcome};
-use torse_algebra::Fraction;
+use torse_algebra::{ExactError, Fraction};
 use torse_language::fault::Fault;
 use torse_language::syntax::Place;
+
+/// The error without the numbers that the engine gives to its own symbols.
+fn in_words_of_the_text(error: ExactError) -> ExactError {
+    match error {
+        ExactError::DivisionByZero { divisor } => {
+            let mut own = false;
+            let kept = divisor.chars().filter(|c| {
+                own = *c == '\u{b0}' || (own && c.is_ascii_digit());
+                !own
+            });
+            ExactError::DivisionByZero {
+                divisor: kept.collect(),
+            }
+        }
+        other => other,
+    }
+}
 
 impl Evaluator<'_> {
     /// The value with a variable at a point; series that collapse there become plain.
@@ -19,7 +36,7 @@ impl Evaluator<'_> {
         value.mapped(&|q: &Quantity| {
             let moved = q
                 .mapped(|f| f.at(variable, point))
-                .map_err(|e| Fault::exact(place, e))?;
+                .map_err(|e| Fault::exact(place, in_words_of_the_text(e)))?;
             self.settled(moved, place)
         })
     }

@@ -74,7 +74,19 @@ impl Evaluator<'_> {
             Err(fault) => Err(fault),
         };
         self.sums.borrow_mut().pop();
-        value?.mapped(&|q: &Quantity| self.summed(q, &name, low, high, place))
+        let value = value?;
+        // A divisor that depends on the index is a condition of every single term, not of the sum.
+        let inside = |q: &&Quantity| {
+            let mut divisors = q.conditions().into_iter();
+            divisors.any(|p| p.symbols().iter().any(|s| s.depends_on(&name)))
+        };
+        if value.entries().iter().any(inside) {
+            return Err(Fault::limit(
+                place,
+                "a sum of symbolic length over terms with divisors that depend on the index",
+            ));
+        }
+        value.mapped(&|q: &Quantity| self.summed(q, &name, low, high, place))
     }
 
     /// Turns every entry series of a term into a sum series.

@@ -18,6 +18,7 @@ use torse_language::syntax::{Expr, Operator};
 /// ```
 /// use torse_algebra::{Affine, Fraction, Symbol};
 /// use torse_language::notation;
+/// use torse_prove::formula;
 /// let point = |i| Fraction::symbol(Symbol::indexed("R", vec![Affine::symbol("k") - Affine::number(i)]));
 /// let mu = Fraction::named("mu");
 /// let tangent = (Fraction::integer(1) - mu) * (point(0) - point(1));
@@ -41,6 +42,7 @@ pub fn expression(value: &Fraction) -> Expr {
 /// ```
 /// use torse_algebra::Polynomial;
 /// use torse_language::notation;
+/// use torse_prove::formula;
 /// let k = Polynomial::named("k");
 /// let cubic = &(&k.power(3) - &k.power(2)) * &Polynomial::integer(-16);
 /// assert_eq!(notation::text(&formula::expression_of(&cubic)), "-16*k^2*(k - 1)");

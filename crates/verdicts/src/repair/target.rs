@@ -8,6 +8,7 @@ use torse_language::derivation::declarations::SymbolKind;
 use torse_language::derivation::{Claim, Written};
 use torse_language::syntax::Expr;
 use torse_prove::case::Case;
+use torse_prove::decide::domain::{Constraint, truth};
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::value::{Statement, Value};
@@ -15,7 +16,7 @@ use torse_prove::sample;
 
 /// The work one search may do, in units of a visited node of a formula or a term of its value: where sines and cosines stay
 /// symbols, a value has hundreds.
-const MAX_WORK: u64 = 400_000;
+const MAX_WORK: u64 = 1_200_000;
 
 /// The side that is not edited, at a few instances of the integers, at the sample point.
 pub struct Target<'a> {
@@ -53,11 +54,11 @@ impl<'a> Target<'a> {
                 })
                 .collect();
             // An assumption may fix an integer: then there is one instance.
-            let spread = Case::new(claim, statement, fixed);
-            let alone = integers.is_empty() || spread.is_err();
-            let case = spread
-                .or_else(|_| Case::new(claim, statement, BTreeMap::new()))
-                .ok()?;
+            let spread = Case::new(claim, statement, fixed)
+                .ok()
+                .filter(|case| case.domain.constraints.iter().all(Self::possible));
+            let alone = integers.is_empty() || spread.is_none();
+            let case = spread.or_else(|| Case::new(claim, statement, BTreeMap::new()).ok())?;
             let left = other_side(&case.statement, path)?;
             let values = left
                 .entries()
@@ -96,6 +97,11 @@ impl<'a> Target<'a> {
     fn within_budget(&self) -> bool {
         let work = self.instances.iter().map(|(e, _)| e.work());
         work.sum::<u64>().saturating_add(self.terms.get()) <= MAX_WORK
+    }
+
+    /// Whether a constraint is not known to fail.
+    fn possible(constraint: &Constraint) -> bool {
+        truth(&constraint.value, constraint.relation) != Some(false)
     }
 
     /// How many entries agree; none for a candidate that makes no sense or has another shape.

@@ -76,6 +76,14 @@ impl Coordinates {
             rays_open: true,
         };
         for (symbol, interval) in intervals {
+            if interval.lower.is_none() && interval.upper.is_none() {
+                // A symbol without bounds that stands in even powers alone: its square is any number t >= 0.
+                for polynomial in &mut moved {
+                    *polynomial = in_squares(polynomial, &symbol)?;
+                }
+                coordinates.rays_open = false;
+                continue;
+            }
             let value = coordinates.add(&symbol, &interval)?;
             for polynomial in &mut moved {
                 let there = Fraction::from(polynomial.clone())
@@ -128,6 +136,23 @@ impl Coordinates {
         })
         .collect()
     }
+}
+
+/// The polynomial with t for the square of the symbol, which then stands for t; `None` if an odd power occurs.
+fn in_squares(polynomial: &Polynomial, symbol: &Symbol) -> Option<Polynomial> {
+    let t = Polynomial::symbol(symbol.clone());
+    let mut result = Polynomial::zero();
+    for (exponent, coefficient) in polynomial.coefficients_in(symbol).into_iter().enumerate() {
+        if coefficient.is_zero() {
+            continue;
+        }
+        if exponent % 2 == 1 {
+            return None;
+        }
+        let power = t.power(u32::try_from(exponent / 2).ok()?);
+        result = &result + &(&coefficient * &power);
+    }
+    Some(result)
 }
 
 /// The numerator of the polynomial with sine and cosine of one angle written in the tangent of its half.

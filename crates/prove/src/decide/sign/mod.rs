@@ -19,7 +19,7 @@ use crate::evaluate::quantity::Quantity;
 use crate::evaluate::value::{NOWHERE, Value};
 use crate::evidence::Evidence;
 use certificate::{Certificate, CertificateError};
-use torse_algebra::{Fraction, Polynomial};
+use torse_algebra::{Fraction, Integer, Polynomial};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
 
@@ -78,13 +78,41 @@ pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proo
     }
 }
 
-/// Whether the polynomial never vanishes on the domain, by its sign.
+/// Whether the polynomial never vanishes on the domain, by a sign whose certificate is replayed, or because no integers
+/// make it zero.
 #[must_use]
 pub fn never_zero(polynomial: &Polynomial, domain: &Domain<'_>) -> bool {
-    matches!(
-        of(polynomial, domain),
-        Some(Sign::Positive | Sign::Negative)
-    )
+    if no_integers_solve(polynomial, domain) {
+        return true;
+    }
+    match proof(polynomial, domain) {
+        Some((Sign::Positive | Sign::Negative, proof)) => {
+            certificate::check(&proof.polynomial, domain, &proof.certificate).is_ok()
+        }
+        _ => false,
+    }
+}
+
+/// Whether a linear form in integers with integer coefficients has a constant that their greatest common divisor does
+/// not divide: then it is zero at no integers.
+fn no_integers_solve(polynomial: &Polynomial, domain: &Domain<'_>) -> bool {
+    let primitive = polynomial.primitive().1;
+    let (mut divisor, mut constant) = (Integer::ZERO, Integer::ZERO);
+    for term in primitive.terms() {
+        if !term.coefficient.is_integer() {
+            return false;
+        }
+        let coefficient = term.coefficient.to_integer();
+        match term.powers.as_slice() {
+            [] => constant = coefficient,
+            [(symbol, 1)] if domain.is_integer(symbol) => {
+                divisor = num_integer::Integer::gcd(&divisor, &coefficient);
+            }
+            _ => return false,
+        }
+    }
+    divisor != Integer::ZERO
+        && torse_algebra::rational::remainder(&constant, &divisor) != Integer::ZERO
 }
 
 /// Decides `left relation right` for an order relation or `!=`, on the domain.
@@ -109,6 +137,16 @@ pub fn compare(
     };
     let difference = x.clone() - y.clone();
     let opposite = opposite(relation);
+    if relation == Relation::Different
+        && domain.pivots.is_empty()
+        && domain.assumes_nonzero(difference.numerator())
+    {
+        return Ok(Decision::Proven {
+            evidence: Evidence::Inequality,
+            conditions: witness::nonconstant(difference.conditions().to_vec()),
+            steps: vec!["the hypotheses exclude that the difference vanishes".to_owned()],
+        });
+    }
     if difference.is_zero() && matches!(relation, Relation::AtMost | Relation::AtLeast) {
         return Ok(Decision::identity(
             witness::nonconstant(difference.conditions().to_vec()),

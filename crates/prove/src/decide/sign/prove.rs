@@ -6,7 +6,7 @@ use super::coordinates::{Coordinates, Region};
 use crate::decide::domain::{Domain, truth};
 use crate::formula::factors;
 use torse_algebra::rational::integer;
-use torse_algebra::{Polynomial, Rational};
+use torse_algebra::{Polynomial, Rational, Symbol};
 use torse_language::syntax::Relation;
 
 /// How often a nonnegative box is halved to prove it positive.
@@ -76,7 +76,12 @@ fn without_square(
     domain: &Domain<'_>,
     assumed: &[(Polynomial, bool)],
 ) -> Option<Certificate> {
-    let mut squares = factors(polynomial).into_iter();
+    // A factor that is a number, such as a root, would be split off without end.
+    let variable = |p: &Polynomial| {
+        let number = |s: &Symbol| matches!(s, Symbol::Pi | Symbol::Root(_));
+        !p.symbols().iter().all(number)
+    };
+    let mut squares = factors(polynomial).into_iter().filter(variable);
     let (root, rest) = squares
         .find_map(|root| Some((root.clone(), polynomial.exact_quotient(&root.power(2))?)))?;
     let mut found =
