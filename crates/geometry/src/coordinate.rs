@@ -7,7 +7,9 @@
 //! enclosure and carries its own conditions.
 
 use std::cmp::Ordering;
-use torse_algebra::{Ball, ExactError, Fraction, Integer, Jet, Rational, Scalar, Symbol};
+use torse_algebra::{
+    Ball, ExactError, Fraction, Integer, Jet, Rational, Scalar, Symbol, rational::to_f64,
+};
 
 use crate::error::{GeometryError, Result};
 
@@ -23,6 +25,30 @@ pub trait Coordinate: Scalar {
     /// contain zero, NaN).
     #[must_use]
     fn sign(&self) -> Option<Ordering>;
+
+    /// The nearest f64, the middle of a ball, the value of a jet; NaN for an expression that is no number.
+    /// For messages and plots: nothing is decided by it.
+    #[must_use]
+    fn approximate(&self) -> f64;
+
+    /// The `e` with `2^e <= |self| < 2^(e+1)` where the scalar has a range that can be left (f64, also
+    /// denormal); `None` for zero, for what is not finite, and for scalars of any size.
+    #[must_use]
+    fn exponent(&self) -> Option<i32> {
+        None
+    }
+
+    /// `self * 2^power`, exact unless it leaves the range or the precision of the scalar.
+    #[must_use]
+    fn times_two_to(&self, power: i32) -> Self {
+        let size = Integer::ONE << usize::try_from(power.unsigned_abs()).unwrap_or(usize::MAX);
+        let (above, below) = if power >= 0 {
+            (size, Integer::ONE)
+        } else {
+            (Integer::ONE, size)
+        };
+        self.scaled(&Rational::new_raw(above, below))
+    }
 
     /// Half of pi in the context of `self`: what differentiating a quarter turn brings in.
     ///
@@ -104,6 +130,29 @@ impl Coordinate for f64 {
         self.partial_cmp(&0.0)
     }
 
+    fn approximate(&self) -> f64 {
+        *self
+    }
+
+    fn exponent(&self) -> Option<i32> {
+        let field = |x: f64| i32::try_from(x.to_bits() >> 52 & 0x7ff).unwrap_or(0) - 1023;
+        match field(*self) {
+            1024 => None,
+            -1023 if *self == 0.0 => None,
+            // Denormal: into the normal range first.
+            -1023 => Some(field(self * f64::powi(2.0, 64)) - 64),
+            e => Some(e),
+        }
+    }
+
+    fn times_two_to(&self, power: i32) -> Self {
+        // In steps that stay representable themselves; three reach from end to end of the range.
+        let step = |x: f64, power: i32| x * f64::powi(2.0, power);
+        let (first, rest) = (power.clamp(-700, 700), power - power.clamp(-700, 700));
+        let (second, third) = (rest.clamp(-700, 700), rest - rest.clamp(-700, 700));
+        step(step(step(*self, first), second), third.clamp(-1000, 1000))
+    }
+
     fn half_pi(&self) -> Result<Self, ExactError> {
         Ok(std::f64::consts::FRAC_PI_2)
     }
@@ -159,6 +208,10 @@ impl Coordinate for Rational {
     fn sign(&self) -> Option<Ordering> {
         Some(self.numer().cmp(&Integer::ZERO))
     }
+
+    fn approximate(&self) -> f64 {
+        to_f64(self)
+    }
 }
 
 impl Coordinate for Fraction {
@@ -169,6 +222,13 @@ impl Coordinate for Fraction {
         self.as_rational().and_then(|q| q.sign())
     }
 
+    fn approximate(&self) -> f64 {
+        if self.is_zero() {
+            return 0.0;
+        }
+        self.as_rational().map_or(f64::NAN, |q| q.approximate())
+    }
+
     fn half_pi(&self) -> Result<Self, ExactError> {
         Self::symbol(Symbol::Pi).divided_by(&self.natural(2))
     }
@@ -177,6 +237,10 @@ impl Coordinate for Fraction {
 impl Coordinate for Ball {
     fn sign(&self) -> Option<Ordering> {
         Ball::sign(self)
+    }
+
+    fn approximate(&self) -> f64 {
+        to_f64(&self.midpoint())
     }
 
     fn centred(&self) -> Option<(Self, Self)> {
@@ -203,11 +267,10 @@ impl<S: Coordinate> Coordinate for Jet<S> {
             sign => Some(sign),
         }
     }
-}
 
-/// A scalar as text for error messages.
-pub(crate) fn text<S: Scalar>(value: &S) -> String {
-    format!("{value:?}")
+    fn approximate(&self) -> f64 {
+        self.value().approximate()
+    }
 }
 
 /// Refuses NaN and infinities.
@@ -220,7 +283,7 @@ pub(crate) fn check_finite<'a, S: Coordinate + 'a>(
             return Err(GeometryError::NotFinite {
                 what,
                 index,
-                value: text(value),
+                value: value.approximate(),
             });
         }
     }
@@ -233,7 +296,7 @@ pub(crate) fn check_positive<S: Coordinate>(name: &'static str, value: &S) -> Re
     match value.sign() {
         Some(Ordering::Less | Ordering::Equal) => Err(GeometryError::OutOfRange {
             name,
-            value: text(value),
+            value: value.approximate(),
             range: "(0, infinity)",
         }),
         _ => Ok(()),
@@ -249,7 +312,7 @@ pub(crate) fn check_shape<S: Coordinate>(name: &'static str, value: &S) -> Resul
     if above || below {
         return Err(GeometryError::OutOfRange {
             name,
-            value: text(value),
+            value: value.approximate(),
             range: "[-1, 1]",
         });
     }

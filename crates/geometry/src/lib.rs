@@ -135,11 +135,14 @@ pub mod surface;
 mod turn;
 pub mod vector;
 
+/// The scalars and Taylor series of the generic layer.
+pub use torse_algebra::{Ball, Fraction, Jet, Rational};
+
 pub use basis::{Basis, Bernstein, Gbt, hermite};
 pub use coordinate::Coordinate;
 pub use curve::{Affine, Curve, RationalCurve};
 pub use developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
-pub use error::{GeometryError, Result};
+pub use error::{GeometryError, Place, Result};
 pub use join::Continuity;
 pub use mesh::Mesh;
 pub use planes::{Plane, PlaneFamily, Ruling};

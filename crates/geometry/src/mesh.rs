@@ -41,14 +41,10 @@ impl Mesh {
             .and_then(|(m, n)| m.checked_mul(n));
         let fits = count.filter(|&n| u32::try_from(n).is_ok() && u_cells > 0 && v_cells > 0);
         let Some(count) = fits else {
-            let (value, range) = (
-                format!("{u_cells} x {v_cells}"),
-                "at least 1 x 1, below 2^32 vertices",
-            );
             return Err(GeometryError::OutOfRange {
-                name: "mesh size",
-                value,
-                range,
+                name: "cells of a mesh",
+                value: crate::error::count(u_cells) * crate::error::count(v_cells),
+                range: "at least 1 x 1, below 2^32 vertices",
             });
         };
         let mut mesh = Self {
@@ -102,11 +98,10 @@ impl Mesh {
     pub fn append(&mut self, other: &Self) -> Result<()> {
         let total = self.vertices.len() + other.vertices.len();
         let (Ok(offset), Ok(_)) = (u32::try_from(self.vertices.len()), u32::try_from(total)) else {
-            let (value, range) = (format!("{total} vertices"), "below 2^32 vertices");
             return Err(GeometryError::OutOfRange {
-                name: "mesh size",
-                value,
-                range,
+                name: "vertices of a mesh",
+                value: crate::error::count(total),
+                range: "below 2^32",
             });
         };
         self.vertices.extend_from_slice(&other.vertices);

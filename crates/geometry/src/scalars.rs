@@ -4,7 +4,7 @@
 use crate::basis::{Bernstein, Gbt};
 use crate::coordinate::Coordinate;
 use crate::curve::{Curve, RationalCurve};
-use crate::developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
+use crate::developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch, unit_plane};
 use crate::error::Result;
 use crate::planes::PlaneFamily;
 use crate::surface::{RotationSurface, RuledSurface, TensorSurface};
@@ -183,9 +183,8 @@ where
     type Object = PlaneFamily<B::Object, T>;
 
     fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
-        let curve = self.curve();
-        let planes = curve.points().iter().map(|p| point(p, convert)).collect();
-        PlaneFamily::new(curve.basis().over(convert)?, planes)
+        let (unit, exponent) = self.unit_curve();
+        PlaneFamily::of_parts(self.curve().over(convert)?, unit.over(convert)?, exponent)
     }
 }
 
@@ -200,7 +199,10 @@ where
     fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
         let bounds = match self.bounds() {
             Bounds::Range(range) => Bounds::Range(point(range, convert)),
-            Bounds::Planes(planes) => Bounds::Planes(planes.each_ref().map(|p| point(p, convert))),
+            // The planes themselves, not their factors, which a ball of few bits might not hold.
+            Bounds::Planes(planes) => {
+                Bounds::Planes(planes.each_ref().map(|p| point(&unit_plane(p), convert)))
+            }
         };
         EnvelopingPatch::new(self.family().over(convert)?, bounds)
     }

@@ -27,7 +27,7 @@ pub use bernstein::Bernstein;
 pub use gbt::Gbt;
 
 use crate::coordinate::{Coordinate, check_finite};
-use crate::error::{GeometryError, Result};
+use crate::error::{GeometryError, Result, count};
 use torse_algebra::{ExactError, Jet};
 
 /// A basis family: three seeds of degree two, and by the blend every degree.
@@ -340,7 +340,7 @@ pub(crate) fn check_degree(degree: usize) -> Result<()> {
     if (1..=MAX_DEGREE).contains(&degree) {
         return Ok(());
     }
-    let (name, value, range) = ("degree", degree.to_string(), "{1, 2, .., 4096}");
+    let (name, value, range) = ("degree", count(degree), "{1, 2, .., 4096}");
     Err(GeometryError::OutOfRange { name, value, range })
 }
 
@@ -348,7 +348,7 @@ fn check_order(order: usize) -> Result<()> {
     if order <= MAX_ORDER {
         return Ok(());
     }
-    let (name, value, range) = ("derivative order", order.to_string(), "{0, 1, .., 4096}");
+    let (name, value, range) = ("derivative order", count(order), "{0, 1, .., 4096}");
     Err(GeometryError::OutOfRange { name, value, range })
 }
 

@@ -3,7 +3,7 @@
 use super::check_length;
 use super::wide::widest;
 use crate::basis::Basis;
-use crate::coordinate::{Coordinate, check_finite, text};
+use crate::coordinate::{Coordinate, check_finite};
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
 use crate::planes::{PlaneFamily, Ruling, ruling_of};
@@ -239,8 +239,11 @@ impl<B: Basis<f64>> PlaneFamily<B, f64> {
             let changes = slopes.combined(curve.points());
             for (p, (x, slot)) in xs.iter().zip(out).enumerate() {
                 let at = |columns: &[[f64; BLOCK]; 4]| [0, 1, 2, 3].map(|axis| columns[axis][p]);
-                *slot = ruling_of(&at(&planes), &at(&changes))
-                    .map_err(|_| GeometryError::NoRuling { parameter: text(x) })?;
+                *slot = ruling_of(&at(&planes), &at(&changes)).map_err(|_| {
+                    GeometryError::NoRuling {
+                        parameter: x.approximate(),
+                    }
+                })?;
             }
         }
         Ok(())

@@ -1,7 +1,7 @@
 //! Curvature, torsion and arc length of f64 curves, weighted ones included.
 
 use super::derivatives_of;
-use crate::error::{GeometryError, Result};
+use crate::error::{GeometryError, Place, Result};
 use crate::surface::SpaceCurve;
 use crate::vector::{cross, det, norm};
 
@@ -66,7 +66,7 @@ fn derivatives<const D: usize>(
 fn still(x: f64) -> GeometryError {
     GeometryError::Degenerate {
         what: "the curve has no frame",
-        at: format!("x = {x}"),
+        at: Place::Parameter(x),
     }
 }
 
@@ -115,10 +115,9 @@ fn integrate(
     what: &'static str,
 ) -> Result<f64> {
     if !(accuracy > 0.0 && from.is_finite() && to.is_finite()) {
-        let value = format!("{accuracy} on [{from}, {to}]");
         return Err(GeometryError::OutOfRange {
             name: "accuracy",
-            value,
+            value: accuracy,
             range: "(0, infinity) on a finite interval",
         });
     }
@@ -143,11 +142,10 @@ fn integrate(
             total += left + right;
             lost += error.min(allowed);
         } else if depth >= DEEPEST || visited > MOST_INTERVALS {
-            let (reached, demanded) = (format!("{:e}", lost + error), format!("{accuracy:e}"));
             return Err(GeometryError::NotConverged {
                 what,
-                reached,
-                demanded,
+                reached: lost + error,
+                demanded: accuracy,
             });
         } else {
             open.push((a, middle, left, 0.5 * allowed, depth + 1));

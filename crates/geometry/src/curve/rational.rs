@@ -2,7 +2,7 @@
 
 use super::{Affine, Curve, derivatives_of};
 use crate::basis::Basis;
-use crate::coordinate::{Coordinate, check_finite, text};
+use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result};
 use crate::vector::{add, dot, scale};
 use std::cmp::Ordering;
@@ -37,7 +37,7 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> RationalCurve<B, S, D> {
     /// ```
     /// use torse_geometry::{Bernstein, RationalCurve};
     /// let error = RationalCurve::new(Bernstein, &[[0.0], [1.0], [2.0]], vec![1.0, 0.0, 1.0]).unwrap_err();
-    /// assert_eq!(error.to_string(), "weight 1 is 0.0, a positive number is needed");
+    /// assert_eq!(error.to_string(), "weight 1 is 0, a positive number is needed");
     /// let error = RationalCurve::new(Bernstein, &[[0.0], [1.0]], vec![1.0, f64::NAN]).unwrap_err();
     /// assert_eq!(error.to_string(), "weight, entry 1: NaN is not a finite number");
     /// let error = RationalCurve::new(Bernstein, &[[0.0], [1.0]], vec![1.0]).unwrap_err();
@@ -84,7 +84,7 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> RationalCurve<B, S, D> {
         if let Some((index, value)) = weights.iter().enumerate().find(|(_, w)| bad(w)) {
             return Err(GeometryError::BadWeight {
                 index,
-                value: text(value),
+                value: value.approximate(),
             });
         }
         Ok(Self {

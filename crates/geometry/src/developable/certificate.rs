@@ -1,24 +1,18 @@
 //! Certificates for ruled patches: how developable, and regular or not, each with the worst place.
 //!
-//! With rails `P, Q` and ruling `R = Q - P` the (unnormalised) normals at the two ends of a ruling are
-//! `N0 = P' x R` and `N1 = Q' x R`, and along the ruling `N(v) = (1 - v) N0 + v N1`. So
-//!
-//! * the patch is *developable* at `x` when `N0` and `N1` are parallel, that is
-//!   `det(P', Q', R) = 0`; the angle between them is how far the tangent plane turns;
-//! * a developable patch is *regular* on the whole ruling when `N0 . N1 > 0`. Otherwise `N(v)` vanishes
-//!   inside, at the edge of regression (of a cone: the apex), where neighbouring rulings cross. In
-//!   general the rulings come closest at `v* = (P' x R) . (R x R') / |R x R'|^2`.
-//!
-//! Along a ruling the worst place is known in closed form; from ruling to ruling [`certify`] measures on
-//! f64: samples, then a local search. Its numbers are estimates: what it finds bad is bad, and that nothing
-//! worse lies between the samples is proved by [`enclose`](super::enclose), which gives bounds for the same
-//! quantities, and by [`prove_developable`](super::prove_developable) and
-//! [`prove_regular`](super::prove_regular).
+//! Along a ruling the worst place is known in closed form (modules `forms` and `measures`); from ruling to
+//! ruling [`certify`] measures on f64: samples, refined until each follows from its neighbours, then a local
+//! search. Its numbers are estimates: what it finds bad is bad, and that nothing worse lies between the samples
+//! is proved by [`enclose`](super::enclose), which bounds the same quantities with the same formulas, and by
+//! [`prove_developable`](super::prove_developable) and [`prove_regular`](super::prove_regular). A patch that
+//! changes on a scale far below the distance of the rulings (a spike between two of them) is not seen here.
 
-use crate::error::Result;
+use super::extent::Extent;
+use super::forms::RulingForms;
+use super::measures::{CLEARANCE, DETERMINANT, GAUSSIAN, Intervals, NORMAL, SIDE, TWIST};
+use super::resolve::resolved;
+use crate::error::{GeometryError, Place, Result};
 use crate::surface::Rails;
-use crate::vector::{cross, det, dot, lerp, norm, sub};
-use torse_algebra::Jet;
 
 /// The worst value of a quantity and where it is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,32 +21,69 @@ pub struct Worst {
     pub value: f64,
     /// The parameter of the ruling.
     pub x: f64,
-    /// The position on the ruling in [0, 1]; 0 where the quantity belongs to the whole ruling.
+    /// The position on the ruling in [0, 1]; 0 where the quantity belongs to the whole ruling. The place of
+    /// the clearance may lie outside of [0, 1]: there the ruling meets its neighbours.
     pub v: f64,
 }
 
-/// What [`certify`] measured: estimates, for bounds see [`enclose`](super::enclose).
+/// Why a patch is not regular.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Singularity {
+    /// The normal vanishes at this place, or cannot be told from zero: a cusp, a ruling of length zero, an
+    /// apex or a point of the edge of regression on the border.
+    NormalVanishes(Worst),
+    /// On this ruling the normals at the ends point to opposite sides: it crosses the edge of regression (or
+    /// the tangent plane of a twisted patch turns by a right angle or more).
+    NormalTurns(Worst),
+    /// Between these two rulings the patch does not go on as its derivatives say, however closely one looks:
+    /// the rails run off to infinity, jump, or turn back in a cusp.
+    Unresolved {
+        /// The parameter of the one ruling.
+        from: f64,
+        /// The parameter of the other.
+        to: f64,
+    },
+}
+
+/// What [`certify`] measured: estimates, for bounds see [`enclose`](super::enclose). All numbers are finite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
-    /// The largest `|det(P', Q', R)| / (|P'| |Q'| |R|)`.
+    /// The largest `|det(P', Q', R)| / (|P'| |Q'| |R|)`. A ruling without a normal counts as zero.
     pub determinant: Worst,
     /// The largest angle between the tangent planes at the ends of a ruling, in radians (0 to pi/2:
     /// planes, not normals).
     pub twist: Worst,
     /// The largest absolute Gaussian curvature `det(P', Q', R)^2 / |N(v)|^4`, on each ruling where `N(v)` is
-    /// shortest; infinite at a singular point.
-    pub gaussian: Worst,
+    /// shortest; `None` when it is unbounded (or beyond f64) because the normal vanishes.
+    pub gaussian: Option<Worst>,
     /// The smallest distance, along a ruling and in units of length, from the patch to the point where
-    /// the ruling meets its neighbours (the edge of regression, the apex): negative when that point is
-    /// inside the patch, infinite when no ruling meets its neighbours (cylinders).
-    pub clearance: Worst,
+    /// the ruling comes closest to its neighbours (of a developable the edge of regression, the apex): negative
+    /// when that point is inside the patch, `None` when no ruling meets its neighbours (cylinders).
+    pub clearance: Option<Worst>,
+    /// The shortest normal `|N(v)|`, relative to the longest ruling times the greatest speed of a rail (within
+    /// a factor of two each): zero at a cusp, at an edge of regression and for a patch of width zero.
+    pub normal: Worst,
+    singularity: Option<Singularity>,
 }
 
 impl Certificate {
-    /// Whether no ruling meets its neighbours inside the patch, as far as measured.
+    /// Whether the patch is regular, as far as measured: on every ruling the normals at both ends are there
+    /// and point to the same side. Then the normal vanishes nowhere, and no ruling meets its neighbours inside.
     #[must_use]
     pub fn is_regular(&self) -> bool {
-        self.clearance.value > 0.0
+        self.singularity.is_none()
+    }
+
+    /// The first reason found why the patch is not regular.
+    #[must_use]
+    pub fn singularity(&self) -> Option<Singularity> {
+        self.singularity
+    }
+
+    /// Whether no tangent plane turns by more than `angle` radians along its ruling.
+    #[must_use]
+    pub fn is_developable_within(&self, angle: f64) -> bool {
+        self.twist.value <= angle
     }
 }
 
@@ -62,14 +93,19 @@ const LEAST_RULINGS: usize = 8;
 const MOST_RULINGS: usize = 1 << 16;
 /// Golden-section steps in the local search: the bracket shrinks by `0.618^40 < 1e-8`.
 const SEARCH_STEPS: usize = 40;
+/// Normals (relative to the size of the patch) and ratios of normals that f64 cannot tell from zero: the
+/// relative rounding of rails and their derivatives, with room for cancellation.
+const ROUNDING: f64 = 1e-12;
 
-/// Measures a ruled patch on `rulings` rulings (8 at least, 65536 at most) and refines every worst place locally.
+/// Measures a ruled patch on `rulings` rulings (8 at least, 65536 at most, more where the patch changes fast)
+/// and refines every worst place locally.
 ///
 /// # Errors
-/// [`GeometryError`](crate::GeometryError) when a ruling of the patch does not exist.
+/// [`GeometryError`] when a ruling of the patch does not exist, [`GeometryError::NoValue`] where it is not
+/// finite, [`GeometryError::Degenerate`] when all rulings have length zero or both rails stand still.
 ///
 /// ```
-/// use torse_geometry::developable::certify;
+/// use torse_geometry::developable::{Singularity, certify};
 /// use torse_geometry::{Bernstein, Curve, RuledSurface};
 /// // A hyperbolic paraboloid is ruled but not developable.
 /// let rail = |points: [[f64; 3]; 2]| Curve::new(Bernstein, points.to_vec());
@@ -77,160 +113,157 @@ const SEARCH_STEPS: usize = 40;
 /// let second = rail([[0.0, 1.0, 0.0], [1.0, 1.0, 1.0]])?;
 /// let certificate = certify(&RuledSurface::new(first, second), 32)?;
 /// assert!((certificate.twist.value.to_degrees() - 45.0).abs() < 1e-6 && certificate.twist.x < 1e-6);
+/// assert!(certificate.is_regular() && !certificate.is_developable_within(0.1));
 ///
 /// // A cone whose apex lies halfway between its rails is developable but not regular.
 /// let first = rail([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])?;
 /// let second = rail([[-1.0, 0.0, 2.0], [0.0, -1.0, 2.0]])?;
 /// let certificate = certify(&RuledSurface::new(first, second), 32)?;
 /// assert!(certificate.determinant.value < 1e-15);
-/// assert!(!certificate.is_regular() && (certificate.clearance.v - 0.5).abs() < 1e-9);
+/// assert!(matches!(certificate.singularity(), Some(Singularity::NormalTurns(at)) if at.v == 0.5));
+/// assert!(certificate.clearance.is_some_and(|worst| worst.value < 0.0 && (worst.v - 0.5).abs() < 1e-9));
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
-pub fn certify(patch: &impl Rails<f64>, rulings: usize) -> Result<Certificate> {
-    let xs = samples(rulings.clamp(LEAST_RULINGS, MOST_RULINGS));
+pub fn certify<R: Rails<f64> + ?Sized>(patch: &R, rulings: usize) -> Result<Certificate> {
+    let count = rulings.clamp(LEAST_RULINGS, MOST_RULINGS);
+    let last = crate::error::count(count - 1);
+    let xs = (0..count).map(|i| crate::error::count(i) / last);
+    let extent = Extent::of(patch, |x| x);
+    let reduced = |x: f64| {
+        let extent = extent.unwrap_or(Extent::ONE);
+        Ok((x, RulingForms::reduced(patch, &x, extent)?))
+    };
+    let samples = xs.map(reduced).collect::<Result<Vec<_>>>()?;
+    let extent = extent.ok_or(GeometryError::Degenerate {
+        what: "a patch whose rulings or rails have no length",
+        at: Place::Whole,
+    })?;
+    let (samples, gap) = resolved(samples, reduced)?;
+    let measured = samples
+        .iter()
+        .map(|(x, forms)| measure(*x, forms))
+        .collect::<Result<Vec<_>>>()?;
+    let worst = |quantity| {
+        search(&measured, quantity, |x| {
+            let (x, forms) = reduced(x)?;
+            measure(x, &forms)
+        })
+    };
+    let finite = |worst: Worst| worst.value.is_finite().then_some(worst);
+    let (normal, side) = (worst(NORMAL)?.negated(), worst(SIDE)?.negated());
+    let singularity = if normal.value <= ROUNDING {
+        Some(Singularity::NormalVanishes(normal))
+    } else if side.value <= ROUNDING {
+        Some(Singularity::NormalTurns(side))
+    } else {
+        gap.map(|[from, to]| Singularity::Unresolved { from, to })
+    };
+    let (gaussian, clearance) = (worst(GAUSSIAN)?, worst(CLEARANCE)?.negated());
     Ok(Certificate {
-        determinant: search(&xs, |x| {
-            Ok(Place::whole(Ruling::at(patch, x)?.determinant()))
-        })?,
-        twist: search(&xs, |x| Ok(Place::whole(Ruling::at(patch, x)?.twist())))?,
-        gaussian: search(&xs, |x| Ok(Ruling::at(patch, x)?.curvature()))?,
-        clearance: {
-            let worst = search(&xs, |x| {
-                let Place { value, v } = Ruling::at(patch, x)?.clearance();
-                Ok(Place { value: -value, v })
-            })?;
-            Worst {
-                value: -worst.value,
-                ..worst
-            }
-        },
+        determinant: worst(DETERMINANT)?.whole(),
+        twist: worst(TWIST)?.whole(),
+        gaussian: finite(gaussian.with(extent.curvature(gaussian.value))),
+        clearance: finite(clearance.with(extent.length(clearance.value))),
+        normal: normal.within_ruling(),
+        singularity,
     })
 }
 
-fn samples(count: usize) -> Vec<f64> {
-    #[allow(clippy::cast_precision_loss)]
-    let last = (count.max(2) - 1) as f64;
-    #[allow(clippy::cast_precision_loss)]
-    let at = |i: usize| i as f64 / last;
-    (0..count.max(2)).map(at).collect()
+impl Worst {
+    fn with(self, value: f64) -> Self {
+        Self { value, ..self }
+    }
+
+    fn negated(self) -> Self {
+        self.with(0.0 - self.value)
+    }
+
+    fn whole(self) -> Self {
+        Self { v: 0.0, ..self }
+    }
+
+    fn within_ruling(self) -> Self {
+        Self {
+            v: self.v.clamp(0.0, 1.0),
+            ..self
+        }
+    }
 }
 
-/// A value on one ruling and where on it.
-struct Place {
-    value: f64,
+/// The quantities on one ruling, and the place on it where the normal is shortest.
+struct Measured {
+    x: f64,
     v: f64,
+    values: Intervals,
 }
 
-impl Place {
-    fn whole(value: f64) -> Self {
-        Self { value, v: 0.0 }
-    }
+fn measure(x: f64, forms: &RulingForms<f64>) -> Result<Measured> {
+    let squares = forms.squares();
+    let values = squares.intervals().ok_or(GeometryError::NoValue {
+        what: "certificate of a ruling",
+        at: Place::Parameter(x),
+    })?;
+    // Parallel normals of equal length are shortest everywhere.
+    let v = if squares.parallel || squares.bend == 0.0 {
+        0.0
+    } else {
+        squares.approach / squares.bend
+    };
+    Ok(Measured { x, v, values })
 }
 
-/// The maximum over the samples, refined by golden-section search between its neighbours.
-fn search(xs: &[f64], f: impl Fn(f64) -> Result<Place>) -> Result<Worst> {
-    let mut best = Worst {
-        value: f64::NEG_INFINITY,
-        x: 0.0,
-        v: 0.0,
+/// The maximum over the samples, refined by golden-section search between the neighbours of the best.
+fn search(
+    samples: &[Measured],
+    quantity: usize,
+    measure: impl Fn(f64) -> Result<Measured>,
+) -> Result<Worst> {
+    let value = |m: &Measured| m.values[quantity][0];
+    let found = |m: &Measured| Worst {
+        value: value(m),
+        x: m.x,
+        v: m.v,
     };
-    let mut keep = |x: f64| -> Result<f64> {
-        let Place { value, v } = f(x)?;
-        if value > best.value {
-            best = Worst { value, x, v };
-        }
-        Ok(value)
-    };
-    let mut peak = (0, f64::NEG_INFINITY);
-    for (i, &x) in xs.iter().enumerate() {
-        let value = keep(x)?;
-        if value > peak.1 {
-            peak = (i, value);
+    let mut peak = 0;
+    for (i, sample) in samples.iter().enumerate() {
+        if samples
+            .get(peak)
+            .is_some_and(|best| value(sample) > value(best))
+        {
+            peak = i;
         }
     }
-    let around = |i: usize| xs.get(i).copied();
-    let mut a = around(peak.0.saturating_sub(1)).unwrap_or(0.0);
-    let mut b = around(peak.0 + 1).unwrap_or(1.0);
+    let Some(best) = samples.get(peak) else {
+        return Err(GeometryError::TooFew {
+            what: "rulings",
+            needed: 1,
+            given: 0,
+        });
+    };
+    let mut best = found(best);
+    let around = |i: usize| samples.get(i).map_or(best.x, |m| m.x);
+    let (mut a, mut b) = (around(peak.saturating_sub(1)), around(peak + 1));
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let mut at = |x: f64| -> Result<f64> {
+        let measured = found(&measure(x)?);
+        if measured.value > best.value {
+            best = measured;
+        }
+        Ok(measured.value)
+    };
+    let inner = |a: f64, b: f64| [b - golden * (b - a), a + golden * (b - a)];
+    let [mut left, mut right] = inner(a, b);
+    let (mut on_left, mut on_right) = (at(left)?, at(right)?);
     for _ in 0..SEARCH_STEPS {
-        let (left, right) = (b - golden * (b - a), a + golden * (b - a));
-        if keep(left)? >= keep(right)? {
-            b = right;
+        if on_left >= on_right {
+            (b, right, on_right) = (right, left, on_left);
+            left = inner(a, b)[0];
+            on_left = at(left)?;
         } else {
-            a = left;
+            (a, left, on_left) = (left, right, on_right);
+            right = inner(a, b)[1];
+            on_right = at(right)?;
         }
     }
     Ok(best)
-}
-
-/// One ruling with the first derivatives of the rails.
-struct Ruling {
-    p: [f64; 3],
-    q: [f64; 3],
-    r: [f64; 3],
-}
-
-impl Ruling {
-    fn at(patch: &impl Rails<f64>, x: f64) -> Result<Self> {
-        let [p, q] = patch.rail_jets(&x, 1)?;
-        let coefficient = |jets: &[Jet<f64>; 3], n: usize| -> [f64; 3] {
-            std::array::from_fn(|axis| jets[axis].coefficients().get(n).copied().unwrap_or(0.0))
-        };
-        Ok(Self {
-            r: sub(&coefficient(&q, 0), &coefficient(&p, 0)),
-            p: coefficient(&p, 1),
-            q: coefficient(&q, 1),
-        })
-    }
-
-    fn determinant(&self) -> f64 {
-        let volume = norm(&self.p) * norm(&self.q) * norm(&self.r);
-        if volume > 0.0 {
-            det(&self.p, &self.q, &self.r).abs() / volume
-        } else {
-            0.0
-        }
-    }
-
-    fn twist(&self) -> f64 {
-        let (n0, n1) = (cross(&self.p, &self.r), cross(&self.q, &self.r));
-        norm(&cross(&n0, &n1)).atan2(dot(&n0, &n1).abs())
-    }
-
-    /// The largest absolute Gaussian curvature of the ruling, where `N(v)` is shortest.
-    fn curvature(&self) -> Place {
-        let (n0, n1) = (cross(&self.p, &self.r), cross(&self.q, &self.r));
-        let change = sub(&n0, &n1);
-        let v = (dot(&n0, &change) / dot(&change, &change)).clamp(0.0, 1.0);
-        let v = if v.is_nan() { 0.0 } else { v };
-        let normal = lerp(&n0, &n1, &v);
-        let (square, volume) = (dot(&normal, &normal), det(&self.p, &self.q, &self.r));
-        let value = if square > 0.0 {
-            (volume / square).powi(2)
-        } else {
-            f64::INFINITY
-        };
-        Place { value, v }
-    }
-
-    /// Signed distance from [0, 1] to the closest approach `v*` of the neighbouring ruling.
-    fn clearance(&self) -> Place {
-        let n0 = cross(&self.p, &self.r);
-        let turn = cross(&self.r, &sub(&self.q, &self.p));
-        let square = dot(&turn, &turn);
-        let v = dot(&n0, &turn) / square;
-        // Rulings that turn less than rounding are parallel: they meet nowhere.
-        let reach = norm(&self.r) * (norm(&self.p) + norm(&self.q));
-        if square.sqrt() <= 4.0 * f64::EPSILON * reach || !v.is_finite() {
-            return Place {
-                value: f64::INFINITY,
-                v: 0.0,
-            };
-        }
-        let outside = (-v).max(v - 1.0);
-        Place {
-            value: outside * norm(&self.r),
-            v,
-        }
-    }
 }

@@ -1,16 +1,25 @@
 //! Certificates that enclose: between which bounds the numbers of [`certify`](super::certify) lie.
 //!
-//! Five functions of `x` say everything (module `bounds`). On an interval of half width `w` each is its
-//! Taylor polynomial at the middle with the last coefficient taken over the interval (Lagrange), all on
+//! A few functions of `x` say everything (modules `forms` and `measures`). On an interval of half width `w`
+//! each is its Taylor polynomial at the middle with the last coefficient taken over the interval (Lagrange), all on
 //! balls: the excess falls with `w^6`. Intervals are halved where the bound is worst. Of a patch
 //! that is developable by construction `D` is zero, not evaluated.
 
-use super::bounds::{Bounds, CLEARANCE, Functions, ORDER, QUANTITIES, trivial};
+use super::extent::Extent;
+use super::forms::{RulingForms, Squares};
+use super::measures::{
+    CLEARANCE, DETERMINANT, GAUSSIAN, Intervals, NORMAL, QUANTITIES, SIDE, TWIST, trivial,
+};
+use crate::exact_ball;
 use crate::surface::Rails;
-use torse_algebra::Ball;
 use torse_algebra::rational::{Rational, integer, to_f64};
+use torse_algebra::{Ball, Jet};
 
-/// An extreme value between two bounds.
+/// The order of the Taylor form.
+const ORDER: usize = 6;
+
+/// An extreme value between two bounds: `low <= high`, and an infinite bound where none is known (or where
+/// the value is infinite).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Enclosed {
     /// The extreme value is at least this.
@@ -33,13 +42,19 @@ pub struct EnclosedCertificate {
     pub gaussian: Enclosed,
     /// The smallest distance from the patch to the point where the ruling meets its neighbours.
     pub clearance: Enclosed,
+    /// The length of the shortest normal, relative as in [`Certificate`](super::Certificate).
+    pub normal: Enclosed,
+    /// The least `N0 . N1 / max(|N0|^2, |N1|^2)`: positive when the patch is regular. Of a developable it is
+    /// the ratio of the distances of the two ends of a ruling from the edge of regression.
+    pub side: Enclosed,
 }
 
 impl EnclosedCertificate {
-    /// Whether the patch is regular, if that is proved: no ruling meets its neighbours inside.
+    /// Whether the patch is regular, if that is proved: on every ruling the normals at both ends are there and
+    /// point to the same side. So the normal vanishes nowhere, and no ruling meets its neighbours inside.
     #[must_use]
     pub fn is_regular(&self) -> Option<bool> {
-        match (self.clearance.low > 0.0, self.clearance.high < 0.0) {
+        match (self.side.low > 0.0, self.side.high <= 0.0) {
             (true, _) => Some(true),
             (_, true) => Some(false),
             _ => None,
@@ -63,22 +78,28 @@ impl EnclosedCertificate {
 /// assert_eq!(proved.is_regular(), Some(true));
 /// assert_eq!((proved.twist.high, proved.gaussian.high), (0.0, 0.0));
 /// // The sampled clearance lies between the bounds.
-/// let sampled = certify(&sheet, 64)?.clearance.value;
+/// let sampled = certify(&sheet, 64)?.clearance.expect("the rulings meet").value;
 /// let clearance = proved.clearance;
 /// assert!(clearance.low <= sampled && sampled <= clearance.high * (1.0 + 1e-9));
 /// assert!(clearance.low > 0.7 * clearance.high);
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 #[must_use]
-pub fn enclose(
-    patch: &impl Rails<Ball>,
+pub fn enclose<R: Rails<Ball> + ?Sized>(
+    patch: &R,
     bits: usize,
     accuracy: f64,
     cells: usize,
 ) -> EnclosedCertificate {
-    let at = |x: Rational| Witness::new(patch, &x, bits);
+    let extent = Extent::of(patch, |x| exact_ball(x, bits));
+    let patch = Reduced {
+        patch,
+        extent: extent.unwrap_or(Extent::ONE),
+        bits,
+    };
+    let at = |x: Rational| patch.witness(&x);
     let mut witnesses = vec![at(integer(0)), at(integer(1))];
-    let mut open = vec![Cell::new(patch, integer(0), integer(1), bits)];
+    let mut open = vec![patch.cell(integer(0), integer(1))];
     let mut settled = [false; QUANTITIES];
     for turn in 0.. {
         if open.len() >= cells.max(1) || settled.iter().all(|s| *s) {
@@ -87,7 +108,9 @@ pub fn enclose(
         let quantity = turn % QUANTITIES;
         let bound = best(&open, &witnesses, quantity);
         let close = bound.high.is_finite() && bound.high - bound.low <= accuracy * bound.high.abs();
-        settled[quantity] = close || bound.high == bound.low;
+        // Of the side the sign is what counts.
+        let known = quantity == SIDE && (bound.high < 0.0 || bound.low >= 0.0);
+        settled[quantity] = close || known || bound.high == bound.low;
         if settled[quantity] {
             continue;
         }
@@ -97,62 +120,122 @@ pub fn enclose(
         let Cell { from, to, .. } = open.swap_remove(index);
         let middle = middle_of(&from, &to);
         witnesses.push(at(middle.clone()));
-        open.push(Cell::new(patch, from, middle.clone(), bits));
-        open.push(Cell::new(patch, middle, to, bits));
+        open.push(patch.cell(from, middle.clone()));
+        open.push(patch.cell(middle, to));
     }
-    let clearance = best(&open, &witnesses, CLEARANCE);
+    let most = |quantity| best(&open, &witnesses, quantity);
+    let least = |quantity| {
+        let Enclosed { low, high, x } = best(&open, &witnesses, quantity);
+        // Plus zero: no negative zero.
+        let (low, high) = (0.0 - high, 0.0 - low);
+        Enclosed { low, high, x }
+    };
     EnclosedCertificate {
-        determinant: best(&open, &witnesses, 0),
-        twist: best(&open, &witnesses, 1),
-        gaussian: best(&open, &witnesses, 2),
-        clearance: Enclosed {
-            low: -clearance.high,
-            high: -clearance.low,
-            x: clearance.x,
-        },
+        determinant: most(DETERMINANT),
+        twist: most(TWIST),
+        gaussian: most(GAUSSIAN).scaled(|value| patch.extent.curvature(value)),
+        clearance: least(CLEARANCE).scaled(|value| patch.extent.length(value)),
+        normal: least(NORMAL),
+        side: least(SIDE),
     }
+}
+
+impl Enclosed {
+    /// In other units, by a power of two: exact, unless an end leaves the range of f64 or its normal numbers,
+    /// where one step outward makes up for the rounding.
+    fn scaled(self, by: impl Fn(f64) -> f64) -> Self {
+        let moved = |end: f64, outward: f64, step: fn(f64) -> f64| {
+            let value = by(end);
+            if end == 0.0 || end.is_infinite() || value.is_normal() {
+                value
+            } else if value.is_infinite() {
+                // Beyond the range, on either side of it.
+                if value > 0.0 && outward < 0.0 {
+                    f64::MAX
+                } else if value < 0.0 && outward > 0.0 {
+                    f64::MIN
+                } else {
+                    value
+                }
+            } else {
+                step(value)
+            }
+        };
+        Self {
+            low: moved(self.low, -1.0, f64::next_down),
+            high: moved(self.high, 1.0, f64::next_up),
+            ..self
+        }
+    }
+}
+
+/// A patch in its own units.
+struct Reduced<'a, R: ?Sized> {
+    patch: &'a R,
+    extent: Extent,
+    bits: usize,
+}
+
+impl<R: Rails<Ball> + ?Sized> Reduced<'_, R> {
+    /// The products of a ruling as Taylor series at, or over, `x`.
+    fn squares(&self, x: &Ball, order: usize) -> Option<Squares<Jet<Ball>>> {
+        let forms = RulingForms::reduced_series(self.patch, x, order, self.extent).ok()?;
+        Some(forms.squares())
+    }
+
+    fn bounds(&self, squares: Option<Squares<Ball>>) -> Intervals {
+        squares
+            .and_then(|squares| squares.intervals())
+            .unwrap_or_else(|| trivial(self.patch.is_developable_by_construction()))
+    }
+
+    fn witness(&self, x: &Rational) -> Witness {
+        let x_ball = Ball::from_rational(x, self.bits);
+        let forms = RulingForms::reduced(self.patch, &x_ball, self.extent).ok();
+        Witness {
+            x: to_f64(x),
+            bounds: self.bounds(forms.map(|forms| forms.squares())),
+        }
+    }
+
+    fn cell(&self, from: Rational, to: Rational) -> Cell {
+        let middle = middle_of(&from, &to);
+        let width = to.clone() - middle.clone();
+        let reach = Ball::from_bounds(&-width.clone(), &width, self.bits);
+        let there = self.squares(&Ball::from_rational(&middle, self.bits), ORDER);
+        let over = self.squares(&Ball::from_bounds(&from, &to, self.bits), ORDER);
+        let taylor = |(there, over): (Squares<_>, Squares<_>)| {
+            there.zip(&over, |there, over| taylor(there, over, &reach))
+        };
+        Cell {
+            bounds: self.bounds(there.zip(over).map(taylor)),
+            from,
+            to,
+        }
+    }
+}
+
+/// The range over the interval of half width `reach` about the point of `there`: the Taylor polynomial with
+/// the last coefficient over the interval.
+fn taylor(there: &Jet<Ball>, over: &Jet<Ball>, reach: &Ball) -> Ball {
+    let coefficients = there.coefficients().iter().take(ORDER);
+    let last = over.coefficients().get(ORDER);
+    let mut terms = coefficients.chain(last).zip(0..);
+    let first = terms.next().map_or(over.value(), |(c, _)| c).clone();
+    terms.fold(first, |sum, (c, n)| sum + c.clone() * reach.powi(n))
 }
 
 /// Bounds at one parameter.
 struct Witness {
     x: f64,
-    bounds: Bounds,
-}
-
-impl Witness {
-    fn new(patch: &impl Rails<Ball>, x: &Rational, bits: usize) -> Self {
-        let functions = Functions::of(patch, &Ball::from_rational(x, bits), 0);
-        let bounds = functions.and_then(|f| f.map(|jet| jet.value().clone()).bounds());
-        Self {
-            x: to_f64(x),
-            bounds: bounds.unwrap_or(trivial(patch.is_developable_by_construction())),
-        }
-    }
+    bounds: Intervals,
 }
 
 /// An interval of parameters with bounds over it.
 struct Cell {
     from: Rational,
     to: Rational,
-    bounds: Bounds,
-}
-
-impl Cell {
-    fn new(patch: &impl Rails<Ball>, from: Rational, to: Rational, bits: usize) -> Self {
-        let middle = middle_of(&from, &to);
-        let width = to.clone() - middle.clone();
-        let reach = Ball::from_bounds(&-width.clone(), &width, bits);
-        let there = Functions::of(patch, &Ball::from_rational(&middle, bits), ORDER);
-        let over = Functions::of(patch, &Ball::from_bounds(&from, &to, bits), ORDER);
-        let bounds = there
-            .zip(over)
-            .and_then(|(there, over)| there.taylor(&over, &reach).bounds());
-        Self {
-            from,
-            to,
-            bounds: bounds.unwrap_or(trivial(patch.is_developable_by_construction())),
-        }
-    }
+    bounds: Intervals,
 }
 
 fn middle_of(from: &Rational, to: &Rational) -> Rational {

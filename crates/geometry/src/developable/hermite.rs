@@ -22,7 +22,7 @@ use super::linear::{singular_for, solve};
 use crate::basis::{Bernstein, hermite};
 use crate::coordinate::{Coordinate, check_finite, check_positive, is_zero};
 use crate::curve::Curve;
-use crate::error::{GeometryError, Result};
+use crate::error::{GeometryError, Place, Result};
 use crate::surface::RuledSurface;
 use crate::vector::{scale, sub};
 use torse_algebra::Rational;
@@ -218,7 +218,7 @@ impl<S: Coordinate> HermiteCone<S> {
     ///
     /// assert_eq!(
     ///     HermiteCone::quintic(0.0, data.clone()).unwrap_err().to_string(),
-    ///     "k = 0.0 is outside (0, infinity)",
+    ///     "k = 0 is outside (0, infinity)",
     /// );
     /// assert!(matches!(HermiteCone::quintic(1.0, data), Err(GeometryError::SingularSystem { .. })));
     /// # Ok::<(), GeometryError>(())
@@ -305,7 +305,7 @@ impl<S: Coordinate> Known<S> {
         }
         let incomplete = || GeometryError::SingularSystem {
             what: WHAT,
-            parameters: "data".to_owned(),
+            at: Place::Whole,
         };
         Ok(HermiteCone {
             summit: self.summit.ok_or_else(incomplete)?,

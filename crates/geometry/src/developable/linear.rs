@@ -1,7 +1,7 @@
 //! Small linear systems over any scalar.
 
-use crate::coordinate::{Coordinate, is_zero, text};
-use crate::error::{GeometryError, Result};
+use crate::coordinate::{Coordinate, is_zero};
+use crate::error::{GeometryError, Place, Result};
 
 /// The solution of `matrix x = right`, with vectors as unknowns, by Gauss elimination.
 ///
@@ -49,7 +49,7 @@ pub fn solve<S: Coordinate, const D: usize>(
     for column in 0..size {
         let singular = || GeometryError::SingularSystem {
             what,
-            parameters: format!("column {column}"),
+            at: Place::Index(column),
         };
         let index = pivot(&open, column).ok_or_else(singular)?;
         let (row, value) = open.swap_remove(index);
@@ -70,7 +70,7 @@ pub fn solve<S: Coordinate, const D: usize>(
     for (column, (row, value)) in solved.iter().enumerate().rev() {
         let singular = || GeometryError::SingularSystem {
             what,
-            parameters: format!("column {column}"),
+            at: Place::Index(column),
         };
         let mut rest = value.clone();
         for (entry, known) in row.iter().rev().zip(&solution) {
@@ -131,6 +131,6 @@ fn pivot<S: Coordinate, const D: usize>(rows: &[(Vec<S>, [S; D])], column: usize
 pub(super) fn singular_for<S: Coordinate>(what: &'static str, k: &S) -> GeometryError {
     GeometryError::SingularSystem {
         what,
-        parameters: format!("k = {}", text(k)),
+        at: Place::Parameter(k.approximate()),
     }
 }

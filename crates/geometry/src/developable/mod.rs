@@ -1,21 +1,26 @@
 //! Developable surfaces: patches of enveloped surfaces, tangent surfaces, Hermite cones, certificates
 //! and flat patterns.
 
-mod bounds;
 mod certificate;
 mod enclosure;
+mod extent;
+mod forms;
 mod hermite;
 mod linear;
+mod measures;
 mod oblique;
 mod patch;
 mod proof;
+mod resolve;
 mod unroll;
 
-pub use certificate::{Certificate, Worst, certify};
+pub use certificate::{Certificate, Singularity, Worst, certify};
 pub use enclosure::{Enclosed, EnclosedCertificate, enclose};
+pub use forms::RulingForms;
 pub use hermite::{HermiteCone, QuarticData, QuinticData, cone_system};
 pub use linear::solve;
 pub use oblique::{oblique_image, oblique_image_as_printed};
+pub(crate) use patch::unit_plane;
 pub use patch::{Bounds, EnvelopingPatch, TangentPatch};
 pub use proof::{Developability, Regularity, prove_developable, prove_regular, twist_determinant};
 pub use unroll::{FlatPattern, unroll};

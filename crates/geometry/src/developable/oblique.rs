@@ -19,7 +19,7 @@ use crate::basis::{Bernstein, hermite};
 use crate::coordinate::{Coordinate, check_finite, is_zero};
 use crate::curve::RationalCurve;
 use crate::developable::HermiteCone;
-use crate::error::{GeometryError, Result};
+use crate::error::{GeometryError, Place, Result};
 use crate::planes::Plane;
 use crate::vector::{add, scale, sub};
 
@@ -29,7 +29,7 @@ use super::patch::height;
 ///
 /// # Errors
 /// [`GeometryError::Degenerate`] when the plane contains the apex,
-/// [`GeometryError::RulingParallelToPlane`] when a ruling over a control point does not meet the plane
+/// [`GeometryError::BehindApex`] when a ruling over a control point does not meet the plane
 /// on the side of `q` (its weight is not positive), [`GeometryError::NotFinite`].
 ///
 /// ```
@@ -79,9 +79,8 @@ pub fn oblique_image<S: Coordinate>(
             weight.sign(),
             Some(std::cmp::Ordering::Less | std::cmp::Ordering::Equal)
         ) {
-            return Err(GeometryError::RulingParallelToPlane {
-                parameter: format!("control point {index}"),
-            });
+            let what = "control point";
+            return Err(GeometryError::BehindApex { what, index });
         }
         points.push(add(&scale(&weight, &cone.summit), &reach));
         weights.push(weight);
@@ -95,15 +94,16 @@ pub fn oblique_image<S: Coordinate>(
 ///
 /// # Errors
 /// [`GeometryError::Degenerate`] when the plane contains the apex,
-/// [`GeometryError::RulingParallelToPlane`] when a point cannot be projected, naming the datum.
+/// [`GeometryError::BehindApex`] when a point cannot be projected, naming the datum.
 pub fn oblique_image_as_printed<S: Coordinate>(
     cone: &HermiteCone<S>,
     plane: &Plane<S>,
 ) -> Result<Vec<[S; 3]>> {
     let depth = depth_of_apex(cone, plane)?;
     let project = |index: usize, reach: &[S; 3]| -> Result<[S; 3]> {
-        let parallel = |_| GeometryError::RulingParallelToPlane {
-            parameter: format!("Hermite datum {index}"),
+        let parallel = |_| GeometryError::BehindApex {
+            what: "Hermite datum",
+            index,
         };
         let factor = depth.divided_by(&slant(plane, reach)).map_err(parallel)?;
         Ok(scale(&factor, reach))
@@ -141,7 +141,7 @@ fn depth_of_apex<S: Coordinate>(cone: &HermiteCone<S>, plane: &Plane<S>) -> Resu
     if is_zero(&depth) {
         return Err(GeometryError::Degenerate {
             what: "the plane contains the apex",
-            at: "o".to_owned(),
+            at: Place::Whole,
         });
     }
     Ok(depth)

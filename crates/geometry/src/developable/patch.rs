@@ -1,15 +1,15 @@
 //! Finite patches of the developable that a plane family envelops.
 
 use crate::basis::Basis;
-use crate::coordinate::{Coordinate, check_finite, is_zero, text};
-use crate::error::{GeometryError, Result};
-use crate::planes::{Plane, PlaneFamily, normal_of};
+use crate::coordinate::{Coordinate, check_finite, is_zero};
+use crate::error::{GeometryError, Place, Result};
+use crate::planes::{Plane, PlaneFamily, exponent_of, finite, normal_of};
 use crate::surface::{Partials, Rails, Surface, partials_between};
 use crate::vector::dot;
 use torse_algebra::{Jet, Scalar};
 
 /// What part of each ruling belongs to a patch.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bounds<S> {
     /// A fixed range of the ruling parameter `x1` in `x1 phi + psi` (gbt-developable eq. (3.7)). The
     /// direction `phi = a x a'` is not normalised, so the width varies with its length.
@@ -60,7 +60,7 @@ impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
     /// let patch = EnvelopingPatch::new(family, Bounds::Planes(flat))?;
     /// assert_eq!(
     ///     patch.point(&0.5, &0.0).unwrap_err(),
-    ///     GeometryError::RulingParallelToPlane { parameter: "0.5".to_owned() },
+    ///     GeometryError::RulingParallelToPlane { parameter: 0.5 },
     /// );
     /// # Ok::<(), GeometryError>(())
     /// ```
@@ -71,7 +71,7 @@ impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
                 if is_zero(&(to.clone() - from.clone())) {
                     return Err(GeometryError::Degenerate {
                         what: "ruling range",
-                        at: text(from),
+                        at: Place::Parameter(from.approximate()),
                     });
                 }
             }
@@ -82,7 +82,7 @@ impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
                         let what = "normal of a cutting plane";
                         return Err(GeometryError::Degenerate {
                             what,
-                            at: index.to_string(),
+                            at: Place::Index(index),
                         });
                     }
                 }
@@ -102,34 +102,48 @@ impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
     pub fn bounds(&self) -> &Bounds<S> {
         &self.bounds
     }
+
+    /// The range in units of the direction that the scaled family gives.
+    fn unit_range(&self, range: &[S; 2]) -> [S; 2] {
+        let (_, exponent) = self.family.unit_curve();
+        range.each_ref().map(|x1| x1.times_two_to(2 * exponent))
+    }
+}
+
+/// The same plane with a normal of the size of one.
+pub(crate) fn unit_plane<S: Coordinate>(plane: &Plane<S>) -> Plane<S> {
+    let exponent = exponent_of(plane).unwrap_or(0);
+    plane.each_ref().map(|c| c.times_two_to(-exponent))
 }
 
 impl<S: Coordinate, B: Basis<S>> Rails<S> for EnvelopingPatch<B, S> {
     fn rail_jets(&self, x: &S, order: usize) -> Result<[[Jet<S>; 3]; 2]> {
-        let ruling = self.family.ruling_jet(x, order)?;
+        let ruling = self.family.unit_ruling_jet(x, order)?;
         let lift = |value: &S| ruling.foot[0].constant_like(value.clone());
         let bounds = match &self.bounds {
-            Bounds::Range(range) => range.each_ref().map(lift),
+            Bounds::Range(range) => self.unit_range(range).each_ref().map(lift),
             Bounds::Planes([first, second]) => {
-                let at = |plane: &Plane<S>| {
-                    let parallel = |_| GeometryError::RulingParallelToPlane { parameter: text(x) };
-                    ruling
-                        .meets(&plane.each_ref().map(lift), &lift(x))
-                        .map_err(parallel)
-                };
+                let at = |plane| ruling.meets(&unit_plane(plane).each_ref().map(lift), &lift(x));
                 [at(first)?, at(second)?]
             }
         };
-        Ok(bounds.map(|x1| ruling.point(&x1)))
+        let rails = bounds.map(|x1| ruling.point(&x1));
+        finite("rail", rails.iter().flatten(), x)?;
+        Ok(rails)
     }
 
     fn ruling_ends(&self, x: &S) -> Result<[[S; 3]; 2]> {
-        let ruling = self.family.ruling(x)?;
-        let [first, second] = match &self.bounds {
-            Bounds::Range(range) => range.clone(),
-            Bounds::Planes([first, second]) => [ruling.meets(first, x)?, ruling.meets(second, x)?],
+        let ruling = self.family.unit_ruling(x)?;
+        let bounds = match &self.bounds {
+            Bounds::Range(range) => self.unit_range(range),
+            Bounds::Planes([first, second]) => {
+                let at = |plane| ruling.meets(&unit_plane(plane), x);
+                [at(first)?, at(second)?]
+            }
         };
-        Ok([ruling.point(&first), ruling.point(&second)])
+        let ends = bounds.map(|x1| ruling.point(&x1));
+        finite("end of a ruling", ends.iter().flatten(), x)?;
+        Ok(ends)
     }
 
     /// The plane `H(x)` touches along the ruling of `x`.
@@ -183,7 +197,7 @@ impl<S: Coordinate, B: Basis<S>> TangentPatch<B, S> {
         if is_zero(&(to.clone() - from.clone())) {
             return Err(GeometryError::Degenerate {
                 what: "ruling range",
-                at: text(from),
+                at: Place::Parameter(from.approximate()),
             });
         }
         Ok(Self { family, range })
@@ -204,17 +218,21 @@ impl<S: Coordinate, B: Basis<S>> TangentPatch<B, S> {
 
 impl<S: Coordinate, B: Basis<S>> Rails<S> for TangentPatch<B, S> {
     fn rail_jets(&self, x: &S, order: usize) -> Result<[[Jet<S>; 3]; 2]> {
-        let no_point = || GeometryError::NoCharacteristicPoint { parameter: text(x) };
+        let no_point = || GeometryError::NoCharacteristicPoint {
+            parameter: x.approximate(),
+        };
         let spine = self.family.characteristic_jet(x, order.saturating_add(1))?;
         let [a, b, c] = spine.each_ref().map(Jet::differentiated);
         let (Some(a), Some(b), Some(c)) = (a, b, c) else {
             return Err(no_point());
         };
         let tangent = [a, b, c];
-        Ok(self.range.each_ref().map(|x2| {
+        let rails = self.range.each_ref().map(|x2| {
             let x2 = tangent[0].constant_like(x2.clone());
             std::array::from_fn(|axis| spine[axis].clone() + x2.clone() * tangent[axis].clone())
-        }))
+        });
+        finite("rail", rails.iter().flatten(), x)?;
+        Ok(rails)
     }
 
     /// The osculating plane of the spine curve touches along its tangent.

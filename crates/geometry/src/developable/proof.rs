@@ -1,12 +1,13 @@
 //! Proofs about ruled patches: no samples, no tolerance.
 
+use super::forms::RulingForms;
 use crate::basis::Bernstein;
 use crate::curve::Curve;
-use crate::error::{GeometryError, Result};
+use crate::error::Result;
 use crate::surface::{Rails, RuledSurface};
-use crate::vector::{cross, det, dot, sub};
+use crate::vector::dot;
 use std::cmp::Ordering;
-use torse_algebra::{Ball, Fraction, Integer, Jet, Rational};
+use torse_algebra::{Ball, Fraction, Integer, Rational};
 
 /// The outcome of [`prove_developable`].
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,6 +30,10 @@ type Rail = Curve<Bernstein, Rational, 3>;
 /// polynomial of degree at most `(m - 1) + (n - 1) + max(m, n)`, so it vanishes identically when it
 /// vanishes at one parameter more.
 ///
+/// The question is about the very numbers of the control points. Of a patch whose points were *computed* on
+/// f64 it is almost never developable: rounding twists it by `1e-16`, and `Twisted` says just that. Ask
+/// [`certify`](super::certify) or [`enclose`](super::enclose) by how much.
+///
 /// # Errors
 /// None beyond evaluation, which does not fail for polynomials.
 ///
@@ -50,9 +55,7 @@ pub fn prove_developable(patch: &RuledSurface<Rail, Rail>) -> Result<Developabil
     let bound = (m + n).saturating_sub(2) + m.max(n);
     for i in 0..=bound {
         let x = Rational::new(Integer::from(i), Integer::from(bound.max(1)));
-        let [p, q] = patch.rail_jets(&x, 1)?;
-        let ([p0, p1], [q0, q1]) = (first_two(&p)?, first_two(&q)?);
-        let determinant = det(&p1, &q1, &sub(&q0, &p0));
+        let determinant = RulingForms::of(patch, &x)?.determinant();
         if *determinant.numer() != Integer::ZERO {
             return Ok(Developability::Twisted { x, determinant });
         }
@@ -82,35 +85,19 @@ pub fn prove_developable(patch: &RuledSurface<Rail, Rail>) -> Result<Developabil
 /// assert!(!twist_determinant(&twisted)?.is_zero());
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
-pub fn twist_determinant(patch: &impl Rails<Fraction>) -> Result<Fraction> {
-    let x = Fraction::named("x");
-    let [p, q] = patch.rail_jets(&x, 1)?;
-    let ([p0, p1], [q0, q1]) = (first_two(&p)?, first_two(&q)?);
-    Ok(det(&p1, &q1, &sub(&q0, &p0)))
-}
-
-/// Value and first derivative.
-fn first_two<S: Clone>(jets: &[Jet<S>; 3]) -> Result<[[S; 3]; 2]> {
-    let [x, y, z] = jets.each_ref().map(Jet::coefficients);
-    match (x, y, z) {
-        ([x, dx, ..], [y, dy, ..], [z, dz, ..]) => {
-            Ok([[x, y, z], [dx, dy, dz]].map(|vector| vector.map(S::clone)))
-        }
-        _ => Err(GeometryError::LengthMismatch {
-            what: "Taylor coefficients of a rail",
-            index: 0,
-            expected: 2,
-            given: x.len().min(y.len()).min(z.len()),
-        }),
-    }
+pub fn twist_determinant<R: Rails<Fraction> + ?Sized>(patch: &R) -> Result<Fraction> {
+    let forms = RulingForms::of(patch, &Fraction::named("x"))?;
+    Ok(forms.computed_determinant())
 }
 
 /// The outcome of [`prove_regular`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Regularity {
-    /// Proved: on every ruling the end normals point to the same side.
+    /// Proved: on every ruling the normals at both ends are there and point to the same side, `N0 . N1 > 0`,
+    /// so the normal vanishes nowhere.
     Regular,
-    /// Refuted: at this parameter they point to opposite sides, so the edge of regression lies inside.
+    /// Refuted: at this parameter `N0 . N1 <= 0`. Of a developable the edge of regression lies inside or on the
+    /// border, or the normal vanishes; of a twisted patch the tangent plane turns by a right angle or more.
     Singular {
         /// The parameter of a witness ruling.
         x: Rational,
@@ -124,7 +111,7 @@ pub enum Regularity {
     },
 }
 
-/// Proves or refutes that a developable patch is regular, with interval arithmetic of `bits` bits and at
+/// Proves or refutes that a patch is regular, in the sense of [`Certificate`](super::Certificate), with interval arithmetic of `bits` bits and at
 /// most `budget` intervals.
 ///
 /// # Errors
@@ -146,7 +133,7 @@ pub enum Regularity {
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 #[must_use]
-pub fn prove_regular(patch: &impl Rails<Ball>, bits: usize, budget: usize) -> Regularity {
+pub fn prove_regular<R: Rails<Ball> + ?Sized>(patch: &R, bits: usize, budget: usize) -> Regularity {
     let number = |n: i64| torse_algebra::rational::integer(n);
     let half = Rational::new(1.into(), 2.into());
     let mut open = vec![(number(0), number(1))];
@@ -155,12 +142,15 @@ pub fn prove_regular(patch: &impl Rails<Ball>, bits: usize, budget: usize) -> Re
         visited += 1;
         match same_side(patch, &Ball::from_bounds(&from, &to, bits)) {
             Some(Ordering::Greater) => continue,
-            Some(Ordering::Less) => return Regularity::Singular { x: from },
-            _ => {}
+            Some(Ordering::Less | Ordering::Equal) => return Regularity::Singular { x: from },
+            None => {}
         }
         let middle = (from.clone() + to.clone()) * half.clone();
-        if same_side(patch, &Ball::from_rational(&middle, bits)) == Some(Ordering::Less) {
-            return Regularity::Singular { x: middle };
+        for x in [&middle, &from, &to] {
+            let side = same_side(patch, &Ball::from_rational(x, bits));
+            if matches!(side, Some(Ordering::Less | Ordering::Equal)) {
+                return Regularity::Singular { x: x.clone() };
+            }
         }
         if visited >= budget {
             return Regularity::Undecided { from, to };
@@ -172,9 +162,8 @@ pub fn prove_regular(patch: &impl Rails<Ball>, bits: usize, budget: usize) -> Re
 }
 
 /// The sign of `N0 . N1` over an interval of parameters, where it is the same for all.
-fn same_side(patch: &impl Rails<Ball>, x: &Ball) -> Option<Ordering> {
-    let [p, q] = patch.rail_jets(x, 1).ok()?;
-    let ([p0, p1], [q0, q1]) = (first_two(&p).ok()?, first_two(&q).ok()?);
-    let r = sub(&q0, &p0);
-    dot(&cross(&p1, &r), &cross(&q1, &r)).sign()
+fn same_side<R: Rails<Ball> + ?Sized>(patch: &R, x: &Ball) -> Option<Ordering> {
+    let forms = RulingForms::of(patch, x).ok()?;
+    let [n0, n1] = forms.normals();
+    dot(n0, n1).sign()
 }

@@ -13,7 +13,7 @@
 //! agree.
 
 use crate::coordinate::check_positive;
-use crate::error::{GeometryError, Result};
+use crate::error::{GeometryError, Place, Result};
 use crate::surface::Rails;
 use crate::vector::{cross, dot, norm, scale, sub, unit};
 
@@ -75,7 +75,11 @@ const MOST_STEPS: usize = 1 << 16;
 /// assert!(flat.error <= 1e-10 && flat.strain < 1e-15);
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
-pub fn unroll(patch: &impl Rails<f64>, rulings: usize, accuracy: f64) -> Result<FlatPattern> {
+pub fn unroll<R: Rails<f64> + ?Sized>(
+    patch: &R,
+    rulings: usize,
+    accuracy: f64,
+) -> Result<FlatPattern> {
     check_positive("accuracy", &accuracy)?;
     let mut steps = rulings.clamp(4, MOST_STEPS);
     let mut coarse = integrate(patch, steps)?;
@@ -90,8 +94,8 @@ pub fn unroll(patch: &impl Rails<f64>, rulings: usize, accuracy: f64) -> Result<
         if steps > MOST_STEPS {
             return Err(GeometryError::NotConverged {
                 what: "unrolling",
-                reached: format!("{error:e}"),
-                demanded: format!("{accuracy:e}"),
+                reached: error,
+                demanded: accuracy,
             });
         }
         coarse = fine;
@@ -110,10 +114,10 @@ struct Frame {
 }
 
 impl Frame {
-    fn at(patch: &impl Rails<f64>, x: f64) -> Result<Self> {
+    fn at<R: Rails<f64> + ?Sized>(patch: &R, x: f64) -> Result<Self> {
         let degenerate = |what| GeometryError::Degenerate {
             what,
-            at: format!("x = {x}"),
+            at: Place::Parameter(x),
         };
         let [p, q] = patch.rail_jets(&x, 1)?;
         let coefficient = |jets: &[torse_algebra::Jet<f64>; 3], n: usize| -> [f64; 3] {
@@ -157,7 +161,7 @@ fn lost(v: &[f64; 3], n: &[f64; 3]) -> f64 {
     }
 }
 
-fn integrate(patch: &impl Rails<f64>, steps: usize) -> Result<FlatPattern> {
+fn integrate<R: Rails<f64> + ?Sized>(patch: &R, steps: usize) -> Result<FlatPattern> {
     #[allow(clippy::cast_precision_loss)]
     let h = 1.0 / steps as f64;
     let mut state = [0.0_f64; 3];

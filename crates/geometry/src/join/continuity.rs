@@ -61,7 +61,7 @@ impl<S: Coordinate> Continuity<S> {
     /// let g2 = Continuity::beta(vec![2.0, 5.0])?;
     /// assert_eq!(g2.start_jet(&[[1.0], [10.0], [100.0]])?, [[1.0], [20.0], [450.0]]);
     /// let error = Continuity::beta(vec![-1.0]).unwrap_err();
-    /// assert_eq!(error.to_string(), "gamma = -1.0 is outside (0, infinity)");
+    /// assert_eq!(error.to_string(), "gamma = -1 is outside (0, infinity)");
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn beta(betas: Vec<S>) -> Result<Self> {

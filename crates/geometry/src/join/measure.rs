@@ -4,7 +4,7 @@ use super::continuity::transform;
 use crate::basis::Basis;
 use crate::coordinate::{Coordinate, is_zero};
 use crate::curve::Curve;
-use crate::error::{GeometryError, Result};
+use crate::error::{GeometryError, Place, Result};
 use crate::planes::PlaneFamily;
 use crate::vector::{scale, sub};
 use std::cmp::Ordering;
@@ -65,6 +65,36 @@ impl<S: Coordinate, const D: usize> JointMeasure<S, D> {
 }
 
 impl<const D: usize> JointMeasure<f64, D> {
+    /// The highest order up to which the derivatives themselves agree within `tolerance`: C^order. As
+    /// [`order_within`](JointMeasure::order_within), and each beta value (and factor) is within `tolerance` of
+    /// that of equal parameters, `1, 0, 0, ..`.
+    ///
+    /// ```
+    /// use torse_geometry::{Continuity, Curve, Gbt, join};
+    /// let left = Curve::new(Gbt::new(0.5, -0.5)?, vec![[0.0, 0.0], [1.0, 1.0], [2.0, 1.0], [3.0, 0.0]])?;
+    /// let c2 = Continuity::parametric(2, &0.0);
+    /// let right = join::next_curve(&left, Gbt::new(0.25, 1.0)?, &c2, &[[7.0, 0.0]])?;
+    /// let measure = join::measure_curves(&left, &right, 3)?;
+    /// assert_eq!(measure.parametric_order_within(1e-9), Some(2));
+    /// let faster = join::next_curve(&left, Gbt::new(0.25, 1.0)?, &Continuity::beta(vec![1.1])?, &[[7.0, 0.0]])?;
+    /// let measure = join::measure_curves(&left, &faster, 1)?;
+    /// assert_eq!((measure.order_within(1e-9), measure.parametric_order_within(1e-9)), (Some(1), Some(0)));
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    #[must_use]
+    pub fn parametric_order_within(&self, tolerance: f64) -> Option<usize> {
+        let near = |list: &[f64], first: f64| {
+            let wanted = std::iter::once(first).chain(std::iter::repeat(0.0));
+            let agree = list.iter().zip(wanted);
+            agree
+                .take_while(|(value, wanted)| (*value - wanted).abs() <= tolerance)
+                .count()
+        };
+        let scale = near(&self.scale, 1.0).checked_sub(1)?;
+        let betas = near(&self.betas, 1.0);
+        Some(self.order_within(tolerance)?.min(betas).min(scale))
+    }
+
     /// The highest order up to which every residual is at most `tolerance` times the length of the
     /// right derivative of that order (or of the longest derivative before, if it is longer).
     #[must_use]
@@ -195,7 +225,7 @@ fn measure_jets<S: Coordinate, const D: usize>(
 ) -> Result<JointMeasure<S, D>> {
     let degenerate = |what| GeometryError::Degenerate {
         what,
-        at: "the joint".to_owned(),
+        at: Place::Whole,
     };
     let (Some(l0), Some(r0)) = (left.first(), right.first()) else {
         return Err(degenerate("empty jet"));

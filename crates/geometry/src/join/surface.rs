@@ -84,7 +84,8 @@ pub fn next_surface<S: Coordinate, L: Basis<S>, R: Basis<S>, V: Basis<S>>(
 ///
 /// # Errors
 /// [`GeometryError::LengthMismatch`] when the nets have different numbers of columns,
-/// [`GeometryError::Degenerate`] when a column stands still at the boundary or the bases in `v` differ.
+/// [`GeometryError::Degenerate`] when a column stands still at the boundary,
+/// [`GeometryError::DifferentBases`] when those in `v` differ.
 pub fn measure_surfaces<S: Coordinate, L: Basis<S>, R: Basis<S>, V: Basis<S> + PartialEq>(
     left: &TensorSurface<L, V, S>,
     right: &TensorSurface<R, V, S>,
@@ -101,10 +102,10 @@ pub fn measure_surfaces<S: Coordinate, L: Basis<S>, R: Basis<S>, V: Basis<S> + P
         });
     }
     if left.bases().1 != right.bases().1 {
-        let at = format!("{:?} and {:?}", left.bases().1, right.bases().1);
-        return Err(GeometryError::Degenerate {
+        return Err(GeometryError::DifferentBases {
             what: "joint of surfaces with different bases along it",
-            at,
+            first: format!("{:?}", left.bases().1),
+            second: format!("{:?}", right.bases().1),
         });
     }
     let column = |i| measure_curves(&left.column_curve(i)?, &right.column_curve(i)?, order);

@@ -18,10 +18,11 @@
 mod pencil;
 
 use crate::basis::Basis;
-use crate::coordinate::{Coordinate, check_finite, is_zero, text};
+use crate::coordinate::{Coordinate, check_finite, is_zero};
 use crate::curve::Curve;
-use crate::error::{GeometryError, Result};
+use crate::error::{GeometryError, Place, Result};
 use crate::vector::{add, combine, cross, dot, scale, sub};
+use std::cmp::Ordering;
 use torse_algebra::{ExactError, Jet, Scalar};
 
 /// A plane `[p, q, r, s]`: the points with `p X + q Y + r Z = s`.
@@ -29,6 +30,12 @@ pub type Plane<S> = [S; 4];
 
 /// A family of planes `H(x) = sum_i g[i,k](x) Q[i]` with control planes `Q[i] = [p, q, r, s]`
 /// (gbt-developable eqs. (3.1) to (3.4)).
+///
+/// Multiples of a plane are the same plane, and a common factor of all control planes changes nothing: the
+/// surface is computed from planes whose normals a power of two brought to the size of one, so that
+/// products neither overflow nor vanish. Factors of *single* planes do change the family (they act as
+/// weights): with the opposite sign a plane is the same, but the family turns the other way round; see
+/// [`PlaneFamily::opposing_normals`].
 ///
 /// ```
 /// use torse_geometry::{Gbt, PlaneFamily};
@@ -46,7 +53,11 @@ pub type Plane<S> = [S; 4];
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaneFamily<B, S> {
+    /// As given.
     planes: Curve<B, S, 4>,
+    /// `planes / 2^exponent`: the longest normal has its largest coordinate in [1, 2).
+    unit: Curve<B, S, 4>,
+    exponent: i32,
 }
 
 /// The line in which a plane of a family meets its neighbour.
@@ -78,7 +89,7 @@ impl<S: Coordinate> Ruling<S> {
         distance
             .divided_by(&dot(&normal, &self.direction))
             .map_err(|_| GeometryError::RulingParallelToPlane {
-                parameter: text(parameter),
+                parameter: parameter.approximate(),
             })
     }
 }
@@ -127,16 +138,60 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
             });
         }
         check_finite("control plane", planes.iter().flatten())?;
+        let curve = Curve::new(basis, planes)?;
+        let exponent = curve.points().iter().filter_map(exponent_of).max();
+        let exponent = exponent.unwrap_or(0);
+        let unit = curve.mapped(|plane| plane.each_ref().map(|c| c.times_two_to(-exponent)));
+        Self::of_parts(curve, unit, exponent)
+    }
+
+    /// The family with these planes, also over another scalar than that for which the exponent was found.
+    pub(crate) fn of_parts(
+        planes: Curve<B, S, 4>,
+        unit: Curve<B, S, 4>,
+        exponent: i32,
+    ) -> Result<Self> {
+        // Planes beyond the range of f64 as seen from the origin.
+        check_finite("control plane", unit.points().iter().flatten())?;
         let vanishes = |plane: &Plane<S>| normal_of(plane).iter().all(is_zero);
-        if let Some(index) = planes.iter().position(vanishes) {
+        if let Some(index) = unit.points().iter().position(vanishes) {
             return Err(GeometryError::Degenerate {
                 what: "normal of a control plane",
-                at: index.to_string(),
+                at: Place::Index(index),
             });
         }
-        let curve = Curve::new(basis, planes)?;
-        pencil::check(curve.points())?;
-        Ok(Self { planes: curve })
+        pencil::check(unit.points())?;
+        Ok(Self {
+            planes,
+            unit,
+            exponent,
+        })
+    }
+
+    /// The curve that everything is computed from, and `e`: it is [`PlaneFamily::curve`] over `2^e`.
+    pub(crate) fn unit_curve(&self) -> (&Curve<B, S, 4>, i32) {
+        (&self.unit, self.exponent)
+    }
+
+    /// The first control plane whose normal is known to make an obtuse angle with that of the next: then
+    /// the family turns by more than a right angle between two control planes, most often because the sign
+    /// of one plane was lost (`[p, q, r, s]` and `[-p, -q, -r, -s]` are one plane, but two families), and
+    /// the surface may run through infinity.
+    ///
+    /// ```
+    /// use torse_geometry::{Bernstein, PlaneFamily};
+    /// let planes = |sign: f64| vec![[1., 0., 0.2, 3.], [0.5 * sign, sign, 0.1 * sign, 2. * sign], [0., 1., 0.5, 4.]];
+    /// assert_eq!(PlaneFamily::new(Bernstein, planes(1.0))?.opposing_normals(), None);
+    /// assert_eq!(PlaneFamily::new(Bernstein, planes(-1.0))?.opposing_normals(), Some(0));
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    #[must_use]
+    pub fn opposing_normals(&self) -> Option<usize> {
+        let planes = self.unit.points();
+        let obtuse = |(a, b): (&Plane<S>, &Plane<S>)| {
+            dot(&normal_of(a), &normal_of(b)).sign() == Some(Ordering::Less)
+        };
+        planes.iter().zip(planes.iter().skip(1)).position(obtuse)
     }
 
     /// The family as a curve in the space of planes.
@@ -172,20 +227,36 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     /// let family = PlaneFamily::new(Bernstein, planes)?;
     /// assert_eq!(
     ///     family.ruling(&0.0).unwrap_err(),
-    ///     GeometryError::NoRuling { parameter: "0.0".to_owned() },
+    ///     GeometryError::NoRuling { parameter: 0.0 },
     /// );
     /// # Ok::<(), GeometryError>(())
     /// ```
     pub fn ruling(&self, x: &S) -> Result<Ruling<S>> {
+        let ruling = self.unit_ruling(x)?;
+        // a x a' is quadratic in the planes.
+        let restored = |v: &[S; 3]| v.each_ref().map(|c| c.times_two_to(2 * self.exponent));
+        let (direction, moment) = (restored(&ruling.direction), restored(&ruling.moment));
+        finite("ruling", direction.iter().chain(&moment), x)?;
+        Ok(Ruling {
+            direction,
+            moment,
+            foot: ruling.foot,
+        })
+    }
+
+    /// The ruling of the planes over `2^exponent`: the same line, with another length of its direction.
+    pub(crate) fn unit_ruling(&self, x: &S) -> Result<Ruling<S>> {
         let mut row = vec![x.zero(); self.degree() + 1];
         let mut slope = row.clone();
         let basis = self.planes.basis();
         basis.row_and_slope_into(x, &mut row, &mut slope)?;
-        let points = self.planes.points();
+        let points = self.unit.points();
         let (Some(plane), Some(slope)) = (combine(&row, points), combine(&slope, points)) else {
             return Err(no_ruling(x));
         };
-        ruling_of(&plane, &slope).map_err(|_| no_ruling(x))
+        let ruling = ruling_of(&plane, &slope).map_err(|_| no_ruling(x))?;
+        finite("ruling", ruling.foot.iter().chain(&ruling.direction), x)?;
+        Ok(ruling)
     }
 
     /// The point `S(x)` of the edge of regression (spine curve), gbt-developable eq. (3.9).
@@ -205,11 +276,13 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn characteristic_point(&self, x: &S) -> Result<[S; 3]> {
-        let jet = self.planes.derivatives(x, 2)?;
+        let jet = self.unit.derivatives(x, 2)?;
         let [h0, h1, h2] = jet.as_slice() else {
             return Err(no_point(x));
         };
-        characteristic_point_of([h0, h1, h2]).map_err(|_| no_point(x))
+        let point = characteristic_point_of([h0, h1, h2]).map_err(|_| no_point(x))?;
+        finite("point of the edge of regression", &point, x)?;
+        Ok(point)
     }
 
     /// The ruling parameter `x1` at which the ruling of `x` meets the edge of regression,
@@ -228,20 +301,20 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn edge_parameter(&self, x: &S) -> Result<S> {
-        let (ruling, spine) = (self.ruling(x)?, self.characteristic_point(x)?);
+        let (ruling, spine) = (self.unit_ruling(x)?, self.characteristic_point(x)?);
         let phi = &ruling.direction;
         // The foot is perpendicular to phi, so it drops out.
-        dot(&spine, phi)
+        let edge = dot(&spine, phi)
             .divided_by(&dot(phi, phi))
-            .map_err(|_| no_ruling(x))
+            .map_err(|_| no_ruling(x))?
+            .times_two_to(-2 * self.exponent);
+        finite("parameter of the edge of regression", [&edge], x)?;
+        Ok(edge)
     }
 
-    /// The ruling at `x` as Taylor series: foot, direction and moment to this order.
-    ///
-    /// # Errors
-    /// As [`PlaneFamily::ruling`].
-    pub fn ruling_jet(&self, x: &S, order: usize) -> Result<Ruling<Jet<S>>> {
-        let plane = self.planes.jet(x, order.saturating_add(1))?;
+    /// The ruling at `x` as Taylor series to this order, of the planes over `2^exponent`.
+    pub(crate) fn unit_ruling_jet(&self, x: &S, order: usize) -> Result<Ruling<Jet<S>>> {
+        let plane = self.unit.jet(x, order.saturating_add(1))?;
         let slope = slope_of(&plane).ok_or_else(|| no_ruling(x))?;
         ruling_of(&plane, &slope).map_err(|_| no_ruling(x))
     }
@@ -251,7 +324,7 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     /// # Errors
     /// As [`PlaneFamily::characteristic_point`].
     pub fn characteristic_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
-        let h0 = self.planes.jet(x, order.saturating_add(2))?;
+        let h0 = self.unit.jet(x, order.saturating_add(2))?;
         let h1 = slope_of(&h0).ok_or_else(|| no_point(x))?;
         let h2 = slope_of(&h1).ok_or_else(|| no_point(x))?;
         characteristic_point_of([&h0, &h1, &h2]).map_err(|_| no_point(x))
@@ -311,10 +384,34 @@ fn divide<S: Scalar>(v: &[S; 3], by: &S) -> Result<[S; 3], ExactError> {
     ])
 }
 
+/// Refuses a result that left the range of the scalar.
+pub(crate) fn finite<'a, S: Coordinate + 'a>(
+    what: &'static str,
+    values: impl IntoIterator<Item = &'a S>,
+    x: &impl Coordinate,
+) -> Result<()> {
+    let at = Place::Parameter(x.approximate());
+    if values.into_iter().all(Coordinate::is_finite) {
+        Ok(())
+    } else {
+        Err(GeometryError::NoValue { what, at })
+    }
+}
+
+/// The largest exponent among the coordinates of the normal.
+pub(crate) fn exponent_of<S: Coordinate>(plane: &Plane<S>) -> Option<i32> {
+    let [p, q, r, _] = plane;
+    [p, q, r].into_iter().filter_map(Coordinate::exponent).max()
+}
+
 fn no_ruling<S: Coordinate>(x: &S) -> GeometryError {
-    GeometryError::NoRuling { parameter: text(x) }
+    GeometryError::NoRuling {
+        parameter: x.approximate(),
+    }
 }
 
 fn no_point<S: Coordinate>(x: &S) -> GeometryError {
-    GeometryError::NoCharacteristicPoint { parameter: text(x) }
+    GeometryError::NoCharacteristicPoint {
+        parameter: x.approximate(),
+    }
 }

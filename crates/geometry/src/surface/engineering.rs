@@ -4,7 +4,7 @@ use super::TensorSurface;
 use crate::basis::{Basis, Bernstein, Gbt};
 use crate::coordinate::{Coordinate, check_finite, check_positive, is_zero};
 use crate::curve::Curve;
-use crate::error::{GeometryError, Result};
+use crate::error::{GeometryError, Place, Result};
 use crate::vector::{add, scale};
 
 impl<S: Coordinate, B: Basis<S>> TensorSurface<B, Bernstein, S> {
@@ -28,7 +28,7 @@ impl<S: Coordinate, B: Basis<S>> TensorSurface<B, Bernstein, S> {
     /// assert!((top[2] - 20.0).abs() < 1e-13);
     /// assert!(cylinder.gaussian_curvature(&0.4, &0.3)?.abs() < 1e-18);
     /// let error = TensorSurface::cylinder(&directrix, &[0.0, 0.0, 1.0], &-1.0).unwrap_err();
-    /// assert_eq!(error.to_string(), "distance = -1.0 is outside (0, infinity)");
+    /// assert_eq!(error.to_string(), "distance = -1 is outside (0, infinity)");
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn cylinder(directrix: &Curve<B, S, 3>, direction: &[S; 3], distance: &S) -> Result<Self> {
@@ -37,7 +37,7 @@ impl<S: Coordinate, B: Basis<S>> TensorSurface<B, Bernstein, S> {
         if direction.iter().all(is_zero) {
             return Err(GeometryError::Degenerate {
                 what: "direction of a cylinder",
-                at: "all axes".to_owned(),
+                at: Place::Whole,
             });
         }
         let shift = scale(distance, direction);

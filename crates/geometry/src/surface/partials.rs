@@ -1,7 +1,7 @@
 //! Partial derivatives at a point, and the fundamental forms made of them.
 
 use crate::coordinate::{Coordinate, is_zero};
-use crate::error::{GeometryError, Result};
+use crate::error::{GeometryError, Place, Result};
 use crate::vector::{cross, dot, unit};
 
 /// The partial derivatives of a surface at one point: `d^(i+j) / du^i dv^j` for `i + j <= order`.
@@ -133,6 +133,6 @@ impl Forms<f64> {
 pub(super) fn singular() -> GeometryError {
     GeometryError::Degenerate {
         what: "surface normal",
-        at: "this point".to_owned(),
+        at: Place::Whole,
     }
 }

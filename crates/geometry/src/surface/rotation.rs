@@ -117,7 +117,7 @@ impl<B: Basis<f64>> RotationSurface<B, f64> {
             let (name, range) = ("rotation angle", "(0, 2 pi]");
             return Err(GeometryError::OutOfRange {
                 name,
-                value: angle.to_string(),
+                value: angle,
                 range,
             });
         }

@@ -59,7 +59,7 @@ pub trait Rails<S: Coordinate> {
 /// # Errors
 /// As [`Rails::rail_jets`].
 pub fn partials_between<S: Coordinate>(
-    rails: &impl Rails<S>,
+    rails: &(impl Rails<S> + ?Sized),
     u: &S,
     v: &S,
     order: usize,
@@ -144,7 +144,7 @@ impl<S: Coordinate, B: Basis<S> + PartialEq> RuledSurface<Curve<B, S, 3>, Curve<
     /// The same surface as a tensor product of degree `(m, 1)` (gbt-surfaces eq. (18), Algorithm 3).
     ///
     /// # Errors
-    /// [`GeometryError::LengthMismatch`] when the degrees differ, [`GeometryError::Degenerate`] when
+    /// [`GeometryError::LengthMismatch`] when the degrees differ, [`GeometryError::DifferentBases`] when
     /// the bases (shape parameters) differ: then the surface is no tensor product of this kind.
     pub fn tensor(&self) -> Result<TensorSurface<B, Bernstein, S>> {
         let (p, q) = (self.first.points(), self.second.points());
@@ -158,10 +158,10 @@ impl<S: Coordinate, B: Basis<S> + PartialEq> RuledSurface<Curve<B, S, 3>, Curve<
             });
         }
         if self.first.basis() != self.second.basis() {
-            let at = format!("{:?} and {:?}", self.first.basis(), self.second.basis());
-            return Err(GeometryError::Degenerate {
-                what: "tensor form: guide curves of different bases",
-                at,
+            return Err(GeometryError::DifferentBases {
+                what: "tensor form of a ruled surface",
+                first: format!("{:?}", self.first.basis()),
+                second: format!("{:?}", self.second.basis()),
             });
         }
         let net = p

@@ -307,17 +307,18 @@ fn a_patch_across_its_edge_of_regression_is_reported_with_the_place() {
     let certificate = certify(&across, 16).unwrap();
     assert!(!certificate.is_regular());
     assert!(
-        (certificate.clearance.v - 0.25).abs() < 1e-9,
+        (certificate.clearance.unwrap().v - 0.25).abs() < 1e-9,
         "{certificate:?}"
     );
     let beside = TangentPatch::new(family, [0.5, 1.0]).unwrap();
     let certificate = certify(&beside, 16).unwrap();
     // The edge is half a tangent away; |S'| is least at x = 0, where it is one.
     assert!(
-        (certificate.clearance.value - 0.5).abs() < 1e-9,
+        (certificate.clearance.unwrap().value - 0.5).abs() < 1e-9,
         "{certificate:?}"
     );
-    assert!(certificate.clearance.x < 1e-9 && certificate.gaussian.value < 1e-12);
+    // The least value is flat: its place is known to the root of the rounding.
+    assert!(certificate.clearance.unwrap().x < 1e-6 && certificate.gaussian.unwrap().value < 1e-12);
 }
 
 #[test]
@@ -328,6 +329,6 @@ fn a_saddle_is_reported_as_not_developable() {
         rail([[0.0, 1.0, 0.0], [1.0, 1.0, 1.0]]),
     );
     let certificate = certify(&saddle, 16).unwrap();
-    assert!(certificate.determinant.value > 0.5 && certificate.gaussian.value > 0.9);
+    assert!(certificate.determinant.value > 0.5 && certificate.gaussian.unwrap().value > 0.9);
     assert!(unroll(&saddle, 16, 1e-6).unwrap().strain > 0.05);
 }

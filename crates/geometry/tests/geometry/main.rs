@@ -14,5 +14,6 @@ mod files;
 mod hostile;
 mod identities;
 mod joins;
+mod singular;
 mod surfaces;
 mod ulps;
