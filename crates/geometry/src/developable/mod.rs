@@ -2,6 +2,7 @@
 //! and flat patterns.
 
 mod certificate;
+mod connect;
 mod enclosure;
 mod extent;
 mod forms;
@@ -15,6 +16,10 @@ mod resolve;
 mod unroll;
 
 pub use certificate::{Certificate, Singularity, Worst, certify};
+pub use connect::{
+    BestRuling, Branch, BranchEnd, ConnectingPatch, Connections, Gap, NODE_RADIUS, ParameterBox,
+    Reason, connect,
+};
 pub use enclosure::{Enclosed, EnclosedCertificate, enclose};
 pub use forms::RulingForms;
 pub use hermite::{HermiteCone, QuarticData, QuinticData, cone_system};

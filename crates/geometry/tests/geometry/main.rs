@@ -7,6 +7,7 @@
 
 mod agreement;
 mod certified;
+mod connections;
 mod constructions;
 mod developables;
 mod enclosures;

@@ -1,0 +1,382 @@
+//! The developables that connect two space curves.
+//!
+//! The ruling from `c1(s)` to `c2(t)` belongs to a developable through both curves when one plane touches both
+//! along it, that is when
+//!
+//! ```text
+//! F(s, t) = det(c1'(s), c2'(t), c2(t) - c1(s)) = 0
+//! ```
+//!
+//! (the torse of two directrices of classical descriptive geometry; "developable loft" of CAD). Its solutions
+//! are curves in the square of parameters; each part that rises in both, a *branch*, gives one patch. There
+//! may be several, or none, and they need not reach the ends of the curves. [`connect`] finds them all, in
+//! two steps that check each other: bisection with balls shows where solutions can be ([`ParameterBox`]), and
+//! what is followed from there on f64 is proved afterwards, box by box.
+//!
+//! Two coplanar curves satisfy the equation everywhere; then every ruled surface between them is flat, and no
+//! branch is singled out.
+
+mod equation;
+mod patch;
+mod survey;
+mod trace;
+
+pub use patch::ConnectingPatch;
+pub use survey::ParameterBox;
+pub use trace::{Branch, BranchEnd, NODE_RADIUS};
+
+use super::certificate::certify;
+use crate::coordinate::Coordinate;
+use crate::error::{GeometryError, Place, Result, count};
+use crate::scalars::{Over, exact_ball};
+use crate::surface::SpaceCurve;
+use crate::vector::{cross, dot, norm, sub};
+use equation::{Contact, Equation};
+use torse_algebra::Ball;
+
+/// Why a branch was preferred.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reason {
+    /// There is no other.
+    Only,
+    /// No other gives a regular patch.
+    OnlyRegular,
+    /// It uses most of the curves: as much of them as the first number says (1 for all of both), the next best
+    /// the second.
+    CoversMost(f64, f64),
+    /// Of those that use as much of the curves, its longest ruling (the first number) is the shortest.
+    ShorterRulings(f64, f64),
+}
+
+/// The ruling with the least twist through a point of one curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BestRuling {
+    /// The parameter on the first curve.
+    pub s: f64,
+    /// The parameter on the second curve.
+    pub t: f64,
+    /// The angle between the tangent planes at its ends, in radians.
+    pub twist: f64,
+}
+
+/// A part of a curve that no ruling of the chosen branch meets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// Whether it is on the first curve (0) or on the second (1).
+    pub curve: usize,
+    /// Its parameters.
+    pub range: [f64; 2],
+    /// The place where even the best ruling twists most: an estimate from samples.
+    pub worst: BestRuling,
+}
+
+/// What [`connect`] found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Connections<P, Q> {
+    curves: (P, Q),
+    branches: Vec<Branch>,
+    choice: Option<(usize, Reason)>,
+    gaps: Vec<Gap>,
+    falling: Vec<ParameterBox>,
+    open: Vec<ParameterBox>,
+}
+
+impl<P: Clone, Q: Clone> Connections<P, Q> {
+    /// The branches, in the order of their first parameters.
+    #[must_use]
+    pub fn branches(&self) -> &[Branch] {
+        &self.branches
+    }
+
+    /// The branch that was chosen, and why; `None` when there is none.
+    #[must_use]
+    pub fn choice(&self) -> Option<(usize, Reason)> {
+        self.choice
+    }
+
+    /// What the chosen branch leaves of the curves; all of both when there is none.
+    #[must_use]
+    pub fn gaps(&self) -> &[Gap] {
+        &self.gaps
+    }
+
+    /// Cells in which solutions may fall: they give no patch, as its rulings would run against a curve.
+    #[must_use]
+    pub fn falling(&self) -> &[ParameterBox] {
+        &self.falling
+    }
+
+    /// Cells about which nothing was decided (a crossing or a turn of branches lies there, or nothing at all):
+    /// outside of these and next to the branches there is no rising solution.
+    #[must_use]
+    pub fn undecided(&self) -> &[ParameterBox] {
+        &self.open
+    }
+
+    /// The patch of a branch; `None` when there are fewer.
+    #[must_use]
+    pub fn patch(&self, branch: usize) -> Option<ConnectingPatch<P, Q>> {
+        let branch = self.branches.get(branch)?.clone();
+        Some(ConnectingPatch::new(
+            self.curves.0.clone(),
+            self.curves.1.clone(),
+            branch,
+        ))
+    }
+
+    /// The patch of the chosen branch.
+    #[must_use]
+    pub fn chosen(&self) -> Option<ConnectingPatch<P, Q>> {
+        self.choice.and_then(|(branch, _)| self.patch(branch))
+    }
+}
+
+/// Bits after the point, for curves of the size of one.
+const BITS: usize = 96;
+/// Rulings on which the patches of competing branches are measured.
+const RULINGS: usize = 33;
+
+/// Finds all developable patches between two curves and chooses one: regular before singular, then the one
+/// that uses most of the curves, then the one with the shorter rulings.
+///
+/// # Errors
+/// [`GeometryError::Degenerate`] when the equation holds everywhere as far as f64 knows (coplanar curves, or a
+/// curve that is a point), and what the curves refuse.
+///
+/// ```
+/// use torse_geometry::developable::{certify, connect};
+/// use torse_geometry::{Bernstein, Curve};
+/// let rail = |points: [[f64; 3]; 3]| Curve::new(Bernstein, points.to_vec());
+/// let lower = rail([[0.0, 0.0, 0.0], [2.0, 3.0, 0.0], [6.0, 0.0, 0.0]])?;
+/// let upper = rail([[0.5, 0.0, 2.0], [3.0, 2.0, 3.0], [6.0, -1.0, 2.0]])?;
+/// let found = connect(&lower, &upper)?;
+/// let patch = found.chosen().expect("one developable");
+/// assert!(patch.branch().is_proved() && patch.branch().coverage() > 0.8);
+/// let certificate = certify(&patch, 32)?;
+/// assert!(certificate.is_regular() && certificate.is_developable_within(1e-7));
+/// // What is left of the curves cannot be reached without twist.
+/// assert!(found.gaps().iter().all(|gap| gap.worst.twist > 0.0));
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+pub fn connect<P, Q>(first: &P, second: &Q) -> Result<Connections<P, Q>>
+where
+    P: SpaceCurve<f64> + Over<f64, Ball, Object: SpaceCurve<Ball>> + Clone,
+    Q: SpaceCurve<f64> + Over<f64, Ball, Object: SpaceCurve<Ball>> + Clone,
+{
+    let rails = (first, second);
+    let bits = precision(rails)?;
+    let ball = |x: &f64| exact_ball(*x, bits);
+    let (one, two) = (first.over(&ball)?, second.over(&ball)?);
+    let survey::Survey {
+        rising,
+        falling,
+        open,
+    } = survey::survey(&one, &two, bits);
+    let mut branches: Vec<Branch> = Vec::new();
+    for cell in &rising {
+        let Some(seed) = trace::seed(rails, cell) else {
+            continue;
+        };
+        if branches.iter().any(|branch| passes(branch, rails, seed)) {
+            continue;
+        }
+        if let Some(branch) = trace::trace(rails, seed) {
+            branches.push(trace::prove(branch, rails, (&one, &two), bits));
+        }
+    }
+    branches.sort_by(|a, b| {
+        a.nodes
+            .partial_cmp(&b.nodes)
+            .unwrap_or(std::cmp::Ordering::Equal)
+    });
+    let mut found = Connections {
+        curves: (first.clone(), second.clone()),
+        branches,
+        choice: None,
+        gaps: Vec::new(),
+        falling,
+        open,
+    };
+    found.choice = choose(&found);
+    let ranges = found.chosen().map(|patch| patch.branch().ranges());
+    found.gaps = gaps(rails, ranges)?;
+    Ok(found)
+}
+
+/// Bits for balls of the size of these curves; refuses curves for which the equation says nothing.
+fn precision<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(rails: (&P, &Q)) -> Result<usize> {
+    const GRID: u32 = 7;
+    let contacts = |k: u32| -> Result<_> {
+        let x = (f64::from(k) + 0.5) / f64::from(GRID);
+        Ok((Contact::of(rails.0, &x)?, Contact::of(rails.1, &x)?))
+    };
+    let contacts = (0..GRID).map(contacts).collect::<Result<Vec<_>>>()?;
+    let (mut scale, mut nonzero) = (0.0_f64, false);
+    for (one, _) in &contacts {
+        for (_, two) in &contacts {
+            let size = norm(&one.first) * norm(&two.first);
+            let reach = norm(&sub(&two.point, &one.point));
+            let away = norm(&one.point) + norm(&two.point);
+            let value = Equation::of(one, two).value.abs();
+            if !(size.is_finite() && away.is_finite() && value.is_finite()) {
+                return Err(GeometryError::NoValue {
+                    what: "size of the curves",
+                    at: Place::Whole,
+                });
+            }
+            nonzero |= value > 1e-13 * size * (reach + 1e-3 * away);
+            scale = scale.max(norm(&one.first)).max(norm(&two.first)).max(reach);
+        }
+    }
+    if !nonzero {
+        return Err(GeometryError::Degenerate {
+            what: "coplanar curves, or one that is a point: every ruling is torsal",
+            at: Place::Whole,
+        });
+    }
+    let small = scale.exponent().unwrap_or(0).min(0).unsigned_abs();
+    // The equation is a product of three lengths.
+    Ok(BITS + 3 * usize::try_from(small).unwrap_or(0))
+}
+
+/// Whether a branch runs through this solution.
+fn passes<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
+    branch: &Branch,
+    rails: (&P, &Q),
+    [s, t]: [f64; 2],
+) -> bool {
+    let u = s + t;
+    let turned = |node: &[f64; 2]| [node[0] + node[1], node[1] - node[0]];
+    branch.nodes.windows(2).any(|pair| {
+        let [Some([u0, w0]), Some([u1, w1])] = [0, 1].map(|i| pair.get(i).map(turned)) else {
+            return false;
+        };
+        if !(u0 - 1e-9..=u1 + 1e-9).contains(&u) {
+            return false;
+        }
+        let guess = w0 + (w1 - w0) * (u - u0) / (u1 - u0);
+        let on = trace::solution(rails, u, guess, 2.0 * (u1 - u0) + 1e-6);
+        on.is_some_and(|w| (w - (t - s)).abs() < 1e-7)
+    })
+}
+
+/// The branch to take, and why.
+fn choose<P: SpaceCurve<f64> + Clone, Q: SpaceCurve<f64> + Clone>(
+    found: &Connections<P, Q>,
+) -> Option<(usize, Reason)> {
+    struct Candidate {
+        index: usize,
+        regular: bool,
+        coverage: f64,
+        longest: f64,
+    }
+    let candidate = |index: usize| {
+        let patch = found.patch(index)?;
+        let rails = found.curves.clone();
+        let length = |[s, t]: &[f64; 2]| {
+            let ends = (Contact::of(&rails.0, s), Contact::of(&rails.1, t));
+            match ends {
+                (Ok(one), Ok(two)) => norm(&sub(&two.point, &one.point)),
+                _ => f64::INFINITY,
+            }
+        };
+        Some(Candidate {
+            index,
+            regular: certify(&patch, RULINGS).is_ok_and(|c| c.is_regular()),
+            coverage: patch.branch().coverage(),
+            longest: patch.branch().nodes.iter().map(length).fold(0.0, f64::max),
+        })
+    };
+    let mut all: Vec<Candidate> = (0..found.branches.len()).filter_map(candidate).collect();
+    // To a thousandth, so that rounding does not decide between mirror images.
+    let share = |c: &Candidate| (c.coverage * 1e3).round();
+    all.sort_by(|a, b| {
+        (b.regular.cmp(&a.regular))
+            .then(share(b).total_cmp(&share(a)))
+            .then(a.longest.total_cmp(&b.longest))
+    });
+    let reason = match all.as_slice() {
+        [] => return None,
+        [_] => Reason::Only,
+        [a, b, ..] if a.regular && !b.regular => Reason::OnlyRegular,
+        [a, b, ..] if share(a) > share(b) => Reason::CoversMost(a.coverage, b.coverage),
+        [a, b, ..] => Reason::ShorterRulings(a.longest, b.longest),
+    };
+    all.first().map(|best| (best.index, reason))
+}
+
+/// Samples of a gap, and of the other curve for each.
+const GAP_SAMPLES: usize = 17;
+const OTHER_SAMPLES: usize = 65;
+
+fn gaps<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
+    rails: (&P, &Q),
+    ranges: Option<[[f64; 2]; 2]>,
+) -> Result<Vec<Gap>> {
+    let mut gaps = Vec::new();
+    for curve in [0, 1] {
+        let parts = match ranges.map(|ranges| ranges[curve]) {
+            None => vec![[0.0, 1.0]],
+            Some([from, to]) => vec![[0.0, from], [to, 1.0]],
+        };
+        for range in parts.into_iter().filter(|[a, b]| b - a > NODE_RADIUS) {
+            let mut worst: Option<BestRuling> = None;
+            for k in 0..GAP_SAMPLES {
+                let part = count(k) / count(GAP_SAMPLES - 1);
+                let at = range[0] + (range[1] - range[0]) * part;
+                let best = best_ruling(rails, curve, at)?;
+                if worst.is_none_or(|worst| best.twist > worst.twist) {
+                    worst = Some(best);
+                }
+            }
+            gaps.extend(worst.map(|worst| Gap {
+                curve,
+                range,
+                worst,
+            }));
+        }
+    }
+    Ok(gaps)
+}
+
+/// The ruling of least twist through the point at this parameter of a curve: the best of samples of the other
+/// curve, refined between its neighbours by golden section.
+fn best_ruling<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
+    rails: (&P, &Q),
+    curve: usize,
+    at: f64,
+) -> Result<BestRuling> {
+    let ruling = |other: f64| -> Result<BestRuling> {
+        let (s, t) = if curve == 0 { (at, other) } else { (other, at) };
+        let (one, two) = (Contact::of(rails.0, &s)?, Contact::of(rails.1, &t)?);
+        let r = sub(&two.point, &one.point);
+        let (n0, n1) = (cross(&one.first, &r), cross(&two.first, &r));
+        let twist = norm(&cross(&n0, &n1)).atan2(dot(&n0, &n1).abs());
+        Ok(BestRuling { s, t, twist })
+    };
+    let sample = |k: usize| count(k.min(OTHER_SAMPLES - 1)) / count(OTHER_SAMPLES - 1);
+    let mut best = ruling(0.0)?;
+    let mut index = 0;
+    for k in 1..OTHER_SAMPLES {
+        let next = ruling(sample(k))?;
+        if next.twist < best.twist {
+            (best, index) = (next, k);
+        }
+    }
+    let (mut a, mut b) = (sample(index.saturating_sub(1)), sample(index + 1));
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    for _ in 0..40 {
+        let (left, right) = (ruling(b - golden * (b - a))?, ruling(a + golden * (b - a))?);
+        for found in [left, right] {
+            if found.twist < best.twist {
+                best = found;
+            }
+        }
+        if left.twist <= right.twist {
+            b = a + golden * (b - a);
+        } else {
+            a = b - golden * (b - a);
+        }
+    }
+    Ok(best)
+}

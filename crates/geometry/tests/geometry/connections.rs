@@ -1,0 +1,270 @@
+//! Developables between two curves: the known ones are found, and none is missed.
+
+use proptest::prelude::*;
+use torse_geometry::developable::{BranchEnd, Reason, certify, connect, enclose, unroll};
+use torse_geometry::vector::{cross, det, dot, norm, sub};
+use torse_geometry::{Bernstein, Curve, Gbt, GeometryError, Over, Rails, SpaceCurve, exact_ball};
+
+type Rail = Curve<Bernstein, f64, 3>;
+
+fn rail(points: &[[f64; 3]]) -> Rail {
+    Curve::new(Bernstein, points.to_vec()).unwrap()
+}
+
+/// `F(s, t)` and the product of its partial derivatives, from derivatives of the curves.
+fn equation(one: &Rail, two: &Rail, s: f64, t: f64) -> (f64, f64) {
+    let (p, q) = (
+        one.derivatives(&s, 2).unwrap(),
+        two.derivatives(&t, 2).unwrap(),
+    );
+    let r = sub(&q[0], &p[0]);
+    (
+        det(&p[1], &q[1], &r),
+        det(&p[2], &q[1], &r) * det(&p[1], &q[2], &r),
+    )
+}
+
+#[test]
+fn a_curve_and_its_translate_are_joined_by_a_cylinder() {
+    let lower = rail(&[[0., 0., 0.], [1., 2., 0.], [3., 2., 1.], [5., 0., 0.]]);
+    let upper = lower.mapped(|p| [p[0] + 0.3, p[1] - 0.2, p[2] + 2.0]);
+    let found = connect(&lower, &upper).unwrap();
+    let patch = found.chosen().unwrap();
+    assert!(patch.branch().is_proved());
+    assert_eq!(patch.branch().ends(), [BranchEnd::Border; 2]);
+    assert!((patch.branch().coverage() - 1.0).abs() < 1e-9 && found.gaps().is_empty());
+    for x in [0.0, 0.2, 0.77, 1.0] {
+        let [p, q] = patch.ruling_ends(&x).unwrap();
+        let r = sub(&q, &p);
+        assert!(norm(&sub(&r, &[0.3, -0.2, 2.0])) < 1e-9, "{r:?}");
+    }
+    let certificate = certify(&patch, 32).unwrap();
+    assert!(certificate.is_regular());
+}
+
+/// The twisted cubic's tangents `S + a S'`, and `S(f) + b S'(f)` at `f = (t + t^2)/2`.
+fn torse() -> (Rail, Curve<Bernstein, f64, 3>) {
+    // Power form to Bernstein form of degree 6, by interpolation at 7 points.
+    let fitted = |f: &dyn Fn(f64) -> [f64; 3], degree: usize| {
+        use nalgebra::{DMatrix, DVector};
+        let at = |i: usize| i as f64 / degree as f64;
+        let row = |x: f64| torse_geometry::Basis::row(&Bernstein, degree, &x).unwrap();
+        let matrix = DMatrix::from_fn(degree + 1, degree + 1, |i, j| row(at(i))[j]);
+        let lu = matrix.lu();
+        let axis = |k: usize| {
+            lu.solve(&DVector::from_fn(degree + 1, |i, _| f(at(i))[k]))
+                .unwrap()
+        };
+        let axes = [axis(0), axis(1), axis(2)];
+        let points = (0..=degree)
+            .map(|i| [axes[0][i], axes[1][i], axes[2][i]])
+            .collect();
+        Curve::new(Bernstein, points).unwrap()
+    };
+    let tangent = |x: f64, b: f64| [x + b, x * x + 2.0 * b * x, x.powi(3) + 3.0 * b * x * x];
+    let first = fitted(&|s| tangent(s, 0.5), 3);
+    let second = fitted(&|t| tangent(0.5 * (t + t * t), 1.5), 6);
+    (first, second)
+}
+
+#[test]
+fn the_rulings_of_a_torse_are_found_from_two_curves_on_it() {
+    let (first, second) = torse();
+    let found = connect(&first, &second).unwrap();
+    let patch = found.chosen().unwrap();
+    assert!(patch.branch().is_proved() && (patch.branch().coverage() - 1.0).abs() < 1e-7);
+    for [s, t] in patch.branch().nodes() {
+        assert!((s - 0.5 * (t + t * t)).abs() < 1e-9, "{s} {t}");
+    }
+    let certificate = certify(&patch, 32).unwrap();
+    assert!(certificate.is_regular(), "{certificate:?}");
+    // Half a tangent from the edge; |S'| is least at the start, where it is one.
+    assert!(
+        (certificate.clearance.unwrap().value - 0.5).abs() < 1e-6,
+        "{certificate:?}"
+    );
+    assert!(unroll(&patch, 32, 1e-8).unwrap().strain < 1e-12);
+}
+
+#[test]
+fn series_of_a_connecting_patch_are_its_derivatives_and_lie_in_its_enclosures() {
+    let (first, second) = torse();
+    let patch = connect(&first, &second).unwrap().chosen().unwrap();
+    let (x, h) = (0.4, 1e-4);
+    let jets = patch.rail_jets(&x, 3).unwrap();
+    let at = |x: f64| patch.ruling_ends(&x).unwrap();
+    let (before, here, after) = (at(x - h), at(x), at(x + h));
+    let balls = patch.over(&|x| exact_ball(*x, 128)).unwrap();
+    let enclosed = balls.rail_jets(&exact_ball(x, 128), 3).unwrap();
+    let wide = torse_algebra::Ball::from_bounds(
+        &torse_geometry::exact(x - h),
+        &torse_geometry::exact(x + h),
+        128,
+    );
+    let over = balls.rail_jets(&wide, 3).unwrap();
+    for i in [0, 1] {
+        for k in 0..3 {
+            let slope = (after[i][k] - before[i][k]) / (2.0 * h);
+            let bend = (after[i][k] - 2.0 * here[i][k] + before[i][k]) / (h * h);
+            let c = jets[i][k].coefficients();
+            assert!((c[1] - slope).abs() < 1e-6 && (2.0 * c[2] - bend).abs() < 1e-5);
+            for n in 0..=3 {
+                let (low, high) = enclosed[i][k].coefficients()[n].to_f64_bounds();
+                assert!(high - low < 1e-15 * (1.0 + high.abs()), "{low} {high}");
+                assert!((c[n] - low).abs() < 1e-9 * (1.0 + low.abs()), "{i} {k} {n}");
+                assert!(over[i][k].coefficients()[n].overlaps(&enclosed[i][k].coefficients()[n]));
+            }
+            let (low, high) = over[i][k].value().to_f64_bounds();
+            for end in [before[i][k], here[i][k], after[i][k]] {
+                assert!(low - 1e-14 <= end && end <= high + 1e-14 && high - low < 0.01);
+            }
+        }
+    }
+    let proof = enclose(&balls, 128, 0.2, 48);
+    assert_eq!(
+        (proof.is_regular(), proof.twist.high),
+        (Some(true), 0.0),
+        "{proof:?}"
+    );
+    assert!(proof.clearance.low > 0.4 && proof.clearance.high < 0.6);
+}
+
+#[test]
+fn skew_lines_have_no_developable_and_the_best_ruling_is_told() {
+    // A saddle: through each point of the one line all rulings turn their tangent plane.
+    let (one, two) = (
+        rail(&[[0.; 3], [1., 0., 0.]]),
+        rail(&[[0., 1., 0.], [1., 1., 1.]]),
+    );
+    let found = connect(&one, &two).unwrap();
+    assert!(found.branches().is_empty() && found.chosen().is_none() && found.choice().is_none());
+    assert_eq!(found.gaps().len(), 2);
+    for gap in found.gaps() {
+        assert_eq!(gap.range, [0.0, 1.0]);
+        let (s, t) = (gap.worst.s, gap.worst.t);
+        let r = [t - s, 1.0, t];
+        let (n0, n1) = (cross(&[1., 0., 0.], &r), cross(&[1., 0., 1.], &r));
+        let twist = (dot(&n0, &n1) / norm(&n0) / norm(&n1)).abs().acos();
+        assert!((gap.worst.twist - twist).abs() < 1e-7 && twist > 0.5);
+    }
+}
+
+#[test]
+fn coplanar_curves_are_refused_by_name() {
+    let (one, two) = (
+        rail(&[[0., 0., 1.], [1., 1., 1.], [2., 0., 1.]]),
+        rail(&[[0., 3., 1.], [1., 4., 1.], [2., 3., 1.]]),
+    );
+    assert!(matches!(
+        connect(&one, &two),
+        Err(GeometryError::Degenerate { .. })
+    ));
+    let point = rail(&[[1.; 3], [1.; 3]]);
+    assert!(matches!(
+        connect(&one, &point),
+        Err(GeometryError::Degenerate { .. })
+    ));
+}
+
+#[test]
+fn closed_ends_leave_two_branches_between_two_arches() {
+    // Each inflection of an S separates branches: none is lost.
+    let wave = |z: f64| rail(&[[0., 0., z], [1., 2., z], [2., -2., z], [3., 0., z]]);
+    let found = connect(&wave(0.0), &wave(1.0)).unwrap();
+    assert!(found.branches().len() >= 2, "{:?}", found.branches().len());
+    let covered: f64 = found
+        .branches()
+        .iter()
+        .map(|branch| branch.coverage())
+        .sum();
+    assert!(covered > 0.9, "{covered}");
+    assert!(matches!(
+        found.choice(),
+        Some((
+            _,
+            Reason::CoversMost(..) | Reason::ShorterRulings(..) | Reason::OnlyRegular
+        ))
+    ));
+}
+
+#[test]
+fn curves_of_different_bases_and_sizes_connect() {
+    for k in [1e-6, 1.0, 1e6] {
+        let points = |z: f64, lift: f64| {
+            vec![[0., 0., z], [2., 3., z + lift], [4., 2., z], [6., 0., z]]
+                .into_iter()
+                .map(|p: [f64; 3]| p.map(|c| c * k))
+                .collect::<Vec<_>>()
+        };
+        let lower = Curve::new(Gbt::new(0.5, 0.25).unwrap(), points(0.0, 0.5)).unwrap();
+        let upper = Curve::new(Gbt::new(0.0, -0.5).unwrap(), points(3.0, -0.2)).unwrap();
+        let found = connect(&lower, &upper).unwrap();
+        let patch = found.chosen().unwrap();
+        assert!(
+            patch.branch().is_proved() && patch.branch().coverage() > 0.8,
+            "{k:e}"
+        );
+        assert!(certify(&patch, 32).unwrap().is_regular());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_rising_solution_lies_off_the_branches(
+        p in prop::collection::vec(prop::array::uniform3(-2.0..2.0_f64), 3..5),
+        q in prop::collection::vec(prop::array::uniform3(-2.0..2.0_f64), 3..5),
+    ) {
+        let q: Vec<[f64; 3]> = q.into_iter().map(|[x, y, z]| [x, y, z + 3.0]).collect();
+        let (one, two) = (rail(&p), rail(&q));
+        let Ok(found) = connect(&one, &two) else { return Ok(()) };
+        // On antidiagonals s + t = u, by signs of a fine sampling: another way to find solutions.
+        for i in 1..40 {
+            let u = 0.05 * f64::from(i);
+            let reach = u.min(2.0 - u);
+            let at = |k: i32| {
+                let w = reach * (f64::from(k) / 200.0 - 1.0);
+                [0.5 * (u - w), 0.5 * (u + w)]
+            };
+            for k in 0..400 {
+                let (a, b) = (at(k), at(k + 1));
+                let ((f, rising), (g, _)) = (equation(&one, &two, a[0], a[1]), equation(&one, &two, b[0], b[1]));
+                let inside = |[s, t]: [f64; 2], margin: f64| {
+                    s.min(t).min(1.0 - s).min(1.0 - t) > margin
+                };
+                if f * g >= 0.0 || rising >= 0.0 || !inside(a, 0.01) {
+                    continue;
+                }
+                let known = found.branches().iter().any(|branch| {
+                    branch.nodes().windows(2).any(|pair| {
+                        let [from, to] = [pair[0], pair[1]];
+                        let (lower, upper) = (from[0] + from[1], to[0] + to[1]);
+                        if !(lower <= u && u <= upper) {
+                            return false;
+                        }
+                        let part = (u - lower) / (upper - lower);
+                        (from[0] + part * (to[0] - from[0]) - a[0]).abs() < 0.01
+                    })
+                });
+                let near = |range: [f64; 2], x: f64| range[0] - 0.01 <= x && x <= range[1] + 0.01;
+                let open = found.undecided().iter().any(|c| near(c.s, a[0]) && near(c.t, a[1]));
+                prop_assert!(known || open, "u = {u}: {a:?} {:?}", found.branches());
+            }
+        }
+        for (index, branch) in found.branches().iter().enumerate() {
+            for pair in branch.nodes().windows(2) {
+                prop_assert!(pair[0][0] < pair[1][0] + 1e-12 && pair[0][1] < pair[1][1] + 1e-12);
+            }
+            let patch = found.patch(index).unwrap();
+            for x in [0.0, 0.3, 0.5, 1.0] {
+                let [p, q] = patch.rail_jets(&x, 1).unwrap();
+                let part = |jets: &[torse_algebra::Jet<f64>; 3], n: usize| jets.each_ref().map(|j| j.coefficients()[n]);
+                let (dp, dq, r) = (part(&p, 1), part(&q, 1), sub(&part(&q, 0), &part(&p, 0)));
+                let size = norm(&dp) * norm(&dq) * norm(&r);
+                prop_assert!(det(&dp, &dq, &r).abs() <= 1e-9 * size, "{}", det(&dp, &dq, &r) / size);
+            }
+        }
+        prop_assert!(one.space_jet(&0.5, 0).is_ok());
+    }
+}
