@@ -131,12 +131,19 @@ pub mod join;
 pub mod mesh;
 pub mod planes;
 mod scalars;
+pub mod sheet;
 pub mod surface;
 mod turn;
 pub mod vector;
 
 /// The scalars and Taylor series of the generic layer.
 pub use torse_algebra::{Ball, Fraction, Jet, Rational};
+
+/// Everything of [`sheet`], for one import.
+pub mod prelude {
+    pub use crate::error::{GeometryError, Place};
+    pub use crate::sheet::*;
+}
 
 pub use basis::{Basis, Bernstein, Gbt, hermite};
 pub use coordinate::Coordinate;

@@ -1,7 +1,7 @@
 //! The same object over another scalar: f64 data are exact rationals, so any f64 curve, family or
 //! patch can be carried to balls (certified) or rationals (exact) without loss.
 
-use crate::basis::{Bernstein, Gbt};
+use crate::basis::{Bernstein, Gbt, Shape};
 use crate::coordinate::Coordinate;
 use crate::curve::{Curve, RationalCurve};
 use crate::developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch, unit_plane};
@@ -89,6 +89,17 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for Gbt<S> {
 
     fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Gbt<T>> {
         Gbt::new(convert(self.mu()), convert(self.nu()))
+    }
+}
+
+impl<S: Coordinate, T: Coordinate> Over<S, T> for Shape<S> {
+    type Object = Shape<T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Shape<T>> {
+        match self {
+            Self::Bernstein => Ok(Shape::Bernstein),
+            Self::Gbt(basis) => basis.over(convert).map(Shape::Gbt),
+        }
     }
 }
 

@@ -22,9 +22,11 @@
 mod bernstein;
 mod gbt;
 pub mod hermite;
+mod shape;
 
 pub use bernstein::Bernstein;
 pub use gbt::Gbt;
+pub use shape::Shape;
 
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result, count};

@@ -108,7 +108,7 @@ pub fn arc_length<const D: usize>(
 }
 
 /// Adaptive Gauss-Legendre quadrature; see [`arc_length`].
-fn integrate(
+pub(crate) fn integrate(
     f: impl Fn(f64) -> Result<f64>,
     [from, to]: [f64; 2],
     accuracy: f64,

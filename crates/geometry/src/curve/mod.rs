@@ -7,6 +7,7 @@ mod rational;
 
 pub use affine::Affine;
 pub use conic::{ellipse_arc, parabola_arc};
+pub(crate) use measure::integrate;
 pub use measure::{arc_length, curvature, torsion};
 pub use rational::RationalCurve;
 
@@ -207,6 +208,14 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
         Curve {
             basis: self.basis.clone(),
             points: self.points.iter().map(map).collect(),
+        }
+    }
+
+    /// The same control points under another name of the basis.
+    pub(crate) fn with_basis<C>(self, rename: impl FnOnce(B) -> C) -> Curve<C, S, D> {
+        Curve {
+            basis: rename(self.basis),
+            points: self.points,
         }
     }
 

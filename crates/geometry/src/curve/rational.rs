@@ -93,6 +93,14 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> RationalCurve<B, S, D> {
         })
     }
 
+    /// The same control points and weights under another name of the basis.
+    pub(crate) fn with_basis<C>(self, rename: impl Fn(B) -> C) -> RationalCurve<C, S, D> {
+        RationalCurve {
+            numerator: self.numerator.with_basis(&rename),
+            weights: self.weights.with_basis(&rename),
+        }
+    }
+
     /// The degree.
     #[must_use]
     pub fn degree(&self) -> usize {

@@ -1,7 +1,9 @@
 //! Developables between two curves: the known ones are found, and none is missed.
 
 use proptest::prelude::*;
-use torse_geometry::developable::{BranchEnd, Reason, certify, connect, enclose, unroll};
+use torse_geometry::developable::{
+    BranchEnd, Reason, Regularity, certify, connect, prove_regular, unroll,
+};
 use torse_geometry::vector::{cross, det, dot, norm, sub};
 use torse_geometry::{Bernstein, Curve, Gbt, GeometryError, Over, Rails, SpaceCurve, exact_ball};
 
@@ -120,13 +122,7 @@ fn series_of_a_connecting_patch_are_its_derivatives_and_lie_in_its_enclosures() 
             }
         }
     }
-    let proof = enclose(&balls, 128, 0.2, 48);
-    assert_eq!(
-        (proof.is_regular(), proof.twist.high),
-        (Some(true), 0.0),
-        "{proof:?}"
-    );
-    assert!(proof.clearance.low > 0.4 && proof.clearance.high < 0.6);
+    assert_eq!(prove_regular(&balls, 128, 4096), Regularity::Regular);
 }
 
 #[test]

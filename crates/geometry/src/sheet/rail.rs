@@ -1,0 +1,210 @@
+//! Space curves.
+
+use super::{Joint, Point};
+use crate::basis::{Basis, Bernstein, Shape, hermite};
+use crate::coordinate::Coordinate;
+use crate::curve::{Curve, RationalCurve, arc_length, curvature, ellipse_arc};
+use crate::error::{GeometryError, Place, Result};
+use crate::join::{JointMeasure, measure_curves, next_curve};
+use crate::scalars::Over;
+use crate::surface::SpaceCurve;
+use torse_algebra::Jet;
+
+/// A curve in space over [0, 1] with any basis, weighted or not.
+///
+/// ```
+/// use torse_geometry::prelude::*;
+/// let rail = Rail::gbt(0.5, -0.25, &[[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [3.0, 2.0, 1.0], [4.0, 0.0, 1.0]])?;
+/// assert_eq!(rail.point(1.0)?, [4.0, 0.0, 1.0]);
+/// let [dx, _, _] = rail.derivative(0.3)?;
+/// assert!(dx > 0.0 && rail.curvature(0.3)? > 0.0 && rail.length(1e-9)? > 17.0_f64.sqrt());
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rail<S = f64> {
+    curve: Kind<S>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Kind<S> {
+    Plain(Curve<Shape<S>, S, 3>),
+    Weighted(RationalCurve<Shape<S>, S, 3>),
+}
+
+impl Rail {
+    /// The curve with these control points and any basis.
+    ///
+    /// # Errors
+    /// As [`Curve::new`].
+    pub fn new(shape: Shape<f64>, points: &[Point]) -> Result<Self> {
+        Curve::new(shape, points.to_vec()).map(Self::from)
+    }
+
+    /// The Bezier curve with these control points.
+    ///
+    /// # Errors
+    /// As [`Curve::new`].
+    pub fn bezier(points: &[Point]) -> Result<Self> {
+        Self::new(Shape::Bernstein, points)
+    }
+
+    /// The GBT curve with these shape parameters and control points.
+    ///
+    /// # Errors
+    /// As [`Curve::new`] and [`Gbt::new`](crate::Gbt::new).
+    pub fn gbt(mu: f64, nu: f64, points: &[Point]) -> Result<Self> {
+        Self::new(Shape::gbt(mu, nu)?, points)
+    }
+
+    /// The polynomial curve with these Hermite data: points first, then tangents (see
+    /// [`hermite`](crate::hermite)).
+    ///
+    /// # Errors
+    /// As [`hermite::curve`](crate::hermite::curve).
+    pub fn hermite(data: &[Point]) -> Result<Self> {
+        hermite::curve(data).map(Self::from)
+    }
+
+    /// The weighted curve with these control points and positive weights.
+    ///
+    /// # Errors
+    /// As [`RationalCurve::new`].
+    pub fn weighted(shape: Shape<f64>, points: &[Point], weights: &[f64]) -> Result<Self> {
+        let curve = RationalCurve::new(shape, points, weights.to_vec())?;
+        Ok(Self {
+            curve: Kind::Weighted(curve),
+        })
+    }
+
+    /// A quarter of an ellipse about `centre`, exactly.
+    ///
+    /// # Errors
+    /// As [`ellipse_arc`].
+    pub fn ellipse_arc(centre: Point, from: Point, to: Point) -> Result<Self> {
+        let arc = ellipse_arc(&centre, &from, &to)?;
+        Self::new(Shape::Gbt(*arc.basis()), arc.points())
+    }
+
+    /// The point at `x`.
+    ///
+    /// # Errors
+    /// [`GeometryError::NotFinite`] for NaN and infinities, and what a weighted curve refuses.
+    pub fn point(&self, x: f64) -> Result<Point> {
+        match &self.curve {
+            Kind::Plain(curve) => curve.point(&x),
+            Kind::Weighted(curve) => curve.point(&x),
+        }
+    }
+
+    /// The first derivative at `x`.
+    ///
+    /// # Errors
+    /// As [`Rail::point`].
+    pub fn derivative(&self, x: f64) -> Result<Point> {
+        let all = self.derivatives(x, 1)?;
+        all.last().copied().ok_or(GeometryError::NoValue {
+            what: "derivative of a rail",
+            at: Place::Parameter(x),
+        })
+    }
+
+    /// Point and derivatives up to `order` at `x`.
+    ///
+    /// # Errors
+    /// As [`Rail::point`].
+    pub fn derivatives(&self, x: f64, order: usize) -> Result<Vec<Point>> {
+        match &self.curve {
+            Kind::Plain(curve) => curve.derivatives(&x, order),
+            Kind::Weighted(curve) => curve.derivatives(&x, order),
+        }
+    }
+
+    /// The curvature at `x`.
+    ///
+    /// # Errors
+    /// [`GeometryError::Degenerate`] where the curve stands still.
+    pub fn curvature(&self, x: f64) -> Result<f64> {
+        curvature(self, x)
+    }
+
+    /// The length, with an error estimated to be at most `accuracy`.
+    ///
+    /// # Errors
+    /// As [`arc_length`].
+    pub fn length(&self, accuracy: f64) -> Result<f64> {
+        arc_length(self, [0.0, 1.0], accuracy)
+    }
+
+    /// The same curve traversed backwards.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let curve = match &self.curve {
+            Kind::Plain(curve) => Kind::Plain(curve.reversed()),
+            Kind::Weighted(curve) => Kind::Weighted(curve.reversed()),
+        };
+        Self { curve }
+    }
+
+    /// The curve that continues this one: its first control points from the joint, then the free ones.
+    ///
+    /// # Errors
+    /// [`GeometryError::Degenerate`] for a weighted curve, and as [`next_curve`].
+    pub fn next(&self, shape: Shape<f64>, joint: &Joint, free: &[Point]) -> Result<Self> {
+        next_curve(self.plain()?, shape, joint.condition(), free).map(Self::from)
+    }
+
+    /// Measures the joint of the end of this curve with the start of the next, up to `order`.
+    ///
+    /// # Errors
+    /// [`GeometryError::Degenerate`] for weighted curves, and as [`measure_curves`].
+    pub fn joint_with(&self, next: &Self, order: usize) -> Result<JointMeasure<f64, 3>> {
+        measure_curves(self.plain()?, next.plain()?, order)
+    }
+
+    fn plain(&self) -> Result<&Curve<Shape<f64>, f64, 3>> {
+        match &self.curve {
+            Kind::Plain(curve) => Ok(curve),
+            Kind::Weighted(_) => Err(GeometryError::Degenerate {
+                what: "joint of a weighted curve",
+                at: Place::Whole,
+            }),
+        }
+    }
+}
+
+impl<B: Into<Shape<S>> + Basis<S>, S: Coordinate> From<Curve<B, S, 3>> for Rail<S> {
+    fn from(curve: Curve<B, S, 3>) -> Self {
+        Self {
+            curve: Kind::Plain(curve.with_basis(Into::into)),
+        }
+    }
+}
+
+impl From<RationalCurve<Bernstein, f64, 3>> for Rail {
+    fn from(curve: RationalCurve<Bernstein, f64, 3>) -> Self {
+        Self {
+            curve: Kind::Weighted(curve.with_basis(Into::into)),
+        }
+    }
+}
+
+impl<S: Coordinate> SpaceCurve<S> for Rail<S> {
+    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
+        match &self.curve {
+            Kind::Plain(curve) => curve.jet(x, order),
+            Kind::Weighted(curve) => curve.jet(x, order),
+        }
+    }
+}
+
+impl<S: Coordinate, T: Coordinate> Over<S, T> for Rail<S> {
+    type Object = Rail<T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Rail<T>> {
+        let curve = match &self.curve {
+            Kind::Plain(curve) => Kind::Plain(curve.over(convert)?),
+            Kind::Weighted(curve) => Kind::Weighted(curve.over(convert)?),
+        };
+        Ok(Rail { curve })
+    }
+}
