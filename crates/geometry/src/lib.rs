@@ -1,5 +1,17 @@
 //! Curves, surfaces and developables with shape parameters, written once for every scalar.
 //!
+//! Whoever works with f64 alone takes [`prelude`]: rails, families of planes and sheets, plain numbers as
+//! arguments, one import. It stands on the generic layer, which the rest of this page is about:
+//!
+//! ```
+//! use torse_geometry::prelude::*;
+//! let chine = Rail::bezier(&[[0.0, 0.0, 0.0], [2.0, 3.0, 0.0], [6.0, 0.0, 0.0]])?;
+//! let deck = Rail::bezier(&[[0.5, 0.0, 2.0], [3.0, 2.0, 3.0], [6.0, -1.0, 2.0]])?;
+//! let plate = Sheet::between(&chine, &deck)?.sheet.ok_or("no developable touches both rails")?;
+//! assert!(plate.certify(64)?.is_regular());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Guide
 //!
 //! Everything is built from control data by named constructors that refuse bad input with a typed
@@ -13,6 +25,7 @@
 //! | a surface, its partials, normal, curvatures | [`TensorSurface`], [`RuledSurface`], [`RotationSurface`], [`Surface`], [`Forms`], [`Principal`] |
 //! | to exchange maps with nalgebra | [`Affine`] |
 //! | a developable from planes | [`PlaneFamily`], then [`EnvelopingPatch`] or [`TangentPatch`]; [`PlaneFamily::edge_parameter`] says where not to cut |
+//! | a developable between two curves | [`developable::connect`] finds all of them |
 //! | a developable between two planes | [`HermiteCone`], [`developable::oblique_image`] |
 //! | the next piece of a smooth chain | [`Continuity`], [`join::next_curve`], [`join::next_family`], [`join::next_surface`], [`join::chain`] |
 //! | to know how smooth a joint is | [`join::measure_curves`], [`join::measure_families`], [`join::measure_surfaces`] |

@@ -60,7 +60,7 @@ fn derivatives<const D: usize>(
     x: f64,
     order: usize,
 ) -> Result<Vec<[f64; D]>> {
-    Ok(derivatives_of(&curve.space_jet(&x, order)?, order))
+    derivatives_of(&curve.space_jet(&x, order)?, order)
 }
 
 fn still(x: f64) -> GeometryError {
@@ -102,7 +102,7 @@ pub fn arc_length<const D: usize>(
 ) -> Result<f64> {
     let speed = |x: f64| -> Result<f64> {
         let jet = derivatives(curve, x, 1)?;
-        Ok(jet.get(1).map_or(0.0, norm))
+        jet.get(1).map(norm).ok_or_else(|| still(x))
     };
     integrate(speed, [from, to], accuracy, "arc length")
 }

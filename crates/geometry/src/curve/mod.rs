@@ -270,13 +270,22 @@ impl<S: Coordinate, const D: usize> Curve<Gbt<S>, S, D> {
     }
 }
 
-/// Derivatives `[f, f', .., f^(order)]` of a vector from the Taylor series of its coordinates.
+/// Derivatives `[f, f', .., f^(order)]` of a vector from the Taylor series of its coordinates; refuses series
+/// that are shorter, as a curve of somebody else may give them.
 pub(crate) fn derivatives_of<S: Coordinate, const D: usize>(
     jets: &[Jet<S>; D],
     order: usize,
-) -> Vec<[S; D]> {
+) -> Result<Vec<[S; D]>> {
+    if let Some((index, short)) = jets.iter().enumerate().find(|(_, jet)| jet.order() < order) {
+        return Err(GeometryError::LengthMismatch {
+            what: "Taylor coefficients",
+            index,
+            expected: order + 1,
+            given: short.order() + 1,
+        });
+    }
     let derivative = |jet: &Jet<S>, n| jet.derivative(n).unwrap_or_else(|| jet.value().zero());
-    (0..=order)
+    Ok((0..=order)
         .map(|n| jets.each_ref().map(|jet| derivative(jet, n)))
-        .collect()
+        .collect())
 }

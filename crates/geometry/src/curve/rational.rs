@@ -138,7 +138,7 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> RationalCurve<B, S, D> {
     /// # Errors
     /// As [`RationalCurve::point`].
     pub fn derivatives(&self, x: &S, order: usize) -> Result<Vec<[S; D]>> {
-        Ok(derivatives_of(&self.jet(x, order)?, order))
+        derivatives_of(&self.jet(x, order)?, order)
     }
 
     /// The Taylor series of each coordinate at `x`.

@@ -153,7 +153,7 @@ pub(super) fn transform<S: Coordinate, const D: usize>(
     let Ok(axes) = <[Jet<S>; D]>::try_from(axes) else {
         return Ok(Vec::new());
     };
-    Ok(derivatives_of(&axes, length.saturating_sub(1)))
+    derivatives_of(&axes, length.saturating_sub(1))
 }
 
 /// `f(shift(t))` for a shift without constant term, by Horner's rule.

@@ -154,7 +154,7 @@ pub fn rotation_parameter(angle: f64) -> f64 {
 
 impl<S: Coordinate, B: Basis<S>> Surface<S> for RotationSurface<B, S> {
     fn partials(&self, u: &S, v: &S, order: usize) -> Result<Partials<S>> {
-        let profile = derivatives_of(&self.profile.jet(u, order)?, order);
+        let profile = derivatives_of(&self.profile.jet(u, order)?, order)?;
         let t = Jet::variable(v.clone(), order);
         let z = match &self.range {
             None => t,
@@ -174,7 +174,7 @@ impl<S: Coordinate, B: Basis<S>> Surface<S> for RotationSurface<B, S> {
         } else {
             sine
         };
-        let circle = derivatives_of(&[cosine, sine], order);
+        let circle = derivatives_of(&[cosine, sine], order)?;
         let entry = |list: &[[S; 2]], n: usize| {
             list.get(n)
                 .cloned()

@@ -64,9 +64,8 @@ pub fn partials_between<S: Coordinate>(
     v: &S,
     order: usize,
 ) -> Result<Partials<S>> {
-    let [p, q] = rails
-        .rail_jets(u, order)?
-        .map(|rail| derivatives_of(&rail, order));
+    let [p, q] = rails.rail_jets(u, order)?;
+    let (p, q) = (derivatives_of(&p, order)?, derivatives_of(&q, order)?);
     let at = |rail: &[[S; 3]], i: usize| -> [S; 3] {
         rail.get(i)
             .cloned()
