@@ -120,7 +120,7 @@ const ROUNDING: f64 = 1e-12;
 /// let second = rail([[-1.0, 0.0, 2.0], [0.0, -1.0, 2.0]])?;
 /// let certificate = certify(&RuledSurface::new(first, second), 32)?;
 /// assert!(certificate.determinant.value < 1e-15);
-/// assert!(matches!(certificate.singularity(), Some(Singularity::NormalTurns(at)) if at.v == 0.5));
+/// assert!(matches!(certificate.singularity(), Some(Singularity::NormalTurns(at)) if (at.v - 0.5).abs() < 1e-9));
 /// assert!(certificate.clearance.is_some_and(|worst| worst.value < 0.0 && (worst.v - 0.5).abs() < 1e-9));
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
@@ -151,8 +151,10 @@ pub fn certify<R: Rails<f64> + ?Sized>(patch: &R, rulings: usize) -> Result<Cert
     };
     let finite = |worst: Worst| worst.value.is_finite().then_some(worst);
     let (normal, side) = (worst(NORMAL)?.negated(), worst(SIDE)?.negated());
-    let singularity = if normal.value <= ROUNDING {
-        Some(Singularity::NormalVanishes(normal))
+    let singularity = if side.value < -ROUNDING {
+        Some(Singularity::NormalTurns(side))
+    } else if normal.value <= ROUNDING {
+        Some(Singularity::NormalVanishes(normal.within_ruling()))
     } else if side.value <= ROUNDING {
         Some(Singularity::NormalTurns(side))
     } else {

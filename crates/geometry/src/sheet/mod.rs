@@ -57,7 +57,7 @@
 //! let sheet = Sheet::cone(&cone)?;
 //! assert!(sheet.certify(64)?.is_developable_within(1e-7));
 //! // Cut by an oblique plane instead: the image curve is a weighted one.
-//! let oblique = Sheet::cone_cut(&cone, [20., -3., 0., -580.])?;
+//! let oblique = Sheet::cone_cut(&cone, [20., -3., 0., 1000.])?;
 //! assert!(oblique.certify(64)?.is_developable_within(1e-7));
 //! # Ok::<(), torse_geometry::GeometryError>(())
 //! ```
