@@ -7,8 +7,9 @@
 use std::error::Error;
 use std::path::PathBuf;
 use torse_algebra::rational::to_f64;
-use torse_geometry::developable::{QuarticData, certify, oblique_image, unroll};
+use torse_geometry::developable::{QuarticData, certify, oblique_image};
 use torse_geometry::export::{self, BezierPatch};
+use torse_geometry::pattern::unroll;
 use torse_geometry::{
     Bounds, EnvelopingPatch, Gbt, HermiteCone, Mesh, Over, PlaneFamily, Rails, exact, hermite,
 };
@@ -35,7 +36,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let flat = unroll(&sheet, 64, 1e-6)?;
     println!(
         "flat pattern: error {:.1e}, strain {:.1e}",
-        flat.error, flat.strain
+        flat.errors().outline,
+        flat.strain()
     );
     std::fs::write(folder.join("sheet.dxf"), export::dxf(&flat, 16))?;
     std::fs::write(folder.join("sheet.svg"), export::svg(&flat, 16))?;

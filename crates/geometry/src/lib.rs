@@ -30,7 +30,7 @@
 //! | the next piece of a smooth chain | [`Continuity`], [`join::next_curve`], [`join::next_family`], [`join::next_surface`], [`join::chain`] |
 //! | to know how smooth a joint is | [`join::measure_curves`], [`join::measure_families`], [`join::measure_surfaces`] |
 //! | to know whether a patch can be made | [`developable::certify`] (estimates), [`developable::enclose`] (bounds), [`developable::prove_developable`], [`developable::twist_determinant`], [`developable::prove_regular`] |
-//! | the flat pattern | [`developable::unroll`], [`export::dxf`], [`export::svg`] |
+//! | the flat pattern | [`pattern::unroll`], [`pattern::FlatPattern`], [`export::dxf`], [`export::svg`] |
 //! | a mesh or a CAD file | [`Mesh`], [`export::stl`], [`export::obj`], [`export::glb`], [`export::step`] |
 //! | a million points | [`batch`] |
 //! | the same object exactly or certified | [`Over`], [`exact`], [`exact_ball`] |
@@ -38,7 +38,8 @@
 //! From planes to a sheet-metal drawing:
 //!
 //! ```
-//! use torse_geometry::developable::{certify, unroll};
+//! use torse_geometry::developable::certify;
+//! use torse_geometry::pattern::unroll;
 //! use torse_geometry::{Bounds, Continuity, EnvelopingPatch, Gbt, PlaneFamily, export, join};
 //!
 //! // Four control planes p X + q Y + r Z = s and two shape parameters.
@@ -58,7 +59,7 @@
 //! assert!(certificate.is_regular() && certificate.twist.value < 1e-6);
 //! let flat = unroll(&sheet, 64, 1e-6)?;
 //! assert!(export::dxf(&flat, 8).ends_with("EOF\n"));
-//! # Ok::<(), torse_geometry::GeometryError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! # Conformance
@@ -125,8 +126,8 @@
 //! # Limits
 //!
 //! * Bounds and estimates: [`developable::enclose`] bounds what [`developable::certify`] estimates; values on
-//!   balls are enclosures; [`curve::arc_length`] and [`developable::unroll`] estimate their errors from two
-//!   step sizes and enclose nothing.
+//!   balls are enclosures; [`curve::arc_length`] estimates its error from two step sizes. [`pattern::unroll`] bounds
+//!   the cut by the polynomials that it integrates, and checks these at finitely many parameters.
 //! * A determinant that vanishes, but not by construction, is enclosed within a gap that falls with the
 //!   budget; that it is zero is proved for polynomial rails over the rationals and for formal functions
 //!   (with few symbols: the determinant is expanded).
@@ -142,6 +143,7 @@ pub mod error;
 pub mod export;
 pub mod join;
 pub mod mesh;
+pub mod pattern;
 pub mod planes;
 mod scalars;
 pub mod sheet;

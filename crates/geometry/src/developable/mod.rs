@@ -1,5 +1,4 @@
-//! Developable surfaces: patches of enveloped surfaces, tangent surfaces, Hermite cones, certificates
-//! and flat patterns.
+//! Developable surfaces: patches of enveloped surfaces, tangent surfaces, Hermite cones, certificates.
 
 mod certificate;
 mod connect;
@@ -13,7 +12,6 @@ mod oblique;
 mod patch;
 mod proof;
 mod resolve;
-mod unroll;
 
 pub use certificate::{Certificate, Singularity, Worst, certify};
 pub use connect::{
@@ -28,4 +26,3 @@ pub use oblique::{oblique_image, oblique_image_as_printed};
 pub(crate) use patch::unit_plane;
 pub use patch::{Bounds, EnvelopingPatch, TangentPatch};
 pub use proof::{Developability, Regularity, prove_developable, prove_regular, twist_determinant};
-pub use unroll::{FlatPattern, unroll};

@@ -1,7 +1,7 @@
 //! DXF R12 of flat patterns.
 
 use super::decimal;
-use crate::developable::FlatPattern;
+use crate::pattern::FlatPattern;
 use std::fmt::Write;
 
 /// The flat pattern as DXF R12: the outline as one closed polyline on the layer `OUTLINE`, every ruling
@@ -10,17 +10,14 @@ use std::fmt::Write;
 /// R12 is the dialect that every cutting machine reads.
 ///
 /// ```
-/// use torse_geometry::{export, developable::FlatPattern};
-/// let flat = FlatPattern {
-///     x: vec![0.0, 1.0],
-///     rails: [vec![[0.0, 0.0], [0.0, 2.0]], vec![[1.0, 0.0], [1.0, 2.0]]],
-///     error: 0.0,
-///     strain: 0.0,
-/// };
+/// use torse_geometry::{Bernstein, Curve, RuledSurface, export, pattern::unroll};
+/// let rail = |x: f64| Curve::new(Bernstein, vec![[x, 0.0, 0.0], [x, 2.0, 0.0]]);
+/// let flat = unroll(&RuledSurface::new(rail(0.0)?, rail(1.0)?), 2, 1e-6)?;
 /// let text = export::dxf(&flat, 1);
 /// assert!(text.starts_with("0\nSECTION\n") && text.ends_with("0\nEOF\n"));
 /// assert_eq!(text.matches("\nVERTEX\n").count(), 4);
 /// assert_eq!(text.matches("\nLINE\n").count(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]
 pub fn dxf(flat: &FlatPattern, every: usize) -> String {
@@ -34,12 +31,15 @@ pub fn dxf(flat: &FlatPattern, every: usize) -> String {
     }
     text.push_str("0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n");
     text.push_str("0\nPOLYLINE\n8\nOUTLINE\n66\n1\n70\n1\n10\n0\n20\n0\n30\n0\n");
-    for [x, y] in flat.outline() {
-        let (x, y) = (decimal(x), decimal(y));
-        let _ = write!(text, "0\nVERTEX\n8\nOUTLINE\n10\n{x}\n20\n{y}\n30\n0\n");
+    for ([x, y], bulge) in flat.outline().vertices() {
+        let (x, y, bulge) = (decimal(x), decimal(y), decimal(bulge));
+        let _ = write!(
+            text,
+            "0\nVERTEX\n8\nOUTLINE\n10\n{x}\n20\n{y}\n30\n0\n42\n{bulge}\n"
+        );
     }
     text.push_str("0\nSEQEND\n8\nOUTLINE\n");
-    for [[x0, y0], [x1, y1]] in flat.rulings(every) {
+    for [[x0, y0], [x1, y1]] in super::every(flat, every) {
         let [x0, y0, x1, y1] = [x0, y0, x1, y1].map(decimal);
         let _ = write!(
             text,

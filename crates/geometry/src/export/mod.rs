@@ -34,3 +34,10 @@ fn decimal(value: f64) -> String {
         text.to_owned()
     }
 }
+
+/// The flat rulings whose index is a multiple of `every`; none for zero.
+fn every(flat: &crate::pattern::FlatPattern, every: usize) -> impl Iterator<Item = [[f64; 2]; 2]> {
+    let count = if every == 0 { 0 } else { usize::MAX };
+    let rulings = flat.rulings().iter().step_by(every.max(1));
+    rulings.take(count).map(|r| r.ends)
+}

@@ -1,28 +1,25 @@
 //! SVG of flat patterns.
 
 use super::decimal;
-use crate::developable::FlatPattern;
+use crate::pattern::FlatPattern;
 use std::fmt::Write;
 
 /// The flat pattern as SVG in true size (one unit is one millimetre): the outline as a path, every ruling
 /// whose index is a multiple of `every` as a thin line (none for `every = 0`).
 ///
 /// ```
-/// use torse_geometry::{export, developable::FlatPattern};
-/// let flat = FlatPattern {
-///     x: vec![0.0, 1.0],
-///     rails: [vec![[0.0, 0.0], [0.0, 2.0]], vec![[1.0, 0.0], [1.0, 2.0]]],
-///     error: 0.0,
-///     strain: 0.0,
-/// };
+/// use torse_geometry::{Bernstein, Curve, RuledSurface, export, pattern::unroll};
+/// let rail = |x: f64| Curve::new(Bernstein, vec![[x, 0.0, 0.0], [x, 2.0, 0.0]]);
+/// let flat = unroll(&RuledSurface::new(rail(0.0)?, rail(1.0)?), 2, 1e-6)?;
 /// let text = export::svg(&flat, 1);
 /// // A margin of a fiftieth of the larger side; y points up in the pattern and down in SVG.
 /// assert!(text.contains(r#"viewBox="-0.04 -2.04 1.08 2.08""#));
-/// assert!(text.contains(r#"d="M0 0L0 -2L1 -2L1 0Z""#));
+/// assert!(text.contains(r#"d="M1 0L1 -2L0 -2L0 0Z""#));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]
 pub fn svg(flat: &FlatPattern, every: usize) -> String {
-    let outline = flat.outline();
+    let outline = flat.outline().polygon(flat.tolerance()).unwrap_or_default();
     let bound = |axis: usize, start: f64, pick: fn(f64, f64) -> f64| {
         outline.iter().map(|p| p[axis]).fold(start, pick)
     };
@@ -52,7 +49,7 @@ pub fn svg(flat: &FlatPattern, every: usize) -> String {
     let point = |[x, y]: [f64; 2]| format!("{} {}", decimal(x), decimal(-y));
     let path: Vec<String> = outline.iter().map(|p| point(*p)).collect();
     let _ = writeln!(text, "<path d=\"M{}Z\"/>", path.join("L"));
-    for [a, b] in flat.rulings(every) {
+    for [a, b] in super::every(flat, every) {
         let _ = writeln!(
             text,
             "<path d=\"M{}L{}\" stroke=\"gray\"/>",

@@ -1,7 +1,8 @@
 //! Nothing that comes in makes the library panic or hang.
 
 use proptest::prelude::*;
-use torse_geometry::developable::{certify, unroll};
+use torse_geometry::developable::certify;
+use torse_geometry::pattern::{PatternError, unroll};
 use torse_geometry::{
     Basis, Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Forms, Gbt, GeometryError,
     HermiteCone, Mesh, PlaneFamily, RationalCurve, RotationSurface, Surface, TensorSurface, curve,
@@ -91,11 +92,11 @@ fn nan_and_infinite_accuracies_and_impossible_ones_end_with_an_error() {
     let patch = torse_geometry::RuledSurface::new(rail(1.0).unwrap(), rail(2.0).unwrap());
     assert!(matches!(
         unroll(&patch, 4, f64::NAN),
-        Err(GeometryError::NotFinite { .. })
+        Err(PatternError::OutOfRange { .. })
     ));
     assert!(matches!(
         unroll(&patch, 4, f64::MIN_POSITIVE),
-        Err(GeometryError::NotConverged { .. })
+        Err(PatternError::NotDevelopable { .. })
     ));
 }
 

@@ -16,5 +16,6 @@ mod hostile;
 mod identities;
 mod joins;
 mod singular;
+mod patterns;
 mod surfaces;
 mod ulps;

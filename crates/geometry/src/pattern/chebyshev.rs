@@ -1,0 +1,207 @@
+//! Polynomials of degree 16 on an interval, by their Chebyshev coefficients.
+//!
+//! A smooth function is sampled at the 17 Chebyshev points of the second kind and replaced by the polynomial
+//! through the samples. Integrals are then exact, and because `|T_j| <= 1` the sum of the absolute values
+//! of the coefficients bounds the polynomial on the whole interval, not only at samples
+//! (Trefethen, *Approximation Theory and Approximation Practice*, chapters 3, 4 and 8).
+
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+/// The degree of the interpolants.
+pub(super) const DEGREE: usize = 16;
+/// The number of samples.
+pub(super) const NODES: usize = DEGREE + 1;
+
+/// The values or the coefficients of an interpolant.
+pub(super) type Row = [f64; NODES];
+
+/// The tables that all intervals share.
+struct Tables {
+    /// The points on [-1, 1], ascending.
+    nodes: Row,
+    /// Row `j` turns values at the nodes into the coefficient of `T_j`.
+    transform: [Row; NODES],
+    /// [`basis`] at the nodes.
+    rows: [Row; NODES],
+}
+
+static TABLES: LazyLock<Tables> = LazyLock::new(|| {
+    #[allow(clippy::cast_precision_loss)]
+    let angle = |k: usize| PI * k as f64 / DEGREE as f64;
+    let end = |k: usize| if k == 0 || k == DEGREE { 0.5 } else { 1.0 };
+    #[allow(clippy::cast_precision_loss)]
+    let scale = 2.0 / DEGREE as f64;
+    // By the sine of the distance from the middle, which makes the nodes symmetric.
+    let nodes: Row = std::array::from_fn(|k| (angle(k) - 0.5 * PI).sin());
+    Tables {
+        nodes,
+        rows: nodes.map(basis),
+        transform: std::array::from_fn(|j| {
+            let sign = if j % 2 == 0 { 1.0 } else { -1.0 };
+            // The angle modulo a full turn, as an integer: no rounding of large angles.
+            let cosine = |k: usize| angle((j * k) % (2 * DEGREE)).cos();
+            std::array::from_fn(|k| scale * end(j) * end(k) * sign * cosine(k))
+        }),
+    }
+});
+
+/// The parameters of the samples on `[from, to]`; the first and the last are the ends themselves.
+pub(super) fn nodes(from: f64, to: f64) -> Row {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let mut row = TABLES.nodes.map(|t| middle + half * t);
+    (row[0], row[DEGREE]) = (from, to);
+    row
+}
+
+/// [`basis`] at the samples.
+pub(super) fn node_rows() -> &'static [Row; NODES] {
+    &TABLES.rows
+}
+
+/// Parameters between the samples, where the error of interpolation is near its summits.
+pub(super) fn between(from: f64, to: f64) -> [f64; 4] {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    [2.5, 6.5, 9.5, 13.5].map(|k| {
+        #[allow(clippy::cast_precision_loss)]
+        let angle = PI * k / DEGREE as f64;
+        middle - half * angle.cos()
+    })
+}
+
+/// `T_0(t), ..., T_16(t)` for `t` in [-1, 1]: evaluates any number of interpolants.
+pub(super) fn basis(t: f64) -> Row {
+    let mut row = [1.0; NODES];
+    row[1] = t;
+    for j in 2..NODES {
+        row[j] = 2.0 * t * row[j - 1] - row[j - 2];
+    }
+    row
+}
+
+/// An interpolant by its coefficients.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Interpolant(Row);
+
+impl Interpolant {
+    /// Through these values at the nodes.
+    pub(super) fn through(values: &Row) -> Self {
+        // What is transformed are differences, so that rounding is relative to the change.
+        let base = values[DEGREE / 2];
+        let changes = values.map(|v| v - base);
+        let mut row = TABLES
+            .transform
+            .each_ref()
+            .map(|row| product(row, &changes));
+        row[0] += base;
+        Self(row)
+    }
+
+    /// The value for a row of [`basis`].
+    pub(super) fn at(&self, basis: &Row) -> f64 {
+        product(&self.0, basis)
+    }
+
+    /// The integral from the left end of an interval of this half width, plus a constant. The part of degree
+    /// 17 is dropped: [`Interpolant::tail`] times the half width bounds it.
+    pub(super) fn integral(&self, half: f64, start: f64) -> Self {
+        let c = |j: usize| self.0.get(j).copied().unwrap_or(0.0);
+        let mut row = [0.0; NODES];
+        for (j, slot) in row.iter_mut().enumerate().skip(1) {
+            let before = if j == 1 { 2.0 * c(0) } else { c(j - 1) };
+            #[allow(clippy::cast_precision_loss)]
+            let over = 2.0 * j as f64;
+            *slot = half * (before - c(j + 1)) / over;
+        }
+        let at_left: f64 = row
+            .iter()
+            .enumerate()
+            .map(|(j, a)| if j % 2 == 0 { *a } else { -*a })
+            .sum();
+        row[0] = start - at_left;
+        Self(row)
+    }
+
+    /// The derivative on an interval of this half width.
+    pub(super) fn derivative(&self, half: f64) -> Self {
+        let mut row = [0.0; NODES];
+        for j in (0..DEGREE).rev() {
+            let beyond = row.get(j + 2).copied().unwrap_or(0.0);
+            #[allow(clippy::cast_precision_loss)]
+            let slope = 2.0 * (j + 1) as f64 * self.0[j + 1] / half;
+            row[j] = beyond + slope;
+        }
+        row[0] *= 0.5;
+        Self(row)
+    }
+
+    /// The integral over the whole of an interval of this half width (Clenshaw and Curtis).
+    pub(super) fn total(&self, half: f64) -> f64 {
+        let term = |(j, c): (usize, &f64)| {
+            #[allow(clippy::cast_precision_loss)]
+            let below = 1.0 - (j * j) as f64;
+            2.0 * c / below
+        };
+        half * self.0.iter().enumerate().step_by(2).map(term).sum::<f64>()
+    }
+
+    /// The size of the last two coefficients: what the next ones are not expected to exceed together.
+    pub(super) fn tail(&self) -> f64 {
+        self.0[DEGREE - 1].abs() + self.0[DEGREE].abs()
+    }
+
+    /// The coefficients up to the last that is larger than `least`, one at least.
+    pub(super) fn significant(&self, least: f64) -> &[f64] {
+        let last = self.0.iter().rposition(|c| c.abs() > least).unwrap_or(0);
+        self.0.get(..=last).unwrap_or(&self.0)
+    }
+}
+
+/// In four sums, which the processor adds side by side.
+fn product(a: &Row, b: &Row) -> f64 {
+    let mut sums = [0.0; 4];
+    for (x, y) in a.chunks_exact(4).zip(b.chunks_exact(4)) {
+        for (sum, (x, y)) in sums.iter_mut().zip(x.iter().zip(y)) {
+            *sum += x * y;
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + a[DEGREE] * b[DEGREE]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sampled(f: impl Fn(f64) -> f64, from: f64, to: f64) -> Interpolant {
+        Interpolant::through(&nodes(from, to).map(f))
+    }
+
+    #[test]
+    fn smooth_functions_are_met_between_the_samples() {
+        let f = sampled(f64::exp, 0.25, 0.75);
+        for k in 0..=50 {
+            let t = f64::from(k) / 25.0 - 1.0;
+            let exact = (0.5 + 0.25 * t).exp();
+            let off = (f.at(&basis(t)) - exact).abs();
+            assert!(off < 1e-15 * exact, "t = {t}: {off:e}");
+        }
+        assert!(f.tail() < 1e-15);
+        // A function with a corner leaves a tail.
+        assert!(sampled(|x| (x - 0.4).abs(), 0.0, 1.0).tail() > 1e-4);
+    }
+
+    #[test]
+    fn integrals_and_derivatives_are_those_of_the_function() {
+        let (from, to, half) = (0.25, 1.25, 0.5);
+        let f = sampled(f64::sin, from, to);
+        let integral = f.integral(half, -from.cos());
+        let slope = f.derivative(half);
+        for k in 0..=20 {
+            let t = f64::from(k) / 10.0 - 1.0;
+            let x = 0.75 + half * t;
+            assert!((integral.at(&basis(t)) + x.cos()).abs() < 1e-15);
+            assert!((slope.at(&basis(t)) - x.cos()).abs() < 1e-12);
+        }
+        assert!((f.total(half) - (from.cos() - to.cos())).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,400 @@
+//! The flat pattern of a patch or of a chain of patches.
+
+use super::development::{At, Development};
+use super::outline::Outline;
+use super::placement::Placement;
+use super::segment::Segment;
+use crate::vector::{cross, dot};
+
+/// A ruling of a flat pattern.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlatRuling {
+    /// The patch of the chain that it belongs to.
+    pub piece: usize,
+    /// Its parameter there, in [0, 1].
+    pub x: f64,
+    /// Its ends on the first and on the second rail.
+    pub ends: [[f64; 2]; 2],
+    /// The angle in radians by which the sheet is folded here when it is bent along the rulings of the pattern and
+    /// is flat in between: between the tangent planes halfway to the rulings before and after. Positive where both
+    /// sides rise towards the viewer. Zero for the first and the last ruling.
+    pub bend: f64,
+    /// The smallest radius of the bent sheet along the ruling; infinite where it is flat.
+    pub radius: f64,
+    /// Where the line of the ruling meets the edge of regression, outside the patch; `None` where it is parallel to
+    /// its neighbours.
+    pub regression: Option<[f64; 2]>,
+}
+
+/// Bounds for the errors of a flat pattern, against the exact development. Of a strained pattern against the
+/// flattening that it is; [`FlatPattern::strain`] is then the greater part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Errors {
+    /// The largest distance of the cut outline from the exact one, both ways.
+    pub outline: f64,
+    /// The largest error of a flat point: ends of rulings, marks.
+    pub point: f64,
+    /// The largest error of the angle between two flat rulings, in radians.
+    pub angle: f64,
+    /// The error of the length of the cut outline.
+    pub length: f64,
+    /// The error of the area inside the cut outline.
+    pub area: f64,
+}
+
+/// A flat pattern: what is cut and where it is bent. It is made by [`unroll`](super::unroll) or
+/// [`Unrolling`](super::Unrolling), moved by [`FlatPattern::placed`], and grows by
+/// [`FlatPattern::append`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlatPattern {
+    pub(super) pieces: Vec<Piece>,
+    outline: Outline,
+    rulings: Vec<FlatRuling>,
+    errors: Errors,
+    /// The strain up to which it counts as developable.
+    pub(super) developable: f64,
+    pub(super) tolerance: f64,
+}
+
+/// A patch of the chain.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Piece {
+    pub development: Development,
+    /// The fitted rails, with growing parameter, as developed.
+    rails: [Vec<Segment>; 2],
+    /// The largest distance of a fitted rail.
+    fitted: f64,
+    stations: Vec<f64>,
+    pub placement: Placement,
+    /// Whether the chain passes it from `x = 1` to `x = 0`.
+    pub backward: bool,
+    /// What errors of the pieces before and of the joints add to its points and angles.
+    pub inherited: [f64; 2],
+}
+
+impl Piece {
+    pub(super) fn new(
+        development: Development,
+        rails: [Vec<Segment>; 2],
+        fitted: f64,
+        stations: Vec<f64>,
+    ) -> Self {
+        Self {
+            development,
+            rails,
+            fitted,
+            stations,
+            placement: Placement::default(),
+            backward: false,
+            inherited: [0.0; 2],
+        }
+    }
+
+    /// The parameters of the rulings in the order of the chain.
+    fn stations(&self) -> Vec<f64> {
+        let list = self.stations.iter().copied();
+        if self.backward {
+            list.rev().collect()
+        } else {
+            list.collect()
+        }
+    }
+
+    /// The parameter of the first (0) or last (1) ruling that the chain passes.
+    pub(super) fn end(&self, last: bool) -> f64 {
+        if last == self.backward { 0.0 } else { 1.0 }
+    }
+
+    /// The rail to the left of one who follows the chain.
+    fn left(&self) -> usize {
+        usize::from(self.backward != self.placement.is_mirrored())
+    }
+
+    /// The segments of a rail in the order of the chain.
+    fn rail(&self, side: usize) -> Vec<Segment> {
+        let mut list: Vec<Segment> = self.rails[side]
+            .iter()
+            .map(|s| self.placement.segment(s))
+            .collect();
+        if self.backward {
+            list.reverse();
+            list = list.iter().map(Segment::reversed).collect();
+        }
+        list
+    }
+
+    /// The normal towards the viewer.
+    fn seen(&self, x: f64) -> [f64; 3] {
+        let normal = self.development.normal(x);
+        if self.placement.is_mirrored() {
+            normal.map(|c| -c)
+        } else {
+            normal
+        }
+    }
+
+    /// The direction of a ruling from the left to the right rail, not normalised.
+    fn axis(&self, at: &At) -> [f64; 3] {
+        let [from, to] = [self.left(), 1 - self.left()].map(|side| at.space[side]);
+        std::array::from_fn(|i| to[i] - from[i])
+    }
+
+    /// Halfway between this ruling and the next of the chain.
+    fn halfway(stations: &[f64], index: usize) -> Option<f64> {
+        Some(0.5 * (stations.get(index)? + stations.get(index + 1)?))
+    }
+}
+
+impl FlatPattern {
+    pub(super) fn of(pieces: Vec<Piece>, developable: f64, tolerance: f64) -> Self {
+        let rulings = rulings(&pieces);
+        let (outline, snapped) = outline(&pieces);
+        let errors = errors(&pieces, &outline, snapped);
+        Self {
+            pieces,
+            outline,
+            rulings,
+            errors,
+            developable,
+            tolerance,
+        }
+    }
+
+    /// The closed outline: along the rails, across at the first and the last ruling. It is simple: it does not meet
+    /// itself.
+    #[must_use]
+    pub fn outline(&self) -> &Outline {
+        &self.outline
+    }
+
+    /// The rulings in the order of the chain. At a joint the end of one patch stands for both.
+    #[must_use]
+    pub fn rulings(&self) -> &[FlatRuling] {
+        &self.rulings
+    }
+
+    /// Bounds for the errors.
+    #[must_use]
+    pub fn errors(&self) -> Errors {
+        self.errors
+    }
+
+    /// The tolerance that was asked for.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// The largest share of its length that a line on the patch loses in the plane (and of its area, a
+    /// part of the patch): zero up to rounding for a developable.
+    #[must_use]
+    pub fn strain(&self) -> f64 {
+        let each = self.pieces.iter().map(|p| p.development.strain);
+        each.fold(0.0, f64::max)
+    }
+
+    /// Whether a patch that is not developable was flattened by allowing strain.
+    #[must_use]
+    pub fn is_strained(&self) -> bool {
+        self.strain() > self.developable
+    }
+
+    /// The area of the development, by integration over the patch and not from the outline.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.pieces.iter().map(|p| p.development.area).sum()
+    }
+
+    /// The lengths of both rails of a patch of the chain, by integration and not from the outline.
+    #[must_use]
+    pub fn rail_lengths(&self, piece: usize) -> Option<[f64; 2]> {
+        self.pieces.get(piece).map(|p| p.development.lengths)
+    }
+
+    /// How many patches the chain has.
+    #[must_use]
+    pub fn pieces(&self) -> usize {
+        self.pieces.len()
+    }
+
+    /// The smallest radius of the bent sheet on the rulings of the pattern, to be compared with the thickness
+    /// ([`is_bendable`](super::is_bendable)).
+    #[must_use]
+    pub fn smallest_radius(&self) -> f64 {
+        let each = self.rulings.iter().map(|r| r.radius);
+        each.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The edge of regression near the pattern, as far as rulings show it: a chain of points for each run of rulings
+    /// that meet it within `reach` (a length) of the sheet.
+    #[must_use]
+    pub fn regression(&self, reach: f64) -> Vec<Vec<[f64; 2]>> {
+        let near = |r: &FlatRuling| {
+            let point = r.regression?;
+            let away = r.ends.map(|e| (e[0] - point[0]).hypot(e[1] - point[1]));
+            (away[0].min(away[1]) <= reach).then_some(point)
+        };
+        let mut chains = Vec::new();
+        let mut chain: Vec<[f64; 2]> = Vec::new();
+        for ruling in &self.rulings {
+            match near(ruling) {
+                Some(point) => chain.push(point),
+                None => chains.push(std::mem::take(&mut chain)),
+            }
+        }
+        chains.push(chain);
+        chains.retain(|c| !c.is_empty());
+        chains
+    }
+
+    /// The pattern moved, turned, or turned over; bends change their sign when it is turned over.
+    ///
+    /// ```
+    /// use torse_geometry::pattern::{Placement, unroll};
+    /// use torse_geometry::{RuledSurface, curve::ellipse_arc};
+    /// let ring = |z: f64| ellipse_arc(&[0.0, 0.0, z], &[2.0, 0.0, z], &[0.0, 2.0, z]);
+    /// let flat = unroll(&RuledSurface::new(ring(0.0)?, ring(3.0)?), 17, 1e-6)?;
+    /// let over = flat.placed(&Placement::mirrored().then(&Placement::shifted([0.0, 10.0])));
+    /// assert_eq!(over.rulings()[3].bend, -flat.rulings()[3].bend);
+    /// assert!((over.outline().area() - flat.outline().area()).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn placed(&self, placement: &Placement) -> Self {
+        let place = |piece: &Piece| Piece {
+            placement: piece.placement.then(placement),
+            ..piece.clone()
+        };
+        let pieces = self.pieces.iter().map(place).collect();
+        Self::of(pieces, self.developable, self.tolerance)
+    }
+}
+
+fn rulings(pieces: &[Piece]) -> Vec<FlatRuling> {
+    let mut list = Vec::new();
+    // The normal of the facet before, as the viewer sees it.
+    let mut before: Option<[f64; 3]> = None;
+    for (index, piece) in pieces.iter().enumerate() {
+        let stations = piece.stations();
+        // The first ruling of a later piece is the last one of the piece before.
+        let skip = usize::from(index > 0);
+        for (k, &x) in stations.iter().enumerate().skip(skip) {
+            let at = piece.development.at(x);
+            let after = match Piece::halfway(&stations, k) {
+                Some(x) => Some(piece.seen(x)),
+                None => pieces
+                    .get(index + 1)
+                    .and_then(|next| Piece::halfway(&next.stations(), 0).map(|x| next.seen(x))),
+            };
+            let bend = match (&before, &after) {
+                (Some(m), Some(n)) => fold_angle(m, n, &piece.axis(&at)),
+                _ => 0.0,
+            };
+            before = after;
+            list.push(FlatRuling {
+                piece: index,
+                x,
+                ends: at.rails.map(|p| piece.placement.point(p)),
+                bend,
+                radius: at.radius(),
+                regression: at.regression().map(|p| piece.placement.point(p)),
+            });
+        }
+    }
+    list
+}
+
+/// The angle from one normal to the next about an axis.
+fn fold_angle(m: &[f64; 3], n: &[f64; 3], axis: &[f64; 3]) -> f64 {
+    let length = super::frame::norm(axis);
+    (dot(&cross(m, n), axis) / length).atan2(dot(m, n))
+}
+
+impl At {
+    /// The smallest radius of curvature along the ruling.
+    fn radius(&self) -> f64 {
+        let across = self.across[0].min(self.across[1]).max(0.0);
+        let flat = 1e-9 * (self.across[0] + self.across[1]) / self.length;
+        if self.bending.abs() <= flat {
+            f64::INFINITY
+        } else {
+            across / self.bending.abs()
+        }
+    }
+
+    /// The flat point of the edge of regression.
+    fn regression(&self) -> Option<[f64; 2]> {
+        let [a, b] = self.across;
+        let v = a / (a - b);
+        let parallel = (a - b).abs() <= 1e-9 * (a + b).abs();
+        let [p, q] = self.rails;
+        let point = [p[0] + v * (q[0] - p[0]), p[1] + v * (q[1] - p[1])];
+        (!parallel && v.is_finite()).then_some(point)
+    }
+}
+
+/// The closed outline, and the largest distance by which ends were moved to meet.
+fn outline(pieces: &[Piece]) -> (Outline, f64) {
+    let mut segments: Vec<Segment> = Vec::new();
+    for piece in pieces {
+        segments.extend(piece.rail(1 - piece.left()));
+    }
+    let across = |piece: &Piece, last: bool| {
+        let at = piece.development.at(piece.end(last));
+        let ends =
+            [piece.left(), 1 - piece.left()].map(|side| piece.placement.point(at.rails[side]));
+        Segment::line(ends[0], ends[1])
+    };
+    if let Some(last) = pieces.last() {
+        segments.push(across(last, true).reversed());
+    }
+    for piece in pieces.iter().rev() {
+        let rail = piece.rail(piece.left());
+        segments.extend(rail.iter().rev().map(Segment::reversed));
+    }
+    if let Some(first) = pieces.first() {
+        segments.push(across(first, false));
+    }
+    // Ends that belong together differ by rounding, or at joints by the difference of the patches.
+    let mut snapped = 0.0_f64;
+    let count = segments.len();
+    for i in 0..count {
+        let start = segments[(i + 1) % count].from;
+        let end = segments[i].to;
+        snapped = snapped.max((start[0] - end[0]).hypot(start[1] - end[1]));
+        segments[i].to = start;
+    }
+    segments.retain(|s| s.from != s.to);
+    (Outline::new(segments), snapped)
+}
+
+fn errors(pieces: &[Piece], outline: &Outline, snapped: f64) -> Errors {
+    let largest = |f: &dyn Fn(&Piece) -> f64| pieces.iter().map(f).fold(0.0, f64::max);
+    let rounding = 8.0 * f64::EPSILON * largest(&|p| p.development.size);
+    let point = largest(&|p| p.development.error + p.inherited[0]) + rounding;
+    let fitted = largest(&|p| p.fitted);
+    let angle = 2.0 * largest(&|p| p.development.angle_error + p.inherited[1]);
+    let exact: f64 = pieces
+        .iter()
+        .map(|p| p.development.lengths.iter().sum::<f64>())
+        .sum();
+    let across = |piece: Option<&Piece>, last: bool| {
+        piece.map_or(0.0, |p| p.development.at(p.end(last)).length)
+    };
+    let exact = exact + across(pieces.first(), false) + across(pieces.last(), true);
+    let area: f64 = pieces.iter().map(|p| p.development.area).sum();
+    let quadrature = |k: usize| {
+        pieces
+            .iter()
+            .map(|p| p.development.quadrature[k])
+            .sum::<f64>()
+    };
+    let cut = outline.length();
+    Errors {
+        outline: point + fitted + snapped,
+        point: point + snapped,
+        angle,
+        length: (cut - exact).abs() + quadrature(0) + 16.0 * f64::EPSILON * cut,
+        area: (outline.area() - area).abs() + quadrature(1) + cut * rounding,
+    }
+}

@@ -1,0 +1,29 @@
+//! Flat patterns: unrolling developables, joining, marking and folding what was unrolled.
+//!
+//! A developable surface is isometric to a part of the plane, and its rulings stay straight. [`unroll`] turns
+//! a patch into a [`FlatPattern`]: the outline to be cut, as lines and circular arcs, the rulings with the angle
+//! by which the sheet is bent there, and the map between sheet and space. What it promises is
+//! about the *cut*: [`Errors::outline`] bounds the distance between the outline that a machine follows and
+//! the exact one, not only errors at vertices.
+//!
+//! A patch that has no flat pattern is refused with numbers, [`PatternError`]: it is not developable, its edge
+//! of regression runs inside, its outline would cross itself.
+
+mod chebyshev;
+mod crossing;
+mod development;
+mod error;
+mod fit;
+mod flat;
+mod frame;
+mod outline;
+mod placement;
+mod segment;
+mod unroll;
+
+pub use error::{PatternError, PatternResult};
+pub use flat::{Errors, FlatPattern, FlatRuling};
+pub use outline::Outline;
+pub use placement::Placement;
+pub use segment::Segment;
+pub use unroll::{DEVELOPABLE_STRAIN, MOST_RULINGS, Unrolling, unroll};

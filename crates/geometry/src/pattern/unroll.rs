@@ -1,0 +1,171 @@
+//! From a patch to its flat pattern.
+
+use super::crossing::crossing;
+use super::development::Development;
+use super::error::{PatternError, PatternResult};
+use super::fit::fit;
+use super::flat::{FlatPattern, Piece};
+use crate::surface::Rails;
+
+/// The strain below which a patch counts as developable: a micrometre for each metre, as little as steel
+/// stretches at a thousandth of its yield stress; the tangent planes at the ends of a ruling then differ by
+/// less than 0.17 degrees.
+pub const DEVELOPABLE_STRAIN: f64 = 1e-6;
+
+/// The most rulings shown in a pattern.
+pub const MOST_RULINGS: usize = 1 << 16;
+
+/// What is asked of a flat pattern.
+///
+/// ```
+/// use torse_geometry::pattern::{PatternError, Unrolling};
+/// use torse_geometry::{Bernstein, Curve, RuledSurface};
+/// let rail = |points: [[f64; 3]; 2]| Curve::new(Bernstein, points.to_vec());
+/// // A slightly twisted strip is refused, with the numbers,
+/// let strip = RuledSurface::new(
+///     rail([[0.0, 0.0, 0.0], [100.0, 0.0, 0.0]])?,
+///     rail([[0.0, 10.0, 0.0], [100.0, 10.0, 5.0]])?,
+/// );
+/// let Err(PatternError::NotDevelopable { strain, limit, .. }) = Unrolling::within(0.01).of(&strip) else {
+///     panic!("a twisted strip");
+/// };
+/// assert!(strain > 3e-4 && limit == 1e-6);
+/// // unless strain is allowed; then the pattern says so.
+/// let flat = Unrolling::within(0.01).allow_strain(1e-3).of(&strip)?;
+/// assert!(flat.is_strained() && flat.strain() == strain);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unrolling {
+    tolerance: f64,
+    rulings: usize,
+    developable: f64,
+    allowed: f64,
+}
+
+impl Unrolling {
+    /// Demands that the cut outline is nowhere farther than `tolerance` (a length) from the exact one; with 33
+    /// rulings, and strain up to [`DEVELOPABLE_STRAIN`].
+    #[must_use]
+    pub fn within(tolerance: f64) -> Self {
+        Self {
+            tolerance,
+            rulings: 33,
+            developable: DEVELOPABLE_STRAIN,
+            allowed: 0.0,
+        }
+    }
+
+    /// Shows this many rulings, both ends included: 2 at least, [`MOST_RULINGS`] at most, at equal steps of the
+    /// parameter. The patch is sampled at least half as densely.
+    #[must_use]
+    pub fn rulings(mut self, count: usize) -> Self {
+        self.rulings = count.clamp(2, MOST_RULINGS);
+        self
+    }
+
+    /// What counts as developable: flattening shortens no line by more than this share of its length.
+    #[must_use]
+    pub fn developable_within(mut self, strain: f64) -> Self {
+        self.developable = strain;
+        self
+    }
+
+    /// Flattens a patch that is not developable too, as long as no line is shortened by more than this share
+    /// of its length. Such a pattern says [`FlatPattern::is_strained`].
+    #[must_use]
+    pub fn allow_strain(mut self, strain: f64) -> Self {
+        self.allowed = strain;
+        self
+    }
+
+    /// Unrolls a patch.
+    ///
+    /// The first rail starts at the origin, the first ruling points along the first axis, and the patch
+    /// proceeds along the second axis; the side that its normal `R x (P' + Q')` points to is seen.
+    ///
+    /// # Errors
+    /// [`PatternError::OutOfRange`] unless the tolerance is positive and the strains are in [0, 1);
+    /// [`PatternError::NotFinite`], [`PatternError::NoRuling`], [`PatternError::NoTangentPlane`] where the
+    /// patch is not a sheet; [`PatternError::NotDevelopable`], [`PatternError::Regression`],
+    /// [`PatternError::CrossesItself`] when it cannot be cut from one;
+    /// [`PatternError::NotReached`] for a tolerance out of reach of f64; [`PatternError::Geometry`] from
+    /// the evaluation of the patch.
+    pub fn of(&self, patch: &(impl Rails<f64> + ?Sized)) -> PatternResult<FlatPattern> {
+        positive("tolerance", self.tolerance)?;
+        for (name, value) in [
+            ("strain of a developable", self.developable),
+            ("allowed strain", self.allowed),
+        ] {
+            if !(0.0..1.0).contains(&value) {
+                let range = "[0, 1)";
+                return Err(PatternError::OutOfRange { name, value, range });
+            }
+        }
+        // Half of the tolerance is for the arcs, the rest for the development.
+        let development = Development::of(
+            patch,
+            self.rulings.div_ceil(32).max(2),
+            0.25 * self.tolerance,
+            self.developable.max(self.allowed),
+        )?;
+        let fitted = [
+            fit(&development, 0, 0.5 * self.tolerance)?,
+            fit(&development, 1, 0.5 * self.tolerance)?,
+        ];
+        let distance = fitted[0].distance.max(fitted[1].distance);
+        #[allow(clippy::cast_precision_loss)]
+        let last = (self.rulings - 1) as f64;
+        #[allow(clippy::cast_precision_loss)]
+        let stations = (0..self.rulings).map(|i| i as f64 / last).collect();
+        let piece = Piece::new(development, fitted.map(|f| f.segments), distance, stations);
+        let flat = FlatPattern::of(vec![piece], self.developable, self.tolerance);
+        check_simple(&flat, self.tolerance)?;
+        Ok(flat)
+    }
+}
+
+/// Refuses an outline that meets itself.
+pub(super) fn check_simple(flat: &FlatPattern, tolerance: f64) -> PatternResult<()> {
+    match crossing(flat.outline().segments(), 0.25 * tolerance) {
+        None => Ok(()),
+        Some((segments, at)) => Err(PatternError::CrossesItself { at, segments }),
+    }
+}
+
+pub(super) fn positive(name: &'static str, value: f64) -> PatternResult<()> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    let range = "(0, infinity)";
+    Err(PatternError::OutOfRange { name, value, range })
+}
+
+/// Unrolls a patch within `tolerance` (a length), showing `rulings` rulings: [`Unrolling`] with what is usual
+/// otherwise.
+///
+/// # Errors
+/// As [`Unrolling::of`].
+///
+/// ```
+/// use torse_geometry::pattern::unroll;
+/// use torse_geometry::{RuledSurface, curve::ellipse_arc};
+/// // A quarter of a circular cylinder of radius 2 and height 3: a rectangle 3 x pi.
+/// let ring = |z: f64| ellipse_arc(&[0.0, 0.0, z], &[2.0, 0.0, z], &[0.0, 2.0, z]);
+/// let flat = unroll(&RuledSurface::new(ring(0.0)?, ring(3.0)?), 17, 1e-10)?;
+/// assert_eq!(flat.outline().segments().len(), 4);
+/// assert!((flat.area() - 3.0 * std::f64::consts::PI).abs() < 1e-13);
+/// assert!(flat.errors().outline < 1e-12 && flat.strain() < 1e-20);
+/// // Every ruling is bent by the same angle, and its radius is that of the cylinder.
+/// let ruling = flat.rulings()[5];
+/// assert!((ruling.bend.abs() - std::f64::consts::FRAC_PI_2 / 16.0).abs() < 1e-9);
+/// assert!((ruling.radius - 2.0).abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn unroll(
+    patch: &(impl Rails<f64> + ?Sized),
+    rulings: usize,
+    tolerance: f64,
+) -> PatternResult<FlatPattern> {
+    Unrolling::within(tolerance).rulings(rulings).of(patch)
+}
