@@ -57,13 +57,10 @@ pub(super) struct Panel {
 /// Everything about one ruling of a development.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct At {
-    pub theta: f64,
     pub rails: [[f64; 2]; 2],
     pub length: f64,
     pub space: [[f64; 3]; 2],
-    pub normal: [f64; 3],
     pub across: [f64; 2],
-    pub along: [f64; 2],
     pub bending: f64,
 }
 
@@ -167,9 +164,7 @@ impl Development {
         let panel = self.panel_at(x);
         let row = panel.basis(x);
         let value = |f: &Interpolant| f.at(&row);
-        let theta = value(&panel.theta);
         At {
-            theta,
             rails: panel
                 .rails
                 .each_ref()
@@ -179,9 +174,7 @@ impl Development {
                 .space
                 .each_ref()
                 .map(|rail| rail.each_ref().map(value)),
-            normal: panel.normal.each_ref().map(value),
             across: panel.across.each_ref().map(value),
-            along: panel.along.each_ref().map(value),
             bending: value(&panel.bending),
         }
     }
@@ -207,10 +200,6 @@ impl Development {
 impl Panel {
     pub(super) fn range(&self) -> [f64; 2] {
         [self.from, self.to]
-    }
-
-    pub(super) fn error(&self) -> f64 {
-        self.error
     }
 
     fn basis(&self, x: f64) -> Row {

@@ -1,7 +1,8 @@
 //! The flat pattern of a patch or of a chain of patches.
 
-use super::development::{At, Development};
+use super::development::At;
 use super::outline::Outline;
+use super::piece::Piece;
 use super::placement::Placement;
 use super::segment::Segment;
 use crate::vector::{cross, dot};
@@ -54,95 +55,6 @@ pub struct FlatPattern {
     /// The strain up to which it counts as developable.
     pub(super) developable: f64,
     pub(super) tolerance: f64,
-}
-
-/// A patch of the chain.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Piece {
-    pub development: Development,
-    /// The fitted rails, with growing parameter, as developed.
-    rails: [Vec<Segment>; 2],
-    /// The largest distance of a fitted rail.
-    fitted: f64,
-    stations: Vec<f64>,
-    pub placement: Placement,
-    /// Whether the chain passes it from `x = 1` to `x = 0`.
-    pub backward: bool,
-    /// What errors of the pieces before and of the joints add to its points and angles.
-    pub inherited: [f64; 2],
-}
-
-impl Piece {
-    pub(super) fn new(
-        development: Development,
-        rails: [Vec<Segment>; 2],
-        fitted: f64,
-        stations: Vec<f64>,
-    ) -> Self {
-        Self {
-            development,
-            rails,
-            fitted,
-            stations,
-            placement: Placement::default(),
-            backward: false,
-            inherited: [0.0; 2],
-        }
-    }
-
-    /// The parameters of the rulings in the order of the chain.
-    fn stations(&self) -> Vec<f64> {
-        let list = self.stations.iter().copied();
-        if self.backward {
-            list.rev().collect()
-        } else {
-            list.collect()
-        }
-    }
-
-    /// The parameter of the first (0) or last (1) ruling that the chain passes.
-    pub(super) fn end(&self, last: bool) -> f64 {
-        if last == self.backward { 0.0 } else { 1.0 }
-    }
-
-    /// The rail to the left of one who follows the chain.
-    fn left(&self) -> usize {
-        usize::from(self.backward != self.placement.is_mirrored())
-    }
-
-    /// The segments of a rail in the order of the chain.
-    fn rail(&self, side: usize) -> Vec<Segment> {
-        let mut list: Vec<Segment> = self.rails[side]
-            .iter()
-            .map(|s| self.placement.segment(s))
-            .collect();
-        if self.backward {
-            list.reverse();
-            list = list.iter().map(Segment::reversed).collect();
-        }
-        list
-    }
-
-    /// The normal towards the viewer.
-    fn seen(&self, x: f64) -> [f64; 3] {
-        let normal = self.development.normal(x);
-        if self.placement.is_mirrored() {
-            normal.map(|c| -c)
-        } else {
-            normal
-        }
-    }
-
-    /// The direction of a ruling from the left to the right rail, not normalised.
-    fn axis(&self, at: &At) -> [f64; 3] {
-        let [from, to] = [self.left(), 1 - self.left()].map(|side| at.space[side]);
-        std::array::from_fn(|i| to[i] - from[i])
-    }
-
-    /// Halfway between this ruling and the next of the chain.
-    fn halfway(stations: &[f64], index: usize) -> Option<f64> {
-        Some(0.5 * (stations.get(index)? + stations.get(index + 1)?))
-    }
 }
 
 impl FlatPattern {
@@ -261,10 +173,7 @@ impl FlatPattern {
     /// ```
     #[must_use]
     pub fn placed(&self, placement: &Placement) -> Self {
-        let place = |piece: &Piece| Piece {
-            placement: piece.placement.then(placement),
-            ..piece.clone()
-        };
+        let place = |piece: &Piece| piece.clone().moved(placement, [0.0; 2]);
         let pieces = self.pieces.iter().map(place).collect();
         Self::of(pieces, self.developable, self.tolerance)
     }

@@ -9,20 +9,29 @@
 //! A patch that has no flat pattern is refused with numbers, [`PatternError`]: it is not developable, its edge
 //! of regression runs inside, its outline would cross itself.
 
+mod bending;
+mod chain;
 mod chebyshev;
 mod crossing;
 mod development;
 mod error;
 mod fit;
 mod flat;
+mod fold;
 mod frame;
+mod lift;
 mod outline;
+mod piece;
 mod placement;
 mod segment;
 mod unroll;
 
+pub use bending::{Bend, Sheet, bends, is_bendable};
+pub use chain::side_by_side;
 pub use error::{PatternError, PatternResult};
 pub use flat::{Errors, FlatPattern, FlatRuling};
+pub use fold::{deviation, fold};
+pub use lift::Place;
 pub use outline::Outline;
 pub use placement::Placement;
 pub use segment::Segment;

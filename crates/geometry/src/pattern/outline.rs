@@ -1,7 +1,6 @@
 //! A closed outline of lines and arcs.
 
 use super::error::PatternResult;
-use super::placement::Placement;
 use super::segment::Segment;
 
 /// A closed chain of lines and arcs, counterclockwise: what is cut.
@@ -83,16 +82,5 @@ impl Outline {
             }
         }
         Ok(points)
-    }
-
-    pub(super) fn placed(&self, placement: &Placement) -> Self {
-        let mut segments: Vec<Segment> =
-            self.segments.iter().map(|s| placement.segment(s)).collect();
-        if placement.is_mirrored() {
-            // Counterclockwise again.
-            segments.reverse();
-            segments = segments.iter().map(Segment::reversed).collect();
-        }
-        Self { segments }
     }
 }

@@ -4,7 +4,8 @@ use super::crossing::crossing;
 use super::development::Development;
 use super::error::{PatternError, PatternResult};
 use super::fit::fit;
-use super::flat::{FlatPattern, Piece};
+use super::flat::FlatPattern;
+use super::piece::Piece;
 use crate::surface::Rails;
 
 /// The strain below which a patch counts as developable: a micrometre for each metre, as little as steel

@@ -1,8 +1,11 @@
 //! Flat patterns: against closed forms, against integration by another method, and refused where there are none.
 
+use proptest::prelude::*;
 use std::f64::consts::PI;
 use torse_algebra::{Jet, Scalar};
-use torse_geometry::pattern::{FlatPattern, PatternError, Unrolling, unroll};
+use torse_geometry::pattern::{
+    FlatPattern, PatternError, Place, Placement, Segment, Unrolling, deviation, fold, unroll,
+};
 use torse_geometry::surface::Rails;
 use torse_geometry::vector::{norm, sub};
 use torse_geometry::{
@@ -340,4 +343,316 @@ fn what_cannot_be_cut_from_a_sheet_is_refused_with_numbers() {
     let line = rail([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
     let none = unroll(&RuledSurface::new(line.clone(), line), 17, 1e-4);
     assert_eq!(none, Err(PatternError::NoRuling { x: 0.0 }));
+}
+
+/// The strain-free patches of these tests with a name.
+fn patches() -> Vec<(&'static str, FlatPattern)> {
+    vec![
+        (
+            "cone",
+            unroll(&cone([1.0, 3.0], 4.0, 4.0), 33, 1e-6).unwrap(),
+        ),
+        (
+            "inverted cone",
+            unroll(&cone([3.0, 1.0], 1.0, 3.0), 33, 1e-6).unwrap(),
+        ),
+        (
+            "helix",
+            unroll(&helix(1.0, 0.5, 0.8, [0.5, 2.0]), 33, 1e-6).unwrap(),
+        ),
+        ("cubic", unroll(&cubic(), 33, 1e-6).unwrap()),
+    ]
+}
+
+#[test]
+fn points_go_to_the_sheet_and_back_and_distances_along_rulings_stay() {
+    for (name, flat) in patches() {
+        let placement = Placement::mirrored()
+            .then(&Placement::turned(0.7))
+            .then(&Placement::shifted([3.0, -8.0]));
+        for flat in [flat.clone(), flat.placed(&placement)] {
+            for (i, j) in [
+                (0, 0),
+                (0, 4),
+                (3, 1),
+                (5, 4),
+                (8, 0),
+                (8, 4),
+                (2, 2),
+                (7, 3),
+            ] {
+                let place = Place {
+                    piece: 0,
+                    x: f64::from(i) / 8.0,
+                    v: f64::from(j) / 4.0,
+                };
+                let (sheet, space) = (flat.flatten(place).unwrap(), flat.space(place).unwrap());
+                let lifted = flat.lift(sheet).unwrap();
+                assert!(norm(&sub(&lifted, &space)) < 1e-9, "{name} {place:?}");
+                let found = flat.locate_in_space(space, 1e-6).unwrap();
+                assert!(
+                    (found.x - place.x).abs() < 1e-7 && (found.v - place.v).abs() < 1e-7,
+                    "{name} {found:?}"
+                );
+                let start = Place { v: 0.0, ..place };
+                let (a, b) = (flat.flatten(start).unwrap(), flat.space(start).unwrap());
+                let change = norm(&sub(&sheet, &a)) - norm(&sub(&space, &b));
+                assert!(change.abs() < 1e-9, "{name}");
+            }
+            assert_eq!(flat.lift([100.0, 100.0]), None);
+            assert_eq!(flat.locate_in_space([100.0; 3], 1.0), None);
+            assert_eq!(
+                flat.flatten(Place {
+                    piece: 1,
+                    x: 0.5,
+                    v: 0.5
+                }),
+                None
+            );
+            assert_eq!(
+                flat.space(Place {
+                    piece: 0,
+                    x: f64::NAN,
+                    v: 0.5
+                }),
+                None
+            );
+        }
+    }
+}
+
+#[test]
+fn lengths_of_curves_on_the_patch_stay_on_the_sheet() {
+    for (name, flat) in patches() {
+        let curve = |t: f64| [0.1 + 0.8 * t, 0.5 + 0.4 * (5.0 * t).sin()];
+        let n = 20_000;
+        let (mut sheet, mut space) = (0.0, 0.0);
+        let at = |i: i32| {
+            let [x, v] = curve(f64::from(i) / f64::from(n));
+            let place = Place { piece: 0, x, v };
+            (flat.flatten(place).unwrap(), flat.space(place).unwrap())
+        };
+        for i in 0..n {
+            let (a, b) = (at(i), at(i + 1));
+            sheet += norm(&sub(&b.0, &a.0));
+            space += norm(&sub(&b.1, &a.1));
+        }
+        assert!(
+            (sheet - space).abs() < 1e-7 * space,
+            "{name}: {sheet} {space}"
+        );
+        let carried = flat.carry(0, curve, 1e-3).unwrap();
+        for i in (0..n).step_by(97) {
+            let (point, _) = at(i);
+            let near = carried
+                .windows(2)
+                .map(|w| Segment::line(w[0], w[1]).distance(point))
+                .fold(f64::INFINITY, f64::min);
+            assert!(near < 2e-3, "{name}: {near:e}");
+        }
+        assert!(flat.carry(0, |t| [2.0 * t, 0.5], 1e-3).is_err());
+    }
+}
+
+#[test]
+fn folding_the_drawing_alone_rebuilds_the_patch_with_an_error_that_falls_by_four() {
+    let deviations = |patch: &dyn Rails<f64>| {
+        [17, 33, 65, 129].map(|n| unroll(patch, n, 1e-7).unwrap().fold_deviation().unwrap())
+    };
+    for (name, list) in [
+        ("cone", deviations(&cone([1.0, 3.0], 4.0, 4.0))),
+        ("helix", deviations(&helix(1.0, 0.5, 0.8, [0.5, 2.0]))),
+        ("cubic", deviations(&cubic())),
+    ] {
+        for pair in list.windows(2) {
+            let ratio = pair[0] / pair[1];
+            assert!((3.5..4.5).contains(&ratio), "{name}: {list:?}");
+        }
+        assert!(list[3] < 2e-3, "{name}: {list:?}");
+    }
+}
+
+#[test]
+fn a_pattern_turned_over_folds_to_the_same_body() {
+    for (name, flat) in patches() {
+        let over = flat.placed(&Placement::mirrored().then(&Placement::turned(1.0)));
+        let (a, b) = (
+            flat.fold_deviation().unwrap(),
+            over.fold_deviation().unwrap(),
+        );
+        assert!((a - b).abs() < 1e-9, "{name}: {a} {b}");
+        // With bends the wrong way it does not.
+        let ends: Vec<_> = flat.rulings().iter().map(|r| r.ends).collect();
+        let wrong: Vec<_> = flat.rulings().iter().map(|r| -r.bend).collect();
+        let folded: Vec<_> = fold(&ends, &wrong).unwrap().into_iter().flatten().collect();
+        let design: Vec<_> = flat.rulings_in_space().into_iter().flatten().collect();
+        assert!(deviation(&folded, &design).unwrap() > 0.05, "{name}");
+    }
+}
+
+/// The part of a patch between two parameters, perhaps with its rails exchanged or run backwards.
+struct Part<'a> {
+    whole: &'a dyn Rails<f64>,
+    range: [f64; 2],
+    exchanged: bool,
+}
+
+impl Rails<f64> for Part<'_> {
+    fn rail_jets(&self, x: &f64, order: usize) -> Result<[[Jet<f64>; 3]; 2], GeometryError> {
+        let [from, to] = self.range;
+        let [p, q] = self.whole.rail_jets(&(from + x * (to - from)), order)?;
+        let stretched = |jet: Jet<f64>| {
+            let mut power = 1.0;
+            let mut list = jet.coefficients().iter().map(|c| {
+                let value = c * power;
+                power *= to - from;
+                value
+            });
+            let first = list.next().unwrap();
+            Jet::from_coefficients(first, list.collect::<Vec<_>>())
+        };
+        let (p, q) = (p.map(stretched), q.map(stretched));
+        Ok(if self.exchanged { [q, p] } else { [p, q] })
+    }
+}
+
+#[test]
+fn a_chain_of_parts_is_the_pattern_of_the_whole_however_the_parts_are_run() {
+    let whole = helix(1.0, 0.5, 0.8, [0.5, 2.0]);
+    let flat = unroll(&whole, 33, 1e-8).unwrap();
+    let part = |range, exchanged| {
+        unroll(
+            &Part {
+                whole: &whole,
+                range,
+                exchanged,
+            },
+            17,
+            1e-8,
+        )
+        .unwrap()
+    };
+    for (first, second) in [
+        (part([0.0, 0.5], false), part([0.5, 1.0], false)),
+        (part([0.0, 0.5], false), part([0.5, 1.0], true)),
+        (part([0.0, 0.5], true), part([1.0, 0.5], false)),
+        (part([0.5, 0.0], false), part([1.0, 0.5], true)),
+        (part([0.5, 1.0], true), part([0.0, 0.5], true)),
+        (part([0.5, 1.0], false), part([0.5, 0.0], true)),
+    ] {
+        let chain = first.append(&second, 1e-9).unwrap();
+        assert_eq!((chain.pieces(), chain.rulings().len()), (2, 33));
+        assert!((chain.outline().area() - flat.outline().area()).abs() < 1e-7);
+        assert!((chain.outline().length() - flat.outline().length()).abs() < 1e-6);
+        assert!(chain.errors().outline < 1e-7);
+        // Folded it is the whole again, and the joint is bent like its neighbours.
+        let (a, b) = (
+            chain.fold_deviation().unwrap(),
+            flat.fold_deviation().unwrap(),
+        );
+        assert!((a - b).abs() < 1e-6, "{a} {b}");
+        let bends: Vec<f64> = chain.rulings().iter().map(|r| r.bend).collect();
+        assert!(
+            (bends[16] - bends[15]).abs() < 1e-3 * bends[16].abs(),
+            "{bends:?}"
+        );
+        // A point of the second part comes back from the sheet.
+        let place = Place {
+            piece: 1,
+            x: 0.3,
+            v: 0.4,
+        };
+        let lifted = chain.lift(chain.flatten(place).unwrap()).unwrap();
+        assert!(norm(&sub(&lifted, &chain.space(place).unwrap())) < 1e-9);
+    }
+    let (near, far) = (part([0.0, 0.5], false), part([0.6, 1.0], false));
+    assert!(matches!(
+        near.append(&far, 1e-6),
+        Err(PatternError::NoCommonRuling { distance, .. }) if distance > 0.1
+    ));
+    // Two three-quarter turns overlap.
+    let long = |range| Part {
+        whole: &whole,
+        range,
+        exchanged: false,
+    };
+    let twice = unroll(&long([0.0, 0.9]), 9, 1e-4)
+        .unwrap()
+        .append(&unroll(&long([0.9, 1.7]), 9, 1e-4).unwrap(), 1e-6);
+    assert!(
+        matches!(twice, Err(PatternError::CrossesItself { .. })),
+        "{twice:?}"
+    );
+}
+
+#[test]
+fn a_cone_with_its_apex_has_a_sector_as_pattern() {
+    let sector = unroll(&cone([0.0, 1.5], 2.0, 2.0), 9, 1e-6).unwrap();
+    let segments = sector.outline().segments();
+    assert!(segments.iter().all(|s| s.chord_length() > 0.0));
+    assert!((sector.outline().area() - 0.5 * 2.0 * 1.5 * 2.5).abs() < 1e-12);
+    assert!(sector.smallest_radius() < 1e-9);
+}
+
+#[test]
+fn scaling_and_moving_a_design_scales_the_pattern() {
+    let plain = unroll(&helix(1.0, 0.5, 0.8, [0.5, 2.0]), 9, 1e-6).unwrap();
+    for scale in [1e-150, 1e-12, 1e12, 1e150] {
+        let large = unroll(
+            &helix(scale, 0.5 * scale, 0.8, [0.5 * scale, 2.0 * scale]),
+            9,
+            1e-6 * scale,
+        )
+        .unwrap();
+        for (a, b) in plain.rulings().iter().zip(large.rulings()) {
+            for (p, q) in a.ends.iter().zip(&b.ends) {
+                assert!(norm(&sub(p, &q.map(|c| c / scale))) < 1e-12, "{scale:e}");
+            }
+        }
+    }
+}
+
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        -10.0..10.0_f64,
+        Just(0.0),
+        Just(f64::NAN),
+        Just(1e300),
+        Just(-1e-300),
+        prop::num::f64::ANY
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_patch_is_refused_or_has_a_finite_pattern(
+        p in prop::collection::vec(prop::array::uniform3(coordinate()), 2..5),
+        q in prop::collection::vec(prop::array::uniform3(coordinate()), 2..5),
+    ) {
+        let (Ok(p), Ok(q)) = (Curve::new(Bernstein, p), Curve::new(Bernstein, q)) else { return Ok(()) };
+        let patch = RuledSurface::new(p, q);
+        for demand in [Unrolling::within(1e-3), Unrolling::within(1e-3).allow_strain(0.999)] {
+            if let Ok(flat) = demand.rulings(5).of(&patch) {
+                let e = flat.errors();
+                let numbers = [e.outline, e.point, e.angle, e.length, e.area, flat.strain(), flat.area()];
+                prop_assert!(numbers.iter().all(|v| v.is_finite() && *v >= 0.0), "{numbers:?}");
+                let vertices: Vec<_> = flat.outline().vertices().collect();
+                prop_assert!(vertices.iter().all(|(p, b)| p.iter().all(|c| c.is_finite()) && b.is_finite()));
+                prop_assert!(flat.outline().area() > 0.0);
+                prop_assert!(e.outline <= 1e-3);
+            }
+        }
+    }
+
+    #[test]
+    fn cones_of_any_shape_unroll_within_their_errors(
+        small in 0.1..2.0_f64, more in 0.1..3.0_f64, height in -3.0..3.0_f64, angle in 0.2..3.0_f64, digits in 2..9_i32,
+    ) {
+        let (radii, tolerance) = ([small, small + more], 10.0_f64.powi(-digits));
+        let flat = unroll(&cone(radii, height, angle), 9, tolerance).unwrap();
+        let worst = true_error(&flat, &flat_cone(radii, height, angle));
+        prop_assert!(worst <= flat.errors().outline, "{worst:e} {:?}", flat.errors());
+    }
 }

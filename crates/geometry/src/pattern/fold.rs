@@ -1,0 +1,183 @@
+//! From the flat pattern back into space, by its rulings and bends alone.
+//!
+//! The sheet is taken as flat between neighbouring rulings and folded at each of them by its angle: a polyhedron
+//! that follows the smooth sheet with an error that falls with the square of the distance of the
+//! rulings. Nothing of the design enters but what is on the drawing, so comparing the result with the
+//! design checks the drawing.
+
+use super::error::{PatternError, PatternResult};
+use super::flat::FlatPattern;
+use super::lift::Place;
+use crate::vector::{add, norm, sub};
+use nalgebra::{Matrix3, Vector3};
+
+/// Folds a sheet: the ends in space of all rulings, from their ends on the sheet and the angles in radians by which
+/// the sheet is folded there, positive where both sides rise towards the viewer
+/// ([`FlatRuling::bend`](super::FlatRuling::bend)). The facet before the second ruling stays in the plane
+/// `z = 0`; the angles of the first and the last ruling do not matter.
+///
+/// # Errors
+/// [`PatternError::Count`] for fewer than two rulings or another number of angles,
+/// [`PatternError::OutOfRange`] for NaN and infinities, [`PatternError::NoRuling`] (with the share of
+/// rulings passed) for a ruling whose ends coincide.
+///
+/// ```
+/// use torse_geometry::pattern::fold;
+/// let rulings = [0.0, 1.0, 2.0].map(|y| [[0.0, y], [3.0, y]]);
+/// let angles = [0.0, std::f64::consts::FRAC_PI_2, 0.0];
+/// let folded = fold(&rulings, &angles)?;
+/// // The second square stands upright.
+/// let [x, y, z] = folded[2][1];
+/// assert!((x - 3.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && (z - 1.0).abs() < 1e-15);
+/// # Ok::<(), torse_geometry::pattern::PatternError>(())
+/// ```
+pub fn fold(rulings: &[[[f64; 2]; 2]], angles: &[f64]) -> PatternResult<Vec<[[f64; 3]; 2]>> {
+    for (what, given, needed) in [
+        ("rulings to fold", rulings.len(), rulings.len().max(2)),
+        ("fold angles", angles.len(), rulings.len()),
+    ] {
+        if given != needed {
+            return Err(PatternError::Count {
+                what,
+                given,
+                needed,
+            });
+        }
+    }
+    let numbers = rulings.iter().flatten().flatten().chain(angles);
+    if let Some(&value) = numbers.into_iter().find(|v| !v.is_finite()) {
+        let (name, range) = ("number of the drawing", "(-infinity, infinity)");
+        return Err(PatternError::OutOfRange { name, value, range });
+    }
+    // From the sheet into space: p -> rotation p + shift.
+    let (mut rotation, mut shift) = (Matrix3::<f64>::identity(), Vector3::<f64>::zeros());
+    let mut folded = Vec::with_capacity(rulings.len());
+    for (k, (ruling, angle)) in rulings.iter().zip(angles).enumerate() {
+        let flat = ruling.map(|[x, y]| Vector3::new(x, y, 0.0));
+        let place = |p: &Vector3<f64>| {
+            let p = rotation * p + shift;
+            [p.x, p.y, p.z]
+        };
+        folded.push([place(&flat[0]), place(&flat[1])]);
+        let Some(next) = rulings.get(k + 1).filter(|_| k > 0) else {
+            continue;
+        };
+        let axis = flat[1] - flat[0];
+        let length = axis.norm();
+        if length == 0.0 {
+            #[allow(clippy::cast_precision_loss)]
+            let x = k as f64 / rulings.len() as f64;
+            return Err(PatternError::NoRuling { x });
+        }
+        // The sheet goes on to the left of the axis, so that a positive angle lifts it.
+        let middle = |r: &[[f64; 2]; 2]| {
+            Vector3::new(0.5 * (r[0][0] + r[1][0]), 0.5 * (r[0][1] + r[1][1]), 0.0)
+        };
+        let ahead = axis.cross(&(middle(next) - middle(ruling))).z;
+        let axis = axis * (ahead.signum() / length);
+        let turn = rotation_about(&axis, *angle);
+        shift += rotation * (flat[0] - turn * flat[0]);
+        rotation *= turn;
+    }
+    Ok(folded)
+}
+
+/// Rodrigues' formula.
+fn rotation_about(axis: &Vector3<f64>, angle: f64) -> Matrix3<f64> {
+    let (s, c) = angle.sin_cos();
+    let cross = axis.cross_matrix();
+    Matrix3::identity() + cross * s + cross * cross * (1.0 - c)
+}
+
+/// The largest distance between corresponding points after the rigid motion (no reflection) that makes the
+/// sum of the squares least (Kabsch 1976).
+///
+/// # Errors
+/// [`PatternError::Count`] when the lists differ in length or are empty, [`PatternError::OutOfRange`] for
+/// NaN and infinities.
+///
+/// ```
+/// use torse_geometry::pattern::deviation;
+/// let corner = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]];
+/// let turned = corner.map(|[x, y, z]| [5.0 - y, x, z + 1.0]);
+/// assert!(deviation(&corner, &turned)? < 1e-14);
+/// // The mirror image is another body.
+/// assert!(deviation(&corner, &corner.map(|[x, y, z]| [x, y, -z]))? > 0.5);
+/// # Ok::<(), torse_geometry::pattern::PatternError>(())
+/// ```
+pub fn deviation(points: &[[f64; 3]], others: &[[f64; 3]]) -> PatternResult<f64> {
+    if points.len() != others.len() || points.is_empty() {
+        return Err(PatternError::Count {
+            what: "points to compare",
+            given: others.len(),
+            needed: points.len().max(1),
+        });
+    }
+    let numbers = points.iter().chain(others).flatten();
+    if let Some(&value) = numbers.into_iter().find(|v| !v.is_finite()) {
+        let (name, range) = ("coordinate", "(-infinity, infinity)");
+        return Err(PatternError::OutOfRange { name, value, range });
+    }
+    #[allow(clippy::cast_precision_loss)]
+    let count = points.len() as f64;
+    let centre = |list: &[[f64; 3]]| {
+        list.iter()
+            .fold([0.0; 3], |sum, p| add(&sum, p))
+            .map(|c| c / count)
+    };
+    let (here, there) = (centre(points), centre(others));
+    let vector = |p: &[f64; 3], c: &[f64; 3]| Vector3::from(sub(p, c));
+    let mut covariance = Matrix3::<f64>::zeros();
+    for (p, q) in points.iter().zip(others) {
+        covariance += vector(q, &there) * vector(p, &here).transpose();
+    }
+    let parts = covariance.svd(true, true);
+    let (Some(u), Some(v)) = (parts.u, parts.v_t) else {
+        return Ok(f64::INFINITY);
+    };
+    let sign = (u * v).determinant().signum();
+    // The singular values are sorted: the direction that matters least is reflected if one must be.
+    let rotation = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign)) * v;
+    let mut largest = 0.0_f64;
+    for (p, q) in points.iter().zip(others) {
+        let moved: [f64; 3] = (rotation * vector(p, &here)).into();
+        largest = largest.max(norm(&sub(&moved, &sub(q, &there))));
+    }
+    Ok(largest)
+}
+
+impl FlatPattern {
+    /// The ends of the rulings in space, on the patch: what [`fold`] should come to.
+    #[must_use]
+    pub fn rulings_in_space(&self) -> Vec<[[f64; 3]; 2]> {
+        let end = |piece, x, v| self.space(Place { piece, x, v });
+        self.rulings()
+            .iter()
+            .filter_map(|r| Some([end(r.piece, r.x, 0.0)?, end(r.piece, r.x, 1.0)?]))
+            .collect()
+    }
+
+    /// How far the folded pattern is from the design: the largest distance of the ends of rulings, after the best
+    /// rigid motion. It falls with the square of the number of rulings.
+    ///
+    /// # Errors
+    /// As [`fold`] and [`deviation`].
+    ///
+    /// ```
+    /// use torse_geometry::pattern::unroll;
+    /// use torse_geometry::{RuledSurface, curve::ellipse_arc};
+    /// let ring = |z: f64| ellipse_arc(&[0.0, 0.0, z], &[2.0, 0.0, z], &[0.0, 2.0, z]);
+    /// let quarter = RuledSurface::new(ring(0.0)?, ring(3.0)?);
+    /// let [coarse, fine] = [9, 33].map(|n| unroll(&quarter, n, 1e-6)?.fold_deviation());
+    /// let (coarse, fine) = (coarse?, fine?);
+    /// assert!(coarse < 0.01 && fine < coarse / 12.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn fold_deviation(&self) -> PatternResult<f64> {
+        let flat: Vec<_> = self.rulings().iter().map(|r| r.ends).collect();
+        let bends: Vec<_> = self.rulings().iter().map(|r| r.bend).collect();
+        let folded: Vec<_> = fold(&flat, &bends)?.into_iter().flatten().collect();
+        let design: Vec<_> = self.rulings_in_space().into_iter().flatten().collect();
+        deviation(&folded, &design)
+    }
+}
