@@ -18,6 +18,8 @@ use super::segment::Segment;
 const DEEPEST: u32 = 40;
 /// The most segments of one rail.
 const MOST_SEGMENTS: usize = 1 << 16;
+/// Where candidates are looked at first, as shares of the interval.
+const LOOKS: [f64; 4] = [0.15, 0.4, 0.65, 0.85];
 /// The widest arc sweeps twice this angle, in radians.
 const WIDEST: f64 = 0.8;
 
@@ -76,39 +78,65 @@ impl Rail<'_> {
 
     fn try_segments(&self, from: &End, to: &End, tolerance: f64) -> Option<(Vec<Segment>, f64)> {
         let line = Segment::line(from.point, to.point);
+        let looks = LOOKS.map(|share| self.end(from.x + share * (to.x - from.x)).point);
+        let frame = Chord::of(&line);
+        // A first look, which spares most of the work of a bound that fails.
+        let near = |s: &Segment| {
+            let off = |p: &[f64; 2]| frame.off(s, *p).abs();
+            looks.iter().all(|p| off(p) <= tolerance)
+        };
         let bound = |s: &Segment, from: f64, to: f64| self.bound(s, from, to, tolerance);
-        if let Some(distance) = bound(&line, from.x, to.x) {
+        if near(&line)
+            && let Some(distance) = bound(&line, from.x, to.x)
+        {
             return Some((vec![line], distance));
         }
         let [alpha, beta] = leans(from, to)?;
+        // The one arc whose tangents differ from both by the same angle.
         let bulge = (0.25 * (beta - alpha)).tan();
         let arc = Segment { bulge, ..line };
-        // The one arc whose tangents differ from both by the same angle.
-        if let Some(distance) = bound(&arc, from.x, to.x) {
+        if near(&arc)
+            && let Some(distance) = bound(&arc, from.x, to.x)
+        {
             return Some((vec![arc], distance));
         }
         let pair = biarc(from.point, to.point, [alpha, beta]);
-        let joint = self.nearest(pair[0].to, from.x, to.x);
+        let halves = pair.each_ref().map(Chord::of);
+        let close = |p: &[f64; 2]| {
+            let side = usize::from(frame.place(*p)[0] > 0.5 * frame.length);
+            halves[side].off(&pair[side], *p).abs() <= tolerance
+        };
+        if !looks.iter().all(close) {
+            return None;
+        }
+        let joint = self.passing(pair[0].to, from.x, to.x);
         let first = bound(&pair[0], from.x, joint)?;
         let second = bound(&pair[1], joint, to.x)?;
         Some((pair.to_vec(), first.max(second)))
     }
 
-    /// The parameter between `from` and `to` whose point is nearest to `point`, roughly: where the rail passes it.
-    fn nearest(&self, point: [f64; 2], from: f64, to: f64) -> f64 {
+    /// The parameter between `from` and `to` where the rail passes `point`, nearly: secants, then halving where they
+    /// leave the interval. Where exactly the rail is cut does not matter, as both parts are bounded.
+    fn passing(&self, point: [f64; 2], from: f64, to: f64) -> f64 {
         let (mut low, mut high) = (from, to);
-        for _ in 0..30 {
-            let x = 0.5 * (low + high);
+        let mut x = 0.5 * (from + to);
+        for _ in 0..6 {
             let end = self.end(x);
-            let ahead = (point[0] - end.point[0]) * end.tangent[0]
-                + (point[1] - end.point[1]) * end.tangent[1];
+            let [u, v] = end.tangent;
+            let ahead = (point[0] - end.point[0]) * u + (point[1] - end.point[1]) * v;
             if ahead > 0.0 {
                 low = x;
             } else {
                 high = x;
             }
+            let next = x + ahead / (u * u + v * v);
+            x = if next > low && next < high {
+                next
+            } else {
+                0.5 * (low + high)
+            };
         }
-        0.5 * (low + high)
+        x
     }
 
     /// A bound for the distance of the rail on `[from, to]` and the segment; `None` above the tolerance.
@@ -118,18 +146,7 @@ impl Rail<'_> {
         if phi.abs() > WIDEST || !(chord > 0.0 || segment.is_line()) {
             return None;
         }
-        // A first look, which spares most of the work of a bound that fails.
-        for share in [0.25, 0.5, 0.75] {
-            let [point, _] = self.development.rail(self.side, from + share * (to - from));
-            if segment.distance(point) > tolerance {
-                return None;
-            }
-        }
-        let axis = if chord > 0.0 {
-            [0, 1].map(|i| (segment.to[i] - segment.from[i]) / chord)
-        } else {
-            [1.0, 0.0]
-        };
+        let frame = Chord::of(segment);
         let mut largest = 0.0_f64;
         let mut before = f64::NEG_INFINITY;
         let panels = self.development.panels();
@@ -139,11 +156,7 @@ impl Rail<'_> {
                 break;
             }
             let [x, y] = panel.rail_between(self.side, from, to);
-            let frame = Frame {
-                origin: segment.from,
-                axis,
-            };
-            let (u, v) = frame.of(&x, &y);
+            let (u, v) = frame.coefficients(&x, &y);
             if chord > 0.0 {
                 // Forward along the chord, up to the tolerance.
                 for place in values(&u) {
@@ -194,20 +207,52 @@ fn biarc(a: [f64; 2], b: [f64; 2], [alpha, beta]: [f64; 2]) -> [Segment; 2] {
     [arc(a, joint, gamma - alpha), arc(joint, b, beta - gamma)]
 }
 
-/// The frame of a chord.
-struct Frame {
+/// The frame of the chord of a segment; of a point, the first axis.
+struct Chord {
     origin: [f64; 2],
     axis: [f64; 2],
+    length: f64,
 }
 
-impl Frame {
-    /// The coefficients of a curve along and across the chord, without those that rounding hides.
-    fn of(&self, x: &Interpolant, y: &Interpolant) -> (Vec<f64>, Vec<f64>) {
-        let (x, y) = (x.significant(0.0), y.significant(0.0));
-        let mut u = Vec::with_capacity(x.len().max(y.len()));
-        let mut v = u.clone();
+impl Chord {
+    fn of(segment: &Segment) -> Self {
+        let length = segment.chord_length();
+        let axis = if length > 0.0 {
+            [0, 1].map(|i| (segment.to[i] - segment.from[i]) / length)
+        } else {
+            [1.0, 0.0]
+        };
+        Self {
+            origin: segment.from,
+            axis,
+            length,
+        }
+    }
+
+    /// A point along and across the chord.
+    fn place(&self, point: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [point[0] - self.origin[0], point[1] - self.origin[1]];
         let [c, s] = self.axis;
-        for j in 0..x.len().max(y.len()) {
+        [c * x + s * y, c * y - s * x]
+    }
+
+    /// The distance of a point from the circle of a segment with this chord, to first order.
+    fn off(&self, segment: &Segment, point: [f64; 2]) -> f64 {
+        let [u, v] = self.place(point);
+        if self.length > 0.0 {
+            segment.off_circle(u, v, self.length)
+        } else {
+            u.hypot(v)
+        }
+    }
+
+    /// The coefficients of a curve along and across the chord.
+    fn coefficients(&self, x: &Interpolant, y: &Interpolant) -> (Vec<f64>, Vec<f64>) {
+        let (x, y) = (x.significant(0.0), y.significant(0.0));
+        let count = x.len().max(y.len());
+        let (mut u, mut v) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let [c, s] = self.axis;
+        for j in 0..count {
             let mut p = [x, y].map(|list| list.get(j).copied().unwrap_or(0.0));
             if j == 0 {
                 p = [p[0] - self.origin[0], p[1] - self.origin[1]];
@@ -222,7 +267,7 @@ impl Frame {
 /// Without the last coefficients while they are far below the rounding of the largest.
 fn trimmed(mut list: Vec<f64>) -> Vec<f64> {
     let largest = list.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
-    while list.len() > 1 && list.last().is_some_and(|c| c.abs() <= 1e-17 * largest) {
+    while list.len() > 1 && list.last().is_some_and(|c| c.abs() <= 1e-18 * largest) {
         list.pop();
     }
     list
