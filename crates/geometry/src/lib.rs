@@ -30,8 +30,8 @@
 //! | the next piece of a smooth chain | [`Continuity`], [`join::next_curve`], [`join::next_family`], [`join::next_surface`], [`join::chain`] |
 //! | to know how smooth a joint is | [`join::measure_curves`], [`join::measure_families`], [`join::measure_surfaces`] |
 //! | to know whether a patch can be made | [`developable::certify`] (estimates), [`developable::enclose`] (bounds), [`developable::prove_developable`], [`developable::twist_determinant`], [`developable::prove_regular`] |
-//! | the flat pattern | [`pattern::unroll`], [`pattern::FlatPattern`], [`export::dxf`], [`export::svg`] |
-//! | a mesh or a CAD file | [`Mesh`], [`export::stl`], [`export::obj`], [`export::glb`], [`export::step`] |
+//! | the flat pattern | [`pattern::unroll`], [`pattern::FlatPattern`] |
+//! | a mesh, a drawing or a CAD file | the crate `torse-exchange` |
 //! | a million points | [`batch`] |
 //! | the same object exactly or certified | [`Over`], [`exact`], [`exact_ball`] |
 //!
@@ -40,7 +40,7 @@
 //! ```
 //! use torse_geometry::developable::certify;
 //! use torse_geometry::pattern::unroll;
-//! use torse_geometry::{Bounds, Continuity, EnvelopingPatch, Gbt, PlaneFamily, export, join};
+//! use torse_geometry::{Bounds, Continuity, EnvelopingPatch, Gbt, PlaneFamily, join};
 //!
 //! // Four control planes p X + q Y + r Z = s and two shape parameters.
 //! let planes = vec![
@@ -58,7 +58,7 @@
 //! let certificate = certify(&sheet, 64)?;
 //! assert!(certificate.is_regular() && certificate.twist.value < 1e-6);
 //! let flat = unroll(&sheet, 64, 1e-6)?;
-//! assert!(export::dxf(&flat, 8).ends_with("EOF\n"));
+//! assert!(flat.errors().outline <= 1e-6);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -131,7 +131,6 @@
 //! * A determinant that vanishes, but not by construction, is enclosed within a gap that falls with the
 //!   budget; that it is zero is proved for polynomial rails over the rationals and for formal functions
 //!   (with few symbols: the determinant is expanded).
-//! * A GBT patch is trigonometric and has no STEP form; only [`export::BezierPatch`] has.
 #![warn(missing_docs)]
 
 pub mod basis;
@@ -140,9 +139,7 @@ pub mod coordinate;
 pub mod curve;
 pub mod developable;
 pub mod error;
-pub mod export;
 pub mod join;
-pub mod mesh;
 pub mod pattern;
 pub mod planes;
 mod scalars;
@@ -166,7 +163,6 @@ pub use curve::{Affine, Curve, RationalCurve};
 pub use developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
 pub use error::{GeometryError, Place, Result};
 pub use join::Continuity;
-pub use mesh::Mesh;
 pub use planes::{Plane, PlaneFamily, Ruling};
 pub use scalars::{Over, exact, exact_ball};
 pub use surface::{

@@ -5,7 +5,7 @@ use torse_geometry::developable::certify;
 use torse_geometry::pattern::{PatternError, unroll};
 use torse_geometry::{
     Basis, Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Forms, Gbt, GeometryError,
-    HermiteCone, Mesh, PlaneFamily, RationalCurve, RotationSurface, Surface, TensorSurface, curve,
+    HermiteCone, PlaneFamily, RationalCurve, RotationSurface, Surface, TensorSurface, curve,
     join,
 };
 
@@ -47,7 +47,6 @@ proptest! {
             let _ = (family.ruling(&x), family.characteristic_point(&x));
             if let Ok(patch) = EnvelopingPatch::new(family, Bounds::Range([x, y])) {
                 let _ = certify(&patch, 0);
-                let _ = Mesh::of(&patch, 2, 2);
             }
         }
     }
@@ -98,17 +97,6 @@ fn nan_and_infinite_accuracies_and_impossible_ones_end_with_an_error() {
         unroll(&patch, 4, f64::MIN_POSITIVE),
         Err(PatternError::NotDevelopable { .. })
     ));
-}
-
-#[test]
-fn meshes_too_large_to_index_are_refused_before_memory_is_asked_for() {
-    let flat = TensorSurface::new(Bernstein, Bernstein, vec![vec![[0.0; 3]; 2]; 2]).unwrap();
-    for (m, n) in [(0, 3), (usize::MAX, 1), (1 << 20, 1 << 20)] {
-        assert!(matches!(
-            Mesh::of(&flat, m, n),
-            Err(GeometryError::OutOfRange { .. })
-        ));
-    }
 }
 
 #[test]

@@ -11,7 +11,6 @@ mod connections;
 mod constructions;
 mod developables;
 mod enclosures;
-mod files;
 mod hostile;
 mod identities;
 mod joins;

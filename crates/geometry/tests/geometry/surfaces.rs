@@ -5,7 +5,7 @@ use torse_algebra::rational::{integer, ratio};
 use torse_geometry::batch::GridEvaluator;
 use torse_geometry::curve::{arc_length, curvature, ellipse_arc, torsion};
 use torse_geometry::{
-    Bernstein, Curve, Gbt, Half, Mesh, Over, RationalCurve, RotationSurface, RuledSurface, Surface,
+    Bernstein, Curve, Gbt, Half, Over, RationalCurve, RotationSurface, RuledSurface, Surface,
     TensorSurface, exact_ball,
 };
 
@@ -269,24 +269,4 @@ fn threads_change_no_bit_of_a_grid() {
     let mut rows = Vec::new();
     grid.rows(|_, row| rows.extend_from_slice(row));
     assert_eq!(one, rows);
-}
-
-#[test]
-fn the_area_of_a_mesh_converges_to_the_area_of_the_cylinder() {
-    let quarter = ellipse_arc(&[0.0; 3], &[2.0, 0.0, 0.0], &[0.0, 2.0, 0.0]).unwrap();
-    let cylinder = TensorSurface::cylinder(&quarter, &[0.0, 0.0, 1.0], &3.0).unwrap();
-    let mesh = Mesh::of(&cylinder, 200, 4).unwrap();
-    let area: f64 = mesh
-        .triangles()
-        .map(|t| {
-            let [a, b, c] = t.map(|i| mesh.vertices[i as usize]);
-            let cross = torse_geometry::vector::cross(
-                &torse_geometry::vector::sub(&b, &a),
-                &torse_geometry::vector::sub(&c, &a),
-            );
-            0.5 * torse_geometry::vector::norm(&cross)
-        })
-        .sum();
-    let exact = 3.0 * std::f64::consts::PI;
-    assert!(area < exact && exact - area < 1e-4 * exact);
 }

@@ -1,8 +1,8 @@
 //! Quadrilateral grids of surfaces with normals.
 
-use crate::error::{GeometryError, Result};
-use crate::surface::Surface;
-use crate::vector::unit;
+use torse_geometry::surface::Surface;
+use torse_geometry::vector::unit;
+use torse_geometry::{GeometryError, Result};
 
 /// A grid mesh: vertices with unit normals, and quadrilaterals, counter-clockwise seen from the tip of
 /// the normal `S_u x S_v`.
@@ -24,7 +24,8 @@ impl Mesh {
     /// surface refuses.
     ///
     /// ```
-    /// use torse_geometry::{Curve, Gbt, Mesh, TensorSurface};
+    /// use torse_exchange::Mesh;
+    /// use torse_geometry::{Curve, Gbt, TensorSurface};
     /// let directrix = Curve::new(Gbt::new(0.0, 0.0)?, vec![[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]])?;
     /// let cylinder = TensorSurface::cylinder(&directrix, &[0.0, 0.0, 1.0], &2.0)?;
     /// let mesh = Mesh::of(&cylinder, 8, 2)?;

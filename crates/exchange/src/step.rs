@@ -4,11 +4,11 @@
 //! converted to a [`BezierPatch`]: Bernstein tensor products, ruled patches of Bernstein curves and
 //! the exact oblique images of cones.
 
-use crate::basis::Bernstein;
-use crate::curve::{Curve, RationalCurve};
-use crate::error::{GeometryError, Result};
-use crate::surface::{RuledSurface, TensorSurface};
 use std::fmt::Write;
+use torse_geometry::basis::Bernstein;
+use torse_geometry::curve::{Curve, RationalCurve};
+use torse_geometry::surface::{RuledSurface, TensorSurface};
+use torse_geometry::{GeometryError, Result};
 
 /// A Bezier patch: control net and, for rational patches, the weights, both row by row.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,10 +69,11 @@ impl BezierPatch {
 /// The patches as one STEP file, each the face of an open shell with its four boundary curves.
 ///
 /// ```
-/// use torse_geometry::{Bernstein, TensorSurface, export::{self, BezierPatch}};
+/// use torse_exchange::{BezierPatch, step};
+/// use torse_geometry::{Bernstein, TensorSurface};
 /// let net = (0..4).map(|i| (0..4).map(|j| [f64::from(i), f64::from(j), f64::from(i * j)]).collect()).collect();
 /// let surface = TensorSurface::new(Bernstein, Bernstein, net)?;
-/// let text = export::step(&[BezierPatch::from(&surface)]);
+/// let text = step(&[BezierPatch::from(&surface)]);
 /// assert!(text.starts_with("ISO-10303-21;") && text.ends_with("END-ISO-10303-21;\n"));
 /// assert_eq!(text.matches("B_SPLINE_SURFACE_WITH_KNOTS('',3,3,").count(), 1);
 /// # Ok::<(), torse_geometry::GeometryError>(())

@@ -4,8 +4,11 @@
 //! Each writer returns the whole file; the bytes depend on the geometry alone. Lengths are in
 //! millimetres where a format knows units.
 
+#![warn(missing_docs)]
+
 mod dxf;
 mod glb;
+mod mesh;
 mod obj;
 mod step;
 mod stl;
@@ -13,6 +16,7 @@ mod svg;
 
 pub use dxf::dxf;
 pub use glb::glb;
+pub use mesh::Mesh;
 pub use obj::obj;
 pub use step::{BezierPatch, step};
 pub use stl::stl;
@@ -36,7 +40,7 @@ fn decimal(value: f64) -> String {
 }
 
 /// The flat rulings whose index is a multiple of `every`; none for zero.
-fn every(flat: &crate::pattern::FlatPattern, every: usize) -> impl Iterator<Item = [[f64; 2]; 2]> {
+fn every(flat: &torse_geometry::pattern::FlatPattern, every: usize) -> impl Iterator<Item = [[f64; 2]; 2]> {
     let count = if every == 0 { 0 } else { usize::MAX };
     let rulings = flat.rulings().iter().step_by(every.max(1));
     rulings.take(count).map(|r| r.ends)

@@ -1,8 +1,8 @@
 //! DXF R12 of flat patterns.
 
-use super::decimal;
-use crate::pattern::FlatPattern;
+use crate::decimal;
 use std::fmt::Write;
+use torse_geometry::pattern::FlatPattern;
 
 /// The flat pattern as DXF R12: the outline as one closed polyline on the layer `OUTLINE`, every ruling
 /// whose index is a multiple of `every` as a line on the layer `RULINGS` (none for `every = 0`).
@@ -10,10 +10,10 @@ use std::fmt::Write;
 /// R12 is the dialect that every cutting machine reads.
 ///
 /// ```
-/// use torse_geometry::{Bernstein, Curve, RuledSurface, export, pattern::unroll};
+/// use torse_geometry::{Bernstein, Curve, RuledSurface, pattern::unroll};
 /// let rail = |x: f64| Curve::new(Bernstein, vec![[x, 0.0, 0.0], [x, 2.0, 0.0]]);
 /// let flat = unroll(&RuledSurface::new(rail(0.0)?, rail(1.0)?), 2, 1e-6)?;
-/// let text = export::dxf(&flat, 1);
+/// let text = torse_exchange::dxf(&flat, 1);
 /// assert!(text.starts_with("0\nSECTION\n") && text.ends_with("0\nEOF\n"));
 /// assert_eq!(text.matches("\nVERTEX\n").count(), 4);
 /// assert_eq!(text.matches("\nLINE\n").count(), 2);

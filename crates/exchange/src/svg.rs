@@ -1,17 +1,17 @@
 //! SVG of flat patterns.
 
-use super::decimal;
-use crate::pattern::FlatPattern;
+use crate::decimal;
 use std::fmt::Write;
+use torse_geometry::pattern::FlatPattern;
 
 /// The flat pattern as SVG in true size (one unit is one millimetre): the outline as a path, every ruling
 /// whose index is a multiple of `every` as a thin line (none for `every = 0`).
 ///
 /// ```
-/// use torse_geometry::{Bernstein, Curve, RuledSurface, export, pattern::unroll};
+/// use torse_geometry::{Bernstein, Curve, RuledSurface, pattern::unroll};
 /// let rail = |x: f64| Curve::new(Bernstein, vec![[x, 0.0, 0.0], [x, 2.0, 0.0]]);
 /// let flat = unroll(&RuledSurface::new(rail(0.0)?, rail(1.0)?), 2, 1e-6)?;
-/// let text = export::svg(&flat, 1);
+/// let text = torse_exchange::svg(&flat, 1);
 /// // A margin of a fiftieth of the larger side; y points up in the pattern and down in SVG.
 /// assert!(text.contains(r#"viewBox="-0.04 -2.04 1.08 2.08""#));
 /// assert!(text.contains(r#"d="M1 0L1 -2L0 -2L0 0Z""#));

@@ -1,16 +1,17 @@
 //! Binary STL.
 
-use super::single;
 use crate::mesh::Mesh;
-use crate::vector::{cross, sub, unit};
+use crate::single;
+use torse_geometry::vector::{cross, sub, unit};
 
 /// The mesh as binary STL (80 bytes header, triangle count, 50 bytes a triangle).
 ///
 /// ```
-/// use torse_geometry::{Bernstein, Curve, Mesh, RuledSurface, export};
+/// use torse_exchange::{Mesh, stl};
+/// use torse_geometry::{Bernstein, Curve, RuledSurface};
 /// let rail = |z: f64| Curve::new(Bernstein, vec![[0.0, 0.0, z], [1.0, 0.0, z]]);
 /// let mesh = Mesh::of(&RuledSurface::new(rail(0.0)?, rail(1.0)?), 3, 1)?;
-/// let file = export::stl(&mesh);
+/// let file = stl(&mesh);
 /// assert_eq!(file.len(), 84 + 50 * 6);
 /// assert_eq!(file[80..84], 6_u32.to_le_bytes());
 /// # Ok::<(), torse_geometry::GeometryError>(())

@@ -1,17 +1,17 @@
 //! A developable sheet from four planes: certificate, flat pattern and every file format.
 //!
 //! ```text
-//! cargo run -p torse-geometry --example sheet -- target/sheet
+//! cargo run -p torse-exchange --example sheet -- target/sheet
 //! ```
 
 use std::error::Error;
 use std::path::PathBuf;
 use torse_algebra::rational::to_f64;
+use torse_exchange::{self as export, BezierPatch, Mesh};
 use torse_geometry::developable::{QuarticData, certify, oblique_image};
-use torse_geometry::export::{self, BezierPatch};
 use torse_geometry::pattern::unroll;
 use torse_geometry::{
-    Bounds, EnvelopingPatch, Gbt, HermiteCone, Mesh, Over, PlaneFamily, Rails, exact, hermite,
+    Bounds, EnvelopingPatch, Gbt, HermiteCone, Over, PlaneFamily, Rails, exact, hermite,
 };
 
 fn main() -> Result<(), Box<dyn Error>> {

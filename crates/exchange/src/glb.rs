@@ -1,18 +1,18 @@
 //! Binary glTF 2.0.
 
-use super::single;
 use crate::mesh::Mesh;
+use crate::single;
 
 /// The mesh as GLB: one node, positions, normals and triangle indices. Empty meshes give an empty scene.
 ///
 /// ```
-/// use torse_geometry::{Mesh, export};
+/// use torse_exchange::{Mesh, glb};
 /// let mesh = Mesh {
 ///     vertices: vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.5], [0.0, 1.0, 0.0]],
 ///     normals: vec![[0.0, 0.0, 1.0]; 4],
 ///     quads: vec![[0, 1, 2, 3]],
 /// };
-/// let file = export::glb(&mesh);
+/// let file = glb(&mesh);
 /// assert_eq!(&file[..4], b"glTF");
 /// assert_eq!(u32::from_le_bytes([file[8], file[9], file[10], file[11]]) as usize, file.len());
 /// ```

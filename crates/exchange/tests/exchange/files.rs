@@ -1,7 +1,7 @@
 //! The file formats read back what was written.
 
-use torse_geometry::export::{self, BezierPatch};
-use torse_geometry::{Bernstein, Curve, Gbt, Mesh, RationalCurve, RuledSurface, TensorSurface};
+use torse_exchange::{self as export, BezierPatch, Mesh};
+use torse_geometry::{Bernstein, Curve, Gbt, RationalCurve, RuledSurface, TensorSurface};
 
 fn mesh() -> Mesh {
     let rail = |z: f64| {

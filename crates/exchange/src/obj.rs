@@ -7,13 +7,13 @@ use std::fmt::Write;
 /// to the same f64.
 ///
 /// ```
-/// use torse_geometry::{Mesh, export};
+/// use torse_exchange::{Mesh, obj};
 /// let mesh = Mesh {
 ///     vertices: vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.5], [0.0, 1.0, 0.0]],
 ///     normals: vec![[0.0, 0.0, 1.0]; 4],
 ///     quads: vec![[0, 1, 2, 3]],
 /// };
-/// let text = export::obj(&mesh);
+/// let text = obj(&mesh);
 /// assert!(text.contains("v 1 1 0.5\n") && text.ends_with("f 1//1 2//2 3//3 4//4\n"));
 /// ```
 #[must_use]

@@ -1,0 +1,8 @@
+//! What is written reads back.
+
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests fail like the tests themselves"
+)]
+
+mod files;
