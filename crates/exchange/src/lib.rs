@@ -1,47 +1,23 @@
-//! File formats: meshes as STL, OBJ and GLB, flat patterns as DXF R12 and SVG, polynomial and rational
-//! patches as STEP.
+//! What leaves the house: meshes, drawings and CAD patches of the geometry, and the files that carry them.
 //!
-//! Each writer returns the whole file; the bytes depend on the geometry alone. Lengths are in
-//! millimetres where a format knows units.
-
+//! | you have | you make | you write |
+//! |---|---|---|
+//! | a surface | [`Mesh::of`], [`Mesh::ruled`], [`Mesh::welded`], [`Mesh::thickened`] | [`stl`], [`obj`], [`ply`], [`three_mf`], [`glb`] |
+//! | a flat pattern | [`Drawing`] | [`dxf`], [`svg`]; [`Drawing::from_dxf`] reads |
+//!
+//! Writers return the whole file; [`write_file`] puts it in place whole or not at all. The bytes depend on
+//! the geometry alone: no clock, no path, no locale. Lengths are in millimetres (glTF knows metres only and
+//! gets a scale). Numbers that a format cannot hold are refused with a typed [`ExchangeError`].
 #![warn(missing_docs)]
 
-mod dxf;
-mod glb;
+mod drawing;
+mod error;
+mod formats;
 mod mesh;
-mod obj;
-mod step;
-mod stl;
-mod svg;
+mod write;
 
-pub use dxf::dxf;
-pub use glb::glb;
-pub use mesh::Mesh;
-pub use obj::obj;
-pub use step::{BezierPatch, step};
-pub use stl::stl;
-pub use svg::svg;
-
-/// A coordinate in single precision, as meshes store it.
-#[allow(clippy::cast_possible_truncation)]
-fn single(value: f64) -> f32 {
-    value as f32
-}
-
-/// A number in plain decimal notation with at most nine places, without a negative zero.
-fn decimal(value: f64) -> String {
-    let text = format!("{value:.9}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".to_owned()
-    } else {
-        text.to_owned()
-    }
-}
-
-/// The flat rulings whose index is a multiple of `every`; none for zero.
-fn every(flat: &torse_geometry::pattern::FlatPattern, every: usize) -> impl Iterator<Item = [[f64; 2]; 2]> {
-    let count = if every == 0 { 0 } else { usize::MAX };
-    let rulings = flat.rulings().iter().step_by(every.max(1));
-    rulings.take(count).map(|r| r.ends)
-}
+pub use drawing::{Drawing, Layer, Path, Text, Vertex};
+pub use error::{ExchangeError, Result};
+pub use formats::{dxf, glb, obj, ply, stl, svg, three_mf};
+pub use mesh::{MOST_VERTICES, Mesh};
+pub use write::write_file;

@@ -1,36 +1,28 @@
-//! The file formats read back what was written.
+//! Mesh files read back what was written.
 
-use torse_exchange::{self as export, BezierPatch, Mesh};
-use torse_geometry::{Bernstein, Curve, Gbt, RationalCurve, RuledSurface, TensorSurface};
+use torse_exchange::{ExchangeError, Mesh, glb, obj, ply, stl, three_mf};
+use torse_geometry::{Curve, Gbt, RuledSurface};
 
 fn mesh() -> Mesh {
     let rail = |z: f64| {
-        Curve::new(
-            Gbt::new(0.2, 0.3).unwrap(),
-            vec![[0.0, z, 0.0], [1.0, 1.0, z], [5.0, z, z]],
-        )
+        let points = vec![[0.0, z, 0.0], [1.0, 1.0, z], [5.0, z, z]];
+        Curve::new(Gbt::new(0.2, 0.3).unwrap(), points).unwrap()
     };
-    Mesh::of(
-        &RuledSurface::new(rail(1.0).unwrap(), rail(2.0).unwrap()),
-        5,
-        3,
-    )
-    .unwrap()
+    Mesh::of(&RuledSurface::new(rail(1.0), rail(2.0)), 5, 3).unwrap()
 }
 
 #[test]
 fn stl_triangles_have_the_corners_and_normals_of_the_mesh() {
     let mesh = mesh();
-    let file = export::stl(&mesh);
+    let file = stl(&mesh).unwrap();
     let float = |at: usize| f32::from_le_bytes(file[at..at + 4].try_into().unwrap());
-    let triangles: Vec<[u32; 3]> = mesh.triangles().collect();
-    assert_eq!(file.len(), 84 + 50 * triangles.len());
-    for (n, triangle) in triangles.iter().enumerate() {
+    assert_eq!(file.len(), 84 + 50 * mesh.triangles().len());
+    for (n, triangle) in mesh.triangles().iter().enumerate() {
         let base = 84 + 50 * n;
         for (corner, &index) in triangle.iter().enumerate() {
             for axis in 0..3 {
                 let stored = f64::from(float(base + 12 + 12 * corner + 4 * axis));
-                assert!((stored - mesh.vertices[index as usize][axis]).abs() < 1e-6);
+                assert!((stored - mesh.vertices()[index as usize][axis]).abs() < 1e-6);
             }
         }
         let length: f32 = (0..3).map(|axis| float(base + 4 * axis).powi(2)).sum();
@@ -39,9 +31,9 @@ fn stl_triangles_have_the_corners_and_normals_of_the_mesh() {
 }
 
 #[test]
-fn glb_chunks_are_aligned_and_hold_all_buffers() {
+fn glb_chunks_are_aligned_and_the_bounds_are_the_stored_singles() {
     let mesh = mesh();
-    let file = export::glb(&mesh);
+    let file = glb(&mesh).unwrap();
     let word = |at: usize| u32::from_le_bytes(file[at..at + 4].try_into().unwrap()) as usize;
     assert_eq!((word(4), word(8)), (2, file.len()));
     let json = word(12);
@@ -50,18 +42,28 @@ fn glb_chunks_are_aligned_and_hold_all_buffers() {
         (json % 4, binary % 4, file.len()),
         (0, 0, 28 + json + binary)
     );
-    let indices = mesh.triangles().count() * 12;
-    assert_eq!(binary, 24 * mesh.vertices.len() + indices);
+    let triangles = mesh.triangles().len();
+    assert_eq!(binary, 24 * mesh.vertices().len() + 12 * triangles);
     let text = std::str::from_utf8(&file[20..20 + json]).unwrap();
     assert_eq!(text.matches('{').count(), text.matches('}').count());
-    assert!(text.contains(&format!("\"count\":{},\"type\":\"SCALAR\"", indices / 4)));
-    assert_eq!(&export::glb(&Mesh::default())[..4], b"glTF");
+    let (_, high) = text.split_once("\"max\":[").unwrap();
+    let high: Vec<f64> = high[..high.find(']').unwrap()]
+        .split(',')
+        .map(|x| x.parse().unwrap())
+        .collect();
+    let start = 28 + json;
+    let stored =
+        |n: usize| f32::from_le_bytes(file[start + 4 * n..start + 4 * n + 4].try_into().unwrap());
+    for (axis, bound) in high.iter().enumerate() {
+        let largest = (0..mesh.vertices().len()).map(|n| f64::from(stored(3 * n + axis)));
+        assert_eq!(largest.fold(f64::MIN, f64::max), *bound);
+    }
 }
 
 #[test]
-fn obj_vertices_read_back_exactly() {
+fn obj_and_ply_vertices_read_back_exactly() {
     let mesh = mesh();
-    let text = export::obj(&mesh);
+    let text = obj(&mesh).unwrap();
     let read: Vec<[f64; 3]> = text
         .lines()
         .filter_map(|line| line.strip_prefix("v "))
@@ -70,31 +72,50 @@ fn obj_vertices_read_back_exactly() {
             numbers.try_into().unwrap()
         })
         .collect();
-    assert_eq!(read, mesh.vertices);
+    assert_eq!(read, mesh.vertices());
+    let file = ply(&mesh).unwrap();
+    let tail = 48 * mesh.vertices().len() + 13 * mesh.triangles().len();
+    let start = file.len() - tail;
+    assert!(file[..start].ends_with(b"end_header\n"));
+    for (n, vertex) in mesh.vertices().iter().enumerate() {
+        for (axis, x) in vertex.iter().enumerate() {
+            let at = start + 48 * n + 8 * axis;
+            assert_eq!(f64::from_le_bytes(file[at..at + 8].try_into().unwrap()), *x);
+        }
+    }
 }
 
 #[test]
-fn every_step_reference_is_defined_before_it_is_used() {
-    let points = |z: f64| vec![[0.0, z, 1e30], [1.0, 1.0, z], [5.0, z, z]];
-    let polynomial = Curve::new(Bernstein, points(0.0)).unwrap();
-    let rational = RationalCurve::new(Bernstein, &points(2.0), vec![1.0, 0.5, 1.0]).unwrap();
-    let mixed = BezierPatch::between(&polynomial, &rational).unwrap();
-    let net = vec![points(0.0), points(1.0)];
-    let plain = BezierPatch::from(&TensorSurface::new(Bernstein, Bernstein, net).unwrap());
-    let text = export::step(&[mixed, plain]);
-    assert!(
-        text.contains("1.E30")
-            && text.contains("RATIONAL_B_SPLINE_SURFACE(((1.0,1.0),(1.0,0.5),(1.0,1.0)))")
-    );
-    let mut known = 0;
-    for line in text.lines().filter(|line| line.starts_with('#')) {
-        let (id, body) = line[1..].split_once('=').unwrap();
-        let id: usize = id.parse().unwrap();
-        assert_eq!(id, known + 1);
-        for reference in body.split('#').skip(1) {
-            let digits: String = reference.chars().take_while(char::is_ascii_digit).collect();
-            assert!(digits.parse::<usize>().unwrap() <= known, "{line}");
-        }
-        known = id;
+fn three_mf_calls_a_closed_mesh_a_model_and_an_open_one_a_surface() {
+    let text = |mesh: &Mesh| String::from_utf8_lossy(&three_mf(mesh).unwrap()).into_owned();
+    assert!(text(&mesh()).contains("type=\"surface\""));
+    let solid = text(&mesh().thickened(0.1).unwrap());
+    assert!(solid.contains("type=\"model\"") && solid.contains("unit=\"millimeter\""));
+}
+
+#[test]
+fn what_single_precision_cannot_hold_is_refused() {
+    let triangle = |size: f64, shift: f64| {
+        let points = [[0.0; 3], [size, 0.0, 0.0], [0.0, size, 0.0]];
+        let points = points.map(|[x, y, z]| [x + shift, y, z]).to_vec();
+        Mesh::new(points, vec![[0, 1, 2]]).unwrap()
+    };
+    let huge = triangle(1e39, 0.0);
+    for error in [stl(&huge).unwrap_err(), glb(&huge).unwrap_err()] {
+        assert!(
+            matches!(error, ExchangeError::SinglePrecision { index: 1, value } if value == 1e39)
+        );
     }
+    let tiny = triangle(1e-60, 0.0);
+    let far = triangle(1e-4, 1e6);
+    for mesh in [&tiny, &far] {
+        assert!(matches!(stl(mesh), Err(ExchangeError::Empty { .. })));
+        assert!(matches!(glb(mesh), Err(ExchangeError::Empty { .. })));
+        assert!(obj(mesh).is_ok() && ply(mesh).is_ok() && three_mf(mesh).is_ok());
+    }
+    let none = Mesh::default();
+    assert!(matches!(
+        obj(&none),
+        Err(ExchangeError::Empty { what: "triangles" })
+    ));
 }

@@ -5,4 +5,6 @@
     reason = "helpers of tests fail like the tests themselves"
 )]
 
+mod drawings;
 mod files;
+mod meshes;

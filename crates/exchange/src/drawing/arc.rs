@@ -1,0 +1,56 @@
+//! The circular arc of a side with a bulge.
+//!
+//! With the chord `c` from start to end and the bulge `b = tan(theta/4)` the radius is
+//! `|c| (1 + b^2)/(4 |b|)`, and the centre is the middle of the chord plus `(1 - b^2)/(4 b)` times the chord
+//! turned left by a right angle.
+
+use super::Vertex;
+
+/// An arc: centre, radius, and the sides of the chord.
+pub(crate) struct Arc {
+    pub(crate) centre: [f64; 2],
+    pub(crate) radius: f64,
+    start: [f64; 2],
+    chord: [f64; 2],
+    bulge: f64,
+}
+
+impl Arc {
+    /// The arc of a side; `None` of a straight one, and where the bulge is so small that the radius
+    /// overflows.
+    pub(crate) fn of(from: Vertex, to: [f64; 2]) -> Option<Self> {
+        let ([x, y], b) = (from.point, from.bulge);
+        let chord = [to[0] - x, to[1] - y];
+        let radius = chord[0].hypot(chord[1]) * (1.0 + b * b) / (4.0 * b.abs());
+        let rise = (1.0 - b * b) / (4.0 * b);
+        let centre = [
+            x + 0.5 * chord[0] - rise * chord[1],
+            y + 0.5 * chord[1] + rise * chord[0],
+        ];
+        let finite = radius.is_finite() && centre.iter().all(|x| x.is_finite());
+        (b != 0.0 && finite).then_some(Self {
+            centre,
+            radius,
+            start: [x, y],
+            chord,
+            bulge: b,
+        })
+    }
+
+    /// The points of the arc farthest to the right, up, left and down, as far as they are inside it.
+    pub(crate) fn extremes(&self) -> Vec<[f64; 2]> {
+        let ways = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+        let inside = |p: &[f64; 2]| {
+            // The arc lies to the right of its chord when it turns left.
+            let way = [p[0] - self.start[0], p[1] - self.start[1]];
+            (self.chord[0] * way[1] - self.chord[1] * way[0]) * self.bulge < 0.0
+        };
+        let at = |way: [f64; 2]| {
+            [
+                self.centre[0] + self.radius * way[0],
+                self.centre[1] + self.radius * way[1],
+            ]
+        };
+        ways.map(at).into_iter().filter(inside).collect()
+    }
+}

@@ -1,0 +1,121 @@
+//! Drawings: what DXF and SVG say is what was drawn.
+
+use proptest::prelude::*;
+use torse_exchange::{Drawing, ExchangeError, Layer, Text, Vertex, dxf, svg};
+
+fn vertex(x: f64, y: f64, bulge: f64) -> Vertex {
+    let point = [x, y];
+    Vertex { point, bulge }
+}
+
+#[test]
+fn an_arc_reaches_as_far_as_its_circle() {
+    let mut drawing = Drawing::default();
+    // Three quarters of the unit circle, from the right around to the bottom.
+    let bulge = (3.0 * std::f64::consts::PI / 8.0).tan();
+    let arc = [vertex(1.0, 0.0, bulge), vertex(0.0, -1.0, 0.0)];
+    drawing.path(Layer::Outline, &arc, false).unwrap();
+    let [low, high] = drawing.bounds().unwrap();
+    for (found, exact) in low.into_iter().chain(high).zip([-1.0, -1.0, 1.0, 1.0]) {
+        assert!((found - exact).abs() < 1e-15, "{low:?} {high:?}");
+    }
+    let text = svg(&drawing).unwrap();
+    assert!(text.contains(" 0 1 0 0 1\"/>"), "{text}");
+}
+
+#[test]
+fn the_vertices_of_an_apex_are_one() {
+    let mut drawing = Drawing::default();
+    let mut points = vec![[3.0, 4.0]; 33];
+    points[7][0] += 1e-15;
+    points.extend([[0.0, 0.0], [1.0, 0.0], [3.0, 4.0]]);
+    drawing.polygon(Layer::Outline, &points).unwrap();
+    assert_eq!(drawing.paths()[0].vertices().len(), 3);
+    let point = [[3.0, 4.0]; 5];
+    assert!(matches!(
+        drawing.polygon(Layer::Outline, &point),
+        Err(ExchangeError::Empty { .. })
+    ));
+}
+
+#[test]
+fn small_parts_keep_their_size() {
+    let mut drawing = Drawing::default();
+    let corners = [[0.0, 0.0], [1e-12, 0.0], [0.0, 3e-13]];
+    drawing.polygon(Layer::Outline, &corners).unwrap();
+    let read = Drawing::from_dxf(&dxf(&drawing).unwrap()).unwrap();
+    assert_eq!(read.paths()[0].vertices()[2].point, [0.0, 3e-13]);
+    assert!(svg(&drawing).unwrap().contains("L0 -0.0000000000003"));
+}
+
+#[test]
+fn nothing_and_no_number_are_refused() {
+    let mut drawing = Drawing::default();
+    assert!(matches!(
+        dxf(&drawing),
+        Err(ExchangeError::Empty { what: "paths" })
+    ));
+    assert!(matches!(
+        svg(&drawing),
+        Err(ExchangeError::Empty { what: "paths" })
+    ));
+    for bad in [f64::NAN, f64::INFINITY] {
+        let refused = [
+            drawing.line(Layer::Marks, [0.0, bad], [1.0, 1.0]),
+            drawing.bend([0.0, 0.0], [1.0, 1.0], bad),
+            drawing.path(
+                Layer::Outline,
+                &[vertex(0.0, 0.0, bad), vertex(1.0, 0.0, 0.0)],
+                true,
+            ),
+        ];
+        for result in refused {
+            assert!(matches!(result, Err(ExchangeError::NotFinite { .. })));
+        }
+    }
+    assert!(matches!(
+        drawing.note("two\nlines"),
+        Err(ExchangeError::BadText { .. })
+    ));
+    assert_eq!(drawing, Drawing::default());
+}
+
+#[test]
+fn broken_files_are_refused_with_their_line() {
+    let line = |text: &str| match Drawing::from_dxf(text) {
+        Err(ExchangeError::Unreadable { line, .. }) => Some(line),
+        _ => None,
+    };
+    assert_eq!(line("0\nSECTION\nx\n2"), Some(3));
+    assert_eq!(line("0"), Some(1));
+    let entity = "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nOUTLINE\n10\nsix\n";
+    assert_eq!(line(entity), Some(10));
+    assert_eq!(
+        line("0\nSECTION\n2\nENTITIES\n0\nTEXT\n8\nMARKS\n0\nEOF\n"),
+        Some(6)
+    );
+}
+
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![-1e3..1e3_f64, -1e-9..1e-9_f64, Just(0.0)]
+}
+
+proptest! {
+    #[test]
+    fn a_drawing_reads_back_from_dxf_bit_for_bit(
+        outline in prop::collection::vec((number(), number(), -2.0..2.0_f64), 3..9),
+        bends in prop::collection::vec((number(), number(), -1.0..1.0_f64), 0..4),
+        content in "[ -~äλ𝄞]{1,12}", angle in -7.0..7.0_f64,
+    ) {
+        let mut drawing = Drawing::default();
+        let vertices: Vec<Vertex> = outline.iter().map(|&(x, y, b)| vertex(x, y, b)).collect();
+        prop_assume!(drawing.path(Layer::Outline, &vertices, true).is_ok());
+        for (x, y, angle) in bends {
+            drawing.bend([x, y], [x + 1e4, y], angle).unwrap();
+        }
+        let text = Text { layer: Layer::Marks, at: [1.5, 2.5], height: 3.0, angle, content };
+        drawing.text(text.clone()).unwrap();
+        drawing.note(&text.content).unwrap();
+        prop_assert_eq!(Drawing::from_dxf(&dxf(&drawing).unwrap()).unwrap(), drawing);
+    }
+}
