@@ -2,9 +2,11 @@
 
 mod dxf;
 mod glb;
+mod iges;
 mod obj;
 mod ply;
 mod single;
+mod step;
 mod stl;
 mod svg;
 mod three_mf;
@@ -12,8 +14,10 @@ mod zip;
 
 pub use dxf::dxf;
 pub use glb::glb;
+pub use iges::iges;
 pub use obj::obj;
 pub use ply::ply;
+pub use step::step;
 pub use stl::stl;
 pub use svg::svg;
 pub use three_mf::three_mf;

@@ -5,6 +5,7 @@
     reason = "helpers of tests fail like the tests themselves"
 )]
 
+mod cad;
 mod drawings;
 mod files;
 mod meshes;

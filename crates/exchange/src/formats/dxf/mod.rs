@@ -86,9 +86,8 @@ fn lettering(tags: &mut Tags, text: &Text, handle: &str, space: &str) {
     tags.number(1040, text.angle);
 }
 
-/// Text in ASCII: other characters as `\U+XXXX`, in UTF-16 as the format wants them. What begins a code of
-/// the format is written
-/// likewise.
+/// Text in ASCII: other characters as `\U+XXXX`, in UTF-16 as the format wants them. What
+/// begins a code of the format is written likewise.
 fn escaped(text: &str) -> String {
     let mut ascii = String::with_capacity(text.len());
     for c in text.chars() {

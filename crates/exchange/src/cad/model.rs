@@ -1,0 +1,175 @@
+//! Named patches with shared vertices and edges.
+
+use super::Converted;
+use super::patch::{BsplineCurve, BsplinePatch};
+use crate::drawing::check_text;
+use crate::error::{ExchangeError, Result};
+use torse_geometry::vector::{norm, sub};
+
+/// The most faces of a model: matching edges takes time with their square.
+const MOST_FACES: usize = 4096;
+
+/// A part made of patches. Where boundary curves of two patches agree they are one edge, so that a CAD system
+/// reads a connected sheet.
+///
+/// ```
+/// use torse_exchange::{ExactForm, Model, iges, step};
+/// use torse_geometry::{Bernstein, Curve, RuledSurface};
+/// let rail = |a: [f64; 3], b: [f64; 3]| Curve::new(Bernstein, vec![a, b]);
+/// let floor = RuledSurface::new(rail([0., 0., 0.], [1., 0., 0.])?, rail([0., 1., 0.], [1., 1., 0.])?);
+/// let wall = RuledSurface::new(rail([0., 1., 0.], [1., 1., 0.])?, rail([0., 1., 1.], [1., 1., 1.])?);
+/// let mut corner = Model::new("corner", 1e-9)?;
+/// corner.add("floor", floor.exact_form()?)?;
+/// corner.add("wall", wall.exact_form()?)?;
+/// let text = step(&corner)?;
+/// // Two squares with one common side.
+/// assert_eq!(text.matches("=EDGE_CURVE(").count(), 7);
+/// assert_eq!(text.matches("=VERTEX_POINT(").count(), 6);
+/// assert!(iges(&corner)?.lines().all(|line| line.len() == 80));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    name: String,
+    sewing: f64,
+    faces: Vec<Face>,
+    vertices: Vec<[f64; 3]>,
+    edges: Vec<Edge>,
+    error: f64,
+}
+
+/// A patch with its name and its boundary.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Face {
+    pub(crate) name: String,
+    pub(crate) patch: BsplinePatch,
+    /// The edges around, each with whether it is run forwards.
+    pub(crate) boundary: Vec<(usize, bool)>,
+}
+
+/// A boundary curve between two vertices.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Edge {
+    pub(crate) curve: BsplineCurve,
+    pub(crate) ends: [usize; 2],
+}
+
+impl Model {
+    /// A model without patches, in which vertices and edges at most `sewing` millimetres apart are one.
+    ///
+    /// # Errors
+    /// [`ExchangeError::OutOfRange`] unless `sewing` is positive, [`ExchangeError::BadText`].
+    pub fn new(name: &str, sewing: f64) -> Result<Self> {
+        check_text(name)?;
+        if !(sewing.is_finite() && sewing > 0.0) {
+            return Err(ExchangeError::OutOfRange {
+                name: "sewing distance",
+                value: sewing,
+                range: "(0, inf)",
+            });
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            sewing,
+            faces: Vec::new(),
+            vertices: Vec::new(),
+            edges: Vec::new(),
+            error: 0.0,
+        })
+    }
+
+    /// Adds the patches of a surface under a name; several are numbered `name.1`, `name.2`, ...
+    ///
+    /// # Errors
+    /// [`ExchangeError::BadText`], [`ExchangeError::TooMany`].
+    pub fn add(&mut self, name: &str, surface: Converted) -> Result<()> {
+        check_text(name)?;
+        let given = self.faces.len().saturating_add(surface.patches.len());
+        if given > MOST_FACES {
+            return Err(ExchangeError::TooMany {
+                what: "faces",
+                given,
+                most: MOST_FACES,
+            });
+        }
+        let single = surface.patches.len() == 1;
+        for (patch, number) in surface.patches.into_iter().zip(1..) {
+            let sides = patch.sides();
+            let mut boundary = Vec::with_capacity(4);
+            for side in sides {
+                // An apex has no side.
+                if !side.is_point(self.sewing) {
+                    boundary.push(self.edge(side));
+                }
+            }
+            let name = if single {
+                name.to_owned()
+            } else {
+                format!("{name}.{number}")
+            };
+            self.faces.push(Face {
+                name,
+                patch,
+                boundary,
+            });
+        }
+        self.error = self.error.max(surface.error);
+        Ok(())
+    }
+
+    /// The name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The proved distance of all surfaces that were added from their originals: the largest
+    /// [`Converted::error`].
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+
+    /// The distance at which vertices and edges are one.
+    #[must_use]
+    pub fn sewing(&self) -> f64 {
+        self.sewing
+    }
+
+    pub(crate) fn faces(&self) -> &[Face] {
+        &self.faces
+    }
+
+    pub(crate) fn vertices(&self) -> &[[f64; 3]] {
+        &self.vertices
+    }
+
+    pub(crate) fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// The edge of a boundary curve, an old one if it agrees, and whether it is run forwards.
+    fn edge(&mut self, curve: BsplineCurve) -> (usize, bool) {
+        let ends = [curve.points.first(), curve.points.last()]
+            .map(|p| self.vertex(p.copied().unwrap_or_default()));
+        let backwards = curve.reversed();
+        for (index, edge) in self.edges.iter().enumerate() {
+            if edge.ends == ends && edge.curve.is_near(&curve, self.sewing) {
+                return (index, true);
+            }
+            if edge.ends == [ends[1], ends[0]] && edge.curve.is_near(&backwards, self.sewing) {
+                return (index, false);
+            }
+        }
+        self.edges.push(Edge { curve, ends });
+        (self.edges.len() - 1, true)
+    }
+
+    fn vertex(&mut self, point: [f64; 3]) -> usize {
+        let near = |q: &[f64; 3]| norm(&sub(&point, q)) <= self.sewing;
+        self.vertices.iter().position(near).unwrap_or_else(|| {
+            self.vertices.push(point);
+            self.vertices.len() - 1
+        })
+    }
+}
