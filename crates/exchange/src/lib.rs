@@ -10,6 +10,26 @@
 //! Writers return the whole file; [`write_file`] puts it in place whole or not at all. The bytes depend on
 //! the geometry alone: no clock, no path, no locale. Lengths are in millimetres (glTF knows metres only and
 //! gets a scale). Numbers that a format cannot hold are refused with a typed [`ExchangeError`].
+//!
+//! What independent readers say of the files is checked by `tests/exchange/check.py`: ezdxf, svgpathtools,
+//! trimesh, OpenCASCADE and the glTF validator of Khronos.
+//!
+//! A part from a developable patch to a CAD file:
+//!
+//! ```
+//! use torse_exchange::{Model, approximate, step, write_file};
+//! use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily};
+//! let planes = vec![[7., -7., 5., 125.], [-7., -7., 5., 120.], [-7., 7., 5., 130.], [7., 7., 5., 125.]];
+//! let family = PlaneFamily::new(Gbt::new(0.5, 0.25)?, planes)?;
+//! let sheet = EnvelopingPatch::new(family, Bounds::Planes([[0., 0., 1., 0.], [0., 0., 1., 3.]]))?;
+//! // Neighbours would share edges that are a micrometre apart.
+//! let mut part = Model::new("sheet", 1e-3)?;
+//! part.add("sheet", approximate(&sheet, 1e-2)?)?;
+//! assert!(part.error() <= 1e-2);
+//! let folder = tempfile::tempdir()?;
+//! write_file(&folder.path().join("sheet.step"), step(&part)?.as_bytes())?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 #![warn(missing_docs)]
 
 mod cad;

@@ -54,11 +54,14 @@ where
         .map(|(p, q)| vec![*p, *q])
         .collect();
     let knots = [Knots::clamped(5, rails.breaks, 3), Knots::bezier(1)];
-    let converted = BsplinePatch::new([5, 1], knots, net, None)?;
-    Ok(Converted {
-        patches: vec![converted.declared_developable(patch.is_developable_by_construction())],
+    let converted = Converted {
+        patches: vec![BsplinePatch::new([5, 1], knots, net, None)?],
         error: rails.error,
-    })
+    };
+    if patch.is_developable_by_construction() {
+        return Ok(converted.declared_developable());
+    }
+    Ok(converted)
 }
 
 /// A tensor product as one B-spline of degree 5 in both directions (C2, with threefold knots), at most

@@ -129,7 +129,7 @@ impl ExactForm for EnvelopingPatch<Bernstein, f64> {
                 })
             }
         };
-        Ok(declared(between(rails)?))
+        Ok(between(rails)?.declared_developable())
     }
 }
 
@@ -156,15 +156,7 @@ impl ExactForm for TangentPatch<Bernstein, f64> {
             numerator: sum(&spine, &scaled(&tangent, &Polynomial::constant(x2))),
             weight: square.clone(),
         });
-        Ok(declared(between(rails)?))
-    }
-}
-
-fn declared(converted: Converted) -> Converted {
-    let patches = converted.patches.into_iter();
-    Converted {
-        patches: patches.map(|p| p.declared_developable(true)).collect(),
-        ..converted
+        Ok(between(rails)?.declared_developable())
     }
 }
 

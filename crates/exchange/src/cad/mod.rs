@@ -25,6 +25,18 @@ pub struct Converted {
     pub error: f64,
 }
 
+impl Converted {
+    /// The same patches, declared developable: for surfaces that were measured or proved to be so.
+    #[must_use]
+    pub fn declared_developable(self) -> Self {
+        let patches = self.patches.into_iter();
+        Self {
+            patches: patches.map(BsplinePatch::declared_developable).collect(),
+            ..self
+        }
+    }
+}
+
 /// A bound for `value`, which f64 arithmetic of a few dozen operations on nonnegative numbers gave.
 fn rounded_up(value: f64) -> f64 {
     // Each operation is off by at most 2^-53 of its result, or by the least positive number.

@@ -109,12 +109,12 @@ impl BsplinePatch {
         })
     }
 
-    /// The same patch, declared developable or not in formats that have a word for it. Of an approximation
-    /// this says that its original is developable.
+    /// The same patch, declared developable in formats that have a word for it. Of an approximation this says
+    /// that its original is.
     #[must_use]
-    pub fn declared_developable(self, developable: bool) -> Self {
+    pub fn declared_developable(self) -> Self {
         Self {
-            developable,
+            developable: true,
             ..self
         }
     }

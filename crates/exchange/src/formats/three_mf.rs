@@ -45,10 +45,8 @@ pub fn three_mf(mesh: &Mesh) -> Result<Vec<u8>> {
     for [a, b, c] in triangles {
         let _ = writeln!(model, "<triangle v1=\"{a}\" v2=\"{b}\" v3=\"{c}\"/>");
     }
-    model.push_str("</triangles>\n</mesh></object></resources>\n<build>");
-    // A surface must not be an item of the build, whose items are objects with a volume; readers that show
-    // nothing else still need it, so it is one.
-    model.push_str("<item objectid=\"1\"/></build>\n</model>\n");
+    model.push_str("</triangles>\n</mesh></object></resources>\n");
+    model.push_str("<build><item objectid=\"1\"/></build>\n</model>\n");
     let parts: [(&str, &[u8]); 3] = [
         ("[Content_Types].xml", CONTENT_TYPES.as_bytes()),
         ("_rels/.rels", RELATIONSHIPS.as_bytes()),

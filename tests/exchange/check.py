@@ -1,0 +1,233 @@
+#!/usr/bin/env python3
+"""Independent readers open what torse-exchange writes.
+
+    python3 tests/exchange/check.py [FOLDER]
+
+FOLDER holds the files of `cargo run -p torse-exchange --example files -- FOLDER`; without it they are made
+in a temporary folder. Each reader that is not installed is skipped with a notice:
+
+    pip install ezdxf cadquery-ocp trimesh networkx lxml svgpathtools
+    npm install gltf-validator        (beside the folder where this is run, or name it in NODE_PATH)
+
+Ends with 1 when a reader finds something else than the library says.
+"""
+
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+failures = 0
+
+
+def check(holds, text):
+    global failures
+    failures += not holds
+    print(("ok      " if holds else "FAILED  ") + text)
+
+
+def close(found, expected, relative):
+    return abs(found - expected) <= relative * abs(expected)
+
+
+def skipped(reader, why):
+    print(f"skipped {reader}: {why}")
+
+
+def check_dxf(folder, entry):
+    try:
+        import ezdxf
+        from ezdxf import path, units
+        from ezdxf.lldxf.encoding import decode_dxf_unicode
+    except ImportError as error:
+        return skipped("ezdxf", error)
+    document = ezdxf.readfile(folder / entry["dxf"])
+    audit = document.audit()
+    check(not audit.errors and not audit.fixes, f"ezdxf: audit, {len(audit.errors)} errors, {len(audit.fixes)} fixes")
+    for error in audit.errors + audit.fixes:
+        print("        ", error.message)
+    check(document.dxfversion == "AC1015" and document.units == units.MM, "ezdxf: AC1015 in millimetres")
+    wanted = {"OUTLINE", "RULINGS", "BEND_UP", "BEND_DOWN", "REGRESSION", "MARKS"}
+    check(wanted <= {layer.dxf.name for layer in document.layers}, "ezdxf: the six layers")
+    lines = document.modelspace().query('LWPOLYLINE[layer=="OUTLINE"]')
+    check(len(lines) == 2 and all(line.closed for line in lines), "ezdxf: a closed outline with a closed hole")
+    lengths = [sum(c.length for c in _curves(line)) for line in lines]
+    good = close(lengths[0], entry["outline"], 1e-12) and close(lengths[1], entry["hole"], 1e-12)
+    check(good, f"ezdxf: lengths {lengths}")
+    flat = [(p.x, p.y) for p in path.make_path(lines[0]).flattening(1e-5)]
+    area = 0.5 * sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(flat, flat[1:] + flat[:1]))
+    # Paths of ezdxf have cubics for arcs.
+    check(close(area, entry["area"], 5e-5), f"ezdxf: area {area}")
+    bends = [line.get_xdata("TORSE")[1].value for line in document.modelspace() if line.dxf.layer.startswith("BEND")]
+    check(bends == entry["bends"], f"ezdxf: bend angles {bends}")
+    text = document.modelspace().query("TEXT").first
+    content = decode_dxf_unicode(text.plain_text())
+    check(content == "Blech <Nr. 1> & größer" and text.dxf.rotation == 90.0, f"ezdxf: text {content!r}")
+
+
+def _curves(line):
+    """Lines and arcs of a polyline with lengths."""
+    for part in line.virtual_entities():
+        if part.dxftype() == "ARC":
+            turn = math.radians((part.dxf.end_angle - part.dxf.start_angle) % 360)
+            part.length = part.dxf.radius * turn
+        else:
+            part.length = (part.dxf.end - part.dxf.start).magnitude
+        yield part
+
+
+def check_svg(folder, entry):
+    try:
+        import svgpathtools
+    except ImportError as error:
+        return skipped("svgpathtools", error)
+    import xml.etree.ElementTree as tree
+
+    root = tree.parse(folder / entry["svg"]).getroot()
+    spread = [float(x) for x in root.get("viewBox").split()]
+    units = (float(root.get("width").removesuffix("mm")), float(root.get("height").removesuffix("mm")))
+    size, margin = entry["size"], 0.02 * max(entry["size"])
+    good = all(close(a - 2 * margin, b, 1e-12) and close(a, c, 1e-15) for a, b, c in zip(units, size, spread[2:]))
+    check(good, f"svg: {units} mm, one unit a millimetre")
+    names = [g.get("id") for g in root if g.tag.endswith("}g")]
+    check(names == ["OUTLINE", "RULINGS", "BEND_UP", "BEND_DOWN", "REGRESSION", "MARKS"], f"svg: layers {names}")
+    paths, attributes = svgpathtools.svg2paths(str(folder / entry["svg"]))
+    lengths = [path.length() for path in paths[:2]]
+    good = close(lengths[0], entry["outline"], 1e-9) and close(lengths[1], entry["hole"], 1e-9)
+    check(good and all(path.isclosed() for path in paths[:2]), f"svgpathtools: closed, lengths {lengths}")
+    bounds = paths[0].bbox()
+    good = all(abs(a - b) < 1e-9 for a, b in zip(bounds, (0, 80, -50, 0)))
+    check(good, f"svgpathtools: bounds {bounds}")
+    # The area method of svgpathtools takes minutes with arcs.
+    corners = [paths[0].point(i / 20000) for i in range(20000)]
+    area = 0.5 * abs(sum((a.conjugate() * b).imag for a, b in zip(corners, corners[1:] + corners[:1])))
+    check(close(area, entry["area"], 1e-5), f"svgpathtools: area {area}")
+    bends = [float(a["data-bend"]) for a in attributes if "data-bend" in a]
+    check(bends == entry["bends"], f"svg: bend angles {bends}")
+
+
+def check_model(folder, entry):
+    try:
+        from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeVertex
+        from OCP.BRepCheck import BRepCheck_Analyzer
+        from OCP.BRepExtrema import BRepExtrema_DistShapeShape
+        from OCP.BRepGProp import BRepGProp
+        from OCP.gp import gp_Pnt
+        from OCP.GProp import GProp_GProps
+        from OCP.IGESControl import IGESControl_Reader
+        from OCP.IGESGeom import IGESGeom_RuledSurface
+        from OCP.STEPControl import STEPControl_Reader
+        from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE
+        from OCP.TopExp import TopExp_Explorer
+    except ImportError as error:
+        return skipped("cadquery-ocp", error)
+
+    def count(shape, kind):
+        found, explorer = [], TopExp_Explorer(shape, kind)
+        while explorer.More():
+            if not any(explorer.Current().IsSame(other) for other in found):
+                found.append(explorer.Current())
+            explorer.Next()
+        return len(found)
+
+    for kind, reader in (("step", STEPControl_Reader()), ("iges", IGESControl_Reader())):
+        name = entry[kind]
+        read = reader.ReadFile(str(folder / name))
+        check(str(read).endswith("IFSelect_RetDone"), f"OCCT {name}: {read}")
+        if kind == "iges":
+            for number in range(1, reader.NbRootsForTransfer() + 1):
+                root = reader.RootForTransfer(number)
+                if isinstance(root, IGESGeom_RuledSurface):
+                    print(f"        ruled surface, form {root.FormNumber()}, developable: {root.IsDevelopable()}")
+        reader.TransferRoots()
+        shape = reader.OneShape()
+        check(BRepCheck_Analyzer(shape).IsValid(), f"OCCT {name}: valid")
+        faces, edges = count(shape, TopAbs_FACE), count(shape, TopAbs_EDGE)
+        check(faces == entry["faces"], f"OCCT {name}: {faces} faces, {edges} edges")
+        measured = GProp_GProps()
+        BRepGProp.SurfaceProperties_s(shape, measured, 1e-9)
+        check(close(measured.Mass(), entry["area"], 2e-5), f"OCCT {name}: area {measured.Mass()}, library {entry['area']}")
+        # OCCT measures to 1e-7.
+        farthest = 0.0
+        for point in entry["points"]:
+            vertex = BRepBuilderAPI_MakeVertex(gp_Pnt(*point)).Vertex()
+            farthest = max(farthest, BRepExtrema_DistShapeShape(vertex, shape).Value())
+        good = farthest <= entry["error"] + entry["sewing"] + 1e-7
+        check(good, f"OCCT {name}: farthest library point {farthest:.3g} mm, proved {entry['error']:.3g} mm")
+
+
+def check_mesh(folder, entry):
+    try:
+        import trimesh
+    except ImportError as error:
+        return skipped("trimesh", error)
+    for name in entry["files"]:
+        try:
+            mesh = trimesh.load(folder / name, force="mesh")
+        except Exception as error:  # a reader of trimesh that is not installed
+            skipped(f"trimesh {name}", error)
+            continue
+        mesh.merge_vertices(merge_norm=True, merge_tex=True)
+        scale = 1e-3 if name.endswith("glb") else 1.0
+        good = len(mesh.faces) == entry["triangles"] and mesh.is_watertight == entry["watertight"]
+        check(good, f"trimesh {name}: {len(mesh.faces)} triangles, watertight {mesh.is_watertight}")
+        check(close(mesh.area, entry["area"] * scale**2, 1e-5), f"trimesh {name}: area {mesh.area}")
+        if entry["watertight"]:
+            check(close(mesh.volume, entry["volume"] * scale**3, 1e-5), f"trimesh {name}: volume {mesh.volume}")
+        if name.endswith("glb"):
+            # Up in the part is up in glTF, which is y.
+            up = mesh.bounds[1][1] - mesh.bounds[0][1]
+            flat = trimesh.load(folder / name.replace("glb", "ply"), force="mesh")
+            height = flat.bounds[1][2] - flat.bounds[0][2]
+            check(close(up, 1e-3 * height, 1e-6), f"trimesh {name}: {up} m high")
+
+
+VALIDATE = """
+const validator = require('gltf-validator');
+const bytes = new Uint8Array(require('fs').readFileSync(process.argv[1]));
+validator.validateBytes(bytes).then(report => console.log(JSON.stringify(report.issues)));
+"""
+
+
+def check_glb(folder, entry):
+    for name in entry["files"]:
+        if not name.endswith("glb"):
+            continue
+        try:
+            run = subprocess.run(["node", "-e", VALIDATE, str(folder / name)], capture_output=True, text=True)
+        except FileNotFoundError as error:
+            return skipped("gltf-validator", error)
+        if run.returncode:
+            return skipped("gltf-validator", (run.stderr.strip().splitlines() or ["no output"])[-1])
+        issues = json.loads(run.stdout)
+        counts = [issues[kind] for kind in ("numErrors", "numWarnings", "numInfos", "numHints")]
+        check(counts == [0, 0, 0, 0], f"gltf-validator {name}: errors, warnings, infos, hints {counts}")
+        for message in issues["messages"][:5]:
+            print("        ", message["code"], message["message"])
+
+
+def main():
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(sys.argv[1] if len(sys.argv) > 1 else temporary).resolve()
+        if len(sys.argv) == 1:
+            root = Path(__file__).resolve().parents[2]
+            command = ["cargo", "run", "-q", "-p", "torse-exchange", "--example", "files", "--", str(folder)]
+            subprocess.run(command, cwd=root, check=True)
+        manifest = json.loads((folder / "manifest.json").read_text())
+        for entry in manifest["drawings"]:
+            check_dxf(folder, entry)
+            check_svg(folder, entry)
+        for entry in manifest["meshes"]:
+            check_mesh(folder, entry)
+            check_glb(folder, entry)
+        for entry in manifest["models"]:
+            check_model(folder, entry)
+    print(f"{failures} failed")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
