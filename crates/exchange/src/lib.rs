@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | a surface | [`Mesh::of`], [`Mesh::ruled`], [`Mesh::welded`], [`Mesh::thickened`] | [`stl`], [`obj`], [`ply`], [`three_mf`], [`glb`] |
 //! | a polynomial or rational patch | [`ExactForm`], [`Model`] | [`step`], [`iges`] |
-//! | any patch | [`approximate`], [`approximate_tensor`]: B-splines within a proved distance, [`Model`] | [`step`], [`iges`] |
+//! | any patch | [`convert`], [`approximate`], [`approximate_tensor`]: B-splines within a proved distance, [`Model`] | [`step`], [`iges`] |
 //! | a flat pattern | [`Drawing`] | [`dxf`], [`svg`]; [`Drawing::from_dxf`] reads |
 //!
 //! Writers return the whole file; [`write_file`] puts it in place whole or not at all. The bytes depend on
@@ -40,8 +40,8 @@ mod mesh;
 mod write;
 
 pub use cad::{
-    BsplinePatch, Converted, ConvexBasis, ExactForm, HomogeneousRail, Knots, Model, approximate,
-    approximate_tensor,
+    BernsteinForm, BsplinePatch, Converted, ConvexBasis, ExactForm, HomogeneousRail, Knots, Model,
+    PolynomialBasis, approximate, approximate_tensor, convert,
 };
 pub use drawing::{Drawing, Layer, Path, Text, Vertex};
 pub use error::{ExchangeError, Result};

@@ -13,16 +13,17 @@
 //!
 //! Their Bernstein coefficients are rational numbers, computed exactly and rounded once.
 
+use super::approximate::approximate;
 use super::homogeneous::{Polynomial, Rail, Vector, cross, dot, scaled, sum};
 use super::patch::{BsplinePatch, Knots};
 use super::{Converted, length_bound, rounded_up};
 use crate::error::{ExchangeError, Result};
 use std::cmp::Ordering;
-use torse_algebra::Scalar;
 use torse_algebra::rational::{Rational, to_f64};
+use torse_algebra::{Ball, Scalar};
 use torse_geometry::{
-    Bernstein, Bounds, Coordinate, Curve, EnvelopingPatch, PlaneFamily, RationalCurve,
-    RuledSurface, TangentPatch, TensorSurface, exact,
+    Basis, Bernstein, Bounds, Coordinate, Curve, EnvelopingPatch, Gbt, Over, PlaneFamily, Rails,
+    RationalCurve, RuledSurface, TangentPatch, TensorSurface, exact,
 };
 
 /// The degree up to which CAD systems read B-splines.
@@ -49,32 +50,99 @@ pub trait ExactForm {
     /// another one.
     ///
     /// # Errors
-    /// [`ExchangeError::NotRational`] when the degree is above 25, when the patch reaches (or almost
+    /// [`ExchangeError::NotRational`] when the basis is trigonometric, the degree is above 25, when the patch reaches (or almost
     /// reaches) infinity, or has no edge of regression that it should be measured from.
     fn exact_form(&self) -> Result<Converted>;
 }
 
-/// A curve whose homogeneous coordinates are polynomials.
+/// The exact form where there is one and its rounding is within `tolerance`, else the approximation.
+///
+/// # Errors
+/// As [`approximate`].
+///
+/// ```
+/// use torse_exchange::convert;
+/// use torse_geometry::{Bernstein, Bounds, EnvelopingPatch, Gbt, PlaneFamily};
+/// let planes = vec![[0., 0., 1., 0.], [0., -1., 1., 0.], [1., -2., 1., 0.], [3., -3., 1., 1.]];
+/// let cut = || Bounds::Planes([[1., 0., 0., 2.], [1., 0., 0., 4.]]);
+/// let rational = EnvelopingPatch::new(PlaneFamily::new(Bernstein, planes.clone())?, cut())?;
+/// assert!(convert(&rational, 1e-3)?.error < 1e-13);
+/// let trigonometric = EnvelopingPatch::new(PlaneFamily::new(Gbt::new(0.5, 0.5)?, planes)?, cut())?;
+/// assert!(convert(&trigonometric, 1e-3)?.error > 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn convert<P>(patch: &P, tolerance: f64) -> Result<Converted>
+where
+    P: ExactForm + Over<f64, Ball, Object: Rails<Ball>>,
+{
+    match patch.exact_form() {
+        Ok(exact) if exact.error <= tolerance => Ok(exact),
+        Ok(_) | Err(ExchangeError::NotRational { .. }) => approximate(patch, tolerance),
+        Err(error) => Err(error),
+    }
+}
+
+/// A basis that may be the Bernstein polynomials, whose curves are polynomial.
+pub trait PolynomialBasis {
+    /// Whether it is.
+    fn is_bernstein(&self) -> bool;
+}
+
+impl PolynomialBasis for Bernstein {
+    fn is_bernstein(&self) -> bool {
+        true
+    }
+}
+
+impl PolynomialBasis for Gbt<f64> {
+    fn is_bernstein(&self) -> bool {
+        false
+    }
+}
+
+fn check_bernstein(basis: &impl PolynomialBasis) -> Result<()> {
+    if basis.is_bernstein() {
+        return Ok(());
+    }
+    let why = "the basis is trigonometric";
+    Err(ExchangeError::NotRational { why })
+}
+
+/// A rail in Bernstein form: the numerator and, for a rational curve, the weight.
+pub type BernsteinForm = (Vec<[f64; 3]>, Option<Vec<f64>>);
+
+/// A curve whose homogeneous coordinates may be polynomials.
 pub trait HomogeneousRail {
-    /// The Bernstein coefficients of the numerator and, for a rational curve, of the weight.
-    fn bernstein_form(&self) -> (Vec<[f64; 3]>, Option<Vec<f64>>);
+    /// The Bernstein coefficients of the homogeneous coordinates.
+    ///
+    /// # Errors
+    /// [`ExchangeError::NotRational`].
+    fn bernstein_form(&self) -> Result<BernsteinForm>;
 }
 
-impl HomogeneousRail for Curve<Bernstein, f64, 3> {
-    fn bernstein_form(&self) -> (Vec<[f64; 3]>, Option<Vec<f64>>) {
-        (self.points().to_vec(), None)
+impl<B: Basis<f64> + PolynomialBasis> HomogeneousRail for Curve<B, f64, 3> {
+    fn bernstein_form(&self) -> Result<BernsteinForm> {
+        check_bernstein(self.basis())?;
+        Ok((self.points().to_vec(), None))
     }
 }
 
-impl HomogeneousRail for RationalCurve<Bernstein, f64, 3> {
-    fn bernstein_form(&self) -> (Vec<[f64; 3]>, Option<Vec<f64>>) {
+impl<B: Basis<f64> + PolynomialBasis> HomogeneousRail for RationalCurve<B, f64, 3> {
+    fn bernstein_form(&self) -> Result<BernsteinForm> {
+        check_bernstein(self.basis())?;
         let (points, weights) = self.homogeneous().map(|(p, w)| (*p, *w)).unzip();
-        (points, Some(weights))
+        Ok((points, Some(weights)))
     }
 }
 
-impl ExactForm for TensorSurface<Bernstein, Bernstein, f64> {
+impl<U, V> ExactForm for TensorSurface<U, V, f64>
+where
+    U: Basis<f64> + PolynomialBasis,
+    V: Basis<f64> + PolynomialBasis,
+{
     fn exact_form(&self) -> Result<Converted> {
+        check_bernstein(self.bases().0)?;
+        check_bernstein(self.bases().1)?;
         let (m, n) = self.degrees();
         check_degree(m.max(n))?;
         let net = self.rows().map(<[_]>::to_vec).collect();
@@ -88,7 +156,7 @@ impl ExactForm for TensorSurface<Bernstein, Bernstein, f64> {
 
 impl<P: HomogeneousRail, Q: HomogeneousRail> ExactForm for RuledSurface<P, Q> {
     fn exact_form(&self) -> Result<Converted> {
-        let rail = |(points, weights): (Vec<[f64; 3]>, Option<Vec<f64>>)| Rail {
+        let rail = |(points, weights): BernsteinForm| Rail {
             numerator: [0, 1, 2].map(|k| Polynomial::of_bernstein(points.iter().map(|p| p[k]))),
             weight: match weights {
                 Some(weights) => Polynomial::of_bernstein(weights.into_iter()),
@@ -96,15 +164,15 @@ impl<P: HomogeneousRail, Q: HomogeneousRail> ExactForm for RuledSurface<P, Q> {
             },
         };
         between([
-            rail(self.first().bernstein_form()),
-            rail(self.second().bernstein_form()),
+            rail(self.first().bernstein_form()?),
+            rail(self.second().bernstein_form()?),
         ])
     }
 }
 
-impl ExactForm for EnvelopingPatch<Bernstein, f64> {
+impl<B: Basis<f64> + PolynomialBasis> ExactForm for EnvelopingPatch<B, f64> {
     fn exact_form(&self) -> Result<Converted> {
-        let (a, s) = family_of(self.family());
+        let (a, s) = family_of(self.family())?;
         let (da, ds) = (a.each_ref().map(Polynomial::derivative), s.derivative());
         let phi = cross(&a, &da);
         let minus = Polynomial::constant(-1.0);
@@ -133,9 +201,9 @@ impl ExactForm for EnvelopingPatch<Bernstein, f64> {
     }
 }
 
-impl ExactForm for TangentPatch<Bernstein, f64> {
+impl<B: Basis<f64> + PolynomialBasis> ExactForm for TangentPatch<B, f64> {
     fn exact_form(&self) -> Result<Converted> {
-        let (a, s) = family_of(self.family());
+        let (a, s) = family_of(self.family())?;
         let (da, ds) = (a.each_ref().map(Polynomial::derivative), s.derivative());
         let (dda, dds) = (da.each_ref().map(Polynomial::derivative), ds.derivative());
         let first = sum(
@@ -161,10 +229,13 @@ impl ExactForm for TangentPatch<Bernstein, f64> {
 }
 
 /// The normal and the distance of the planes of a family.
-fn family_of(family: &PlaneFamily<Bernstein, f64>) -> (Vector, Polynomial) {
+fn family_of<B: Basis<f64> + PolynomialBasis>(
+    family: &PlaneFamily<B, f64>,
+) -> Result<(Vector, Polynomial)> {
+    check_bernstein(family.curve().basis())?;
     let planes = family.curve().points();
     let axis = |k: usize| Polynomial::of_bernstein(planes.iter().map(|p| p[k]));
-    ([axis(0), axis(1), axis(2)], axis(3))
+    Ok(([axis(0), axis(1), axis(2)], axis(3)))
 }
 
 fn check_degree(degree: usize) -> Result<()> {

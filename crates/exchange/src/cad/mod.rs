@@ -9,7 +9,7 @@ mod model;
 mod patch;
 
 pub use approximate::{ConvexBasis, approximate, approximate_tensor};
-pub use exact::{ExactForm, HomogeneousRail};
+pub use exact::{BernsteinForm, ExactForm, HomogeneousRail, PolynomialBasis, convert};
 pub use model::Model;
 pub(crate) use patch::BsplineCurve;
 pub use patch::{BsplinePatch, Knots};
