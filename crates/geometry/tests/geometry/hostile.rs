@@ -5,8 +5,7 @@ use torse_geometry::developable::certify;
 use torse_geometry::pattern::{PatternError, unroll};
 use torse_geometry::{
     Basis, Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Forms, Gbt, GeometryError,
-    HermiteCone, PlaneFamily, RationalCurve, RotationSurface, Surface, TensorSurface, curve,
-    join,
+    HermiteCone, PlaneFamily, RationalCurve, RotationSurface, Surface, TensorSurface, curve, join,
 };
 
 fn any() -> impl Strategy<Value = f64> {
