@@ -68,6 +68,34 @@ def check_dxf(folder, entry):
     check(content == "Blech <Nr. 1> & größer" and text.dxf.rotation == 90.0, f"ezdxf: text {content!r}")
 
 
+def check_pattern(folder, entry):
+    """A sector of an annulus: its apex is where the end rulings meet."""
+    try:
+        import ezdxf
+    except ImportError as error:
+        return skipped("ezdxf", error)
+    document = ezdxf.readfile(folder / entry["dxf"])
+    audit = document.audit()
+    space = document.modelspace()
+    outline = space.query('LWPOLYLINE[layer=="OUTLINE"]').first
+    check(not audit.errors and not audit.fixes and outline.closed, "ezdxf pattern: audit, closed outline")
+    length = sum(c.length for c in _curves(outline))
+    check(abs(length - entry["outline"]) < 1e-2, f"ezdxf pattern: length {length}, exact {entry['outline']}")
+    bends = [line for line in space if line.dxf.layer in ("RULINGS", "BEND_UP", "BEND_DOWN")]
+    check(len(bends) == entry["rulings"], f"ezdxf pattern: {len(bends)} rulings")
+    (a, b), (c, d) = ([p[:2] for p in bends[i].get_points("xy")] for i in (0, -1))
+    u, v, w = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1]), (c[0] - a[0], c[1] - a[1])
+    part = (w[0] * v[1] - w[1] * v[0]) / (u[0] * v[1] - u[1] * v[0])
+    apex = (a[0] + part * u[0], a[1] + part * u[1])
+    farthest = 0.0
+    for curve in _curves(outline):
+        for point in curve.flattening(1e-5) if curve.dxftype() == "ARC" else ():
+            radius = math.hypot(point.x - apex[0], point.y - apex[1])
+            farthest = max(farthest, min(abs(radius - exact) for exact in entry["radii"]))
+    good = farthest <= entry["error"] + 2e-5
+    check(good, f"ezdxf pattern: cut at most {farthest:.3g} mm from the exact circles, stated {entry['error']:.3g} mm")
+
+
 def _curves(line):
     """Lines and arcs of a polyline with lengths."""
     for part in line.virtual_entities():
@@ -220,6 +248,8 @@ def main():
         for entry in manifest["drawings"]:
             check_dxf(folder, entry)
             check_svg(folder, entry)
+        for entry in manifest["patterns"]:
+            check_pattern(folder, entry)
         for entry in manifest["meshes"]:
             check_mesh(folder, entry)
             check_glb(folder, entry)

@@ -13,6 +13,7 @@ use torse_exchange::{
     approximate_tensor, dxf, glb, iges, obj, ply, step, stl, svg, three_mf, write_file,
 };
 use torse_geometry::curve::ellipse_arc;
+use torse_geometry::pattern::unroll;
 use torse_geometry::{
     Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, PlaneFamily, RuledSurface, Surface,
     TensorSurface, join,
@@ -34,6 +35,7 @@ fn main() -> Outcome<()> {
         ("models", models(&folder)?),
         ("meshes", meshes(&folder)?),
         ("drawings", vec![drawing(&folder)?]),
+        ("patterns", vec![pattern(&folder)?]),
     ];
     let lists = lists.map(|(name, entries)| format!("\"{name}\": [\n{}\n]", entries.join(",\n")));
     let manifest = format!("{{\n{}\n}}\n", lists.join(",\n"));
@@ -180,6 +182,31 @@ fn mesh(folder: &Path, name: &str, mesh: &Mesh) -> Outcome<String> {
         mesh.area(),
         mesh.volume(),
         mesh.is_watertight()
+    ))
+}
+
+/// The quarter of a frustum unrolls to a sector of an annulus, whose length and area are known.
+fn pattern(folder: &Path) -> Outcome<String> {
+    let ring = |r: f64, z: f64| ellipse_arc(&[0.0, 0.0, z], &[r, 0.0, z], &[0.0, r, z]);
+    let flat = unroll(
+        &RuledSurface::new(ring(30.0, 0.0)?, ring(10.0, 40.0)?),
+        16,
+        1e-3,
+    )?;
+    let drawing = Drawing::of_pattern(&flat, 0.0)?;
+    write_file(&folder.join("cone.dxf"), dxf(&drawing)?.as_bytes())?;
+    write_file(&folder.join("cone.svg"), svg(&drawing)?.as_bytes())?;
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let slant = 20.0_f64.hypot(40.0);
+    Ok(format!(
+        "{{\"dxf\": \"cone.dxf\", \"svg\": \"cone.svg\", \"area\": {:?}, \"outline\": {:?}, \
+         \"radii\": [{:?}, {:?}], \"error\": {:?}, \"rulings\": {}}}",
+        0.5 * quarter * (30.0 + 10.0) * slant,
+        quarter * (30.0 + 10.0) + 2.0 * slant,
+        0.5 * slant,
+        1.5 * slant,
+        flat.errors().outline,
+        flat.rulings().len()
     ))
 }
 

@@ -1,6 +1,7 @@
 //! Flat drawings in layers: what a cutter or a press brake needs of a flat pattern.
 
 mod arc;
+mod flat;
 mod layer;
 
 pub(crate) use arc::Arc;

@@ -9,3 +9,4 @@ mod cad;
 mod drawings;
 mod files;
 mod meshes;
+mod patterns;
