@@ -5,6 +5,7 @@ use super::patch::{BsplinePatch, Knots};
 use super::{Converted, rounded_up};
 use crate::error::Result;
 use torse_algebra::{Ball, Jet};
+use torse_geometry::basis::Shape;
 use torse_geometry::{
     Basis, Bernstein, Curve, Gbt, Over, Rails, SpaceCurve, TensorSurface, exact_ball,
 };
@@ -111,6 +112,8 @@ impl ConvexBasis for Bernstein {}
 
 /// The shape parameters lie in [-1, 1], where the functions are nonnegative.
 impl ConvexBasis for Gbt<f64> {}
+
+impl ConvexBasis for Shape<f64> {}
 
 /// The splines of the curves with these control points.
 fn along<B: ConvexBasis>(basis: &B, curves: Vec<Vec<[f64; 3]>>, tolerance: f64) -> Result<Splines> {

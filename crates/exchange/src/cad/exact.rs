@@ -21,6 +21,7 @@ use crate::error::{ExchangeError, Result};
 use std::cmp::Ordering;
 use torse_algebra::rational::{Rational, to_f64};
 use torse_algebra::{Ball, Scalar};
+use torse_geometry::basis::Shape;
 use torse_geometry::{
     Basis, Bernstein, Bounds, Coordinate, Curve, EnvelopingPatch, Gbt, Over, PlaneFamily, Rails,
     RationalCurve, RuledSurface, TangentPatch, TensorSurface, exact,
@@ -97,6 +98,12 @@ impl PolynomialBasis for Bernstein {
 impl PolynomialBasis for Gbt<f64> {
     fn is_bernstein(&self) -> bool {
         false
+    }
+}
+
+impl PolynomialBasis for Shape<f64> {
+    fn is_bernstein(&self) -> bool {
+        matches!(self, Self::Bernstein)
     }
 }
 

@@ -4,11 +4,12 @@ use super::{Planes, Point, Rail};
 use crate::basis::Shape;
 use crate::coordinate::Coordinate;
 use crate::developable::{
-    Bounds, Branch, Certificate, ConnectingPatch, EnclosedCertificate, EnvelopingPatch,
-    FlatPattern, Gap, HermiteCone, Reason, Regularity, TangentPatch, certify, connect, enclose,
-    oblique_image, prove_regular, unroll,
+    Bounds, Branch, Certificate, ConnectingPatch, EnclosedCertificate, EnvelopingPatch, Gap,
+    HermiteCone, Reason, Regularity, TangentPatch, certify, connect, enclose, oblique_image,
+    prove_regular,
 };
 use crate::error::Result;
+use crate::pattern::{FlatPattern, PatternResult, unroll};
 use crate::planes::Plane;
 use crate::scalars::{Over, exact_ball};
 use crate::surface::{Partials, Principal, Rails, RuledSurface, Surface, partials_between};
@@ -214,12 +215,13 @@ impl Sheet {
         Ok(prove_regular(&sheet, bits, budget.cells.saturating_mul(16)))
     }
 
-    /// Unrolls the sheet on at least `rulings` rulings with an error of at most `accuracy`.
+    /// The flat pattern of the sheet: the outline within `tolerance` (a length), with `rulings` rulings. More can be
+    /// asked of it with [`Unrolling`](crate::pattern::Unrolling).
     ///
     /// # Errors
     /// As [`unroll`].
-    pub fn unroll(&self, rulings: usize, accuracy: f64) -> Result<FlatPattern> {
-        unroll(self, rulings, accuracy)
+    pub fn unroll(&self, rulings: usize, tolerance: f64) -> PatternResult<FlatPattern> {
+        unroll(self, rulings, tolerance)
     }
 
     /// The sheet over balls, with bits that fit its size.

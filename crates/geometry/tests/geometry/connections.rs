@@ -1,7 +1,8 @@
 //! Developables between two curves: the known ones are found, and none is missed.
 
 use proptest::prelude::*;
-use torse_geometry::developable::{BranchEnd, Reason, certify, connect, unroll};
+use torse_geometry::developable::{BranchEnd, Reason, certify, connect};
+use torse_geometry::pattern::unroll;
 use torse_geometry::vector::{cross, det, dot, norm, sub};
 use torse_geometry::{Bernstein, Curve, Gbt, GeometryError, Over, Rails, SpaceCurve, exact_ball};
 
@@ -83,7 +84,7 @@ fn the_rulings_of_a_torse_are_found_from_two_curves_on_it() {
         (certificate.clearance.unwrap().value - 0.5).abs() < 1e-6,
         "{certificate:?}"
     );
-    assert!(unroll(&patch, 32, 1e-8).unwrap().strain < 1e-12);
+    assert!(unroll(&patch, 32, 1e-8).unwrap().strain() < 1e-12);
 }
 
 #[test]

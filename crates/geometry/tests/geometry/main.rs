@@ -14,7 +14,7 @@ mod enclosures;
 mod hostile;
 mod identities;
 mod joins;
-mod singular;
 mod patterns;
+mod singular;
 mod surfaces;
 mod ulps;

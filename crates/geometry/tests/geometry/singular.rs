@@ -7,8 +7,8 @@ use torse_algebra::rational::{Rational, integer};
 use torse_algebra::{Ball, SturmSequence};
 use torse_geometry::developable::{
     Certificate, EnclosedCertificate, Regularity, Singularity, certify, enclose, prove_regular,
-    unroll,
 };
+use torse_geometry::pattern::unroll;
 use torse_geometry::{
     Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, GeometryError, Over, PlaneFamily,
     Rails, RuledSurface, TangentPatch, exact, exact_ball, join,
