@@ -47,7 +47,7 @@ pub trait Coordinate: Scalar {
         } else {
             (Integer::ONE, size)
         };
-        self.scaled(&Rational::new_raw(above, below))
+        self.scaled(&Rational::new(above, below))
     }
 
     /// Half of pi in the context of `self`: what differentiating a quarter turn brings in.

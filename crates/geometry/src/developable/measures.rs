@@ -20,7 +20,6 @@
 use super::forms::Squares;
 use crate::coordinate::{Coordinate, is_zero};
 use std::cmp::Ordering;
-use torse_algebra::order::{greatest, least};
 use torse_algebra::{Ball, Rational, Scalar, rational::integer};
 
 /// A closed range of numbers: a ball, or the single number that an f64 is.
@@ -84,14 +83,18 @@ impl Range for Ball {
     }
 
     fn minimum(&self, other: &Self) -> Self {
-        let (low, high) = ([self.lower(), other.lower()], [self.upper(), other.upper()]);
-        let [low, high] = [low, high].map(|[a, b]| least(&a, &b).clone());
+        let (low, high) = (
+            self.lower().min(other.lower()),
+            self.upper().min(other.upper()),
+        );
         Self::from_bounds(&low, &high, self.bits())
     }
 
     fn maximum(&self, other: &Self) -> Self {
-        let (low, high) = ([self.lower(), other.lower()], [self.upper(), other.upper()]);
-        let [low, high] = [low, high].map(|[a, b]| greatest(&a, &b).clone());
+        let (low, high) = (
+            self.lower().max(other.lower()),
+            self.upper().max(other.upper()),
+        );
         Self::from_bounds(&low, &high, self.bits())
     }
 

@@ -100,7 +100,7 @@ fn side(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Ordering {
     let minus = |p: f64, q: f64| exact(p) - exact(q);
     let left = minus(a[0], c[0]) * minus(b[1], c[1]);
     let right = minus(a[1], c[1]) * minus(b[0], c[0]);
-    torse_algebra::order::compare(&left, &right)
+    left.cmp(&right)
 }
 
 struct Box {
@@ -220,7 +220,7 @@ mod tests {
             let det = (exact(b[0]) - exact(a[0])) * (exact(c[1]) - exact(a[1]))
                 - (exact(b[1]) - exact(a[1])) * (exact(c[0]) - exact(a[0]));
             let zero = exact(0.0);
-            prop_assert_eq!(side(a, b, c), torse_algebra::order::compare(&det, &zero));
+            prop_assert_eq!(side(a, b, c), det.cmp(&zero));
         }
     }
 }

@@ -6,7 +6,6 @@ use crate::coordinate::Coordinate;
 use crate::error::{GeometryError, Place, Result};
 use crate::scalars::{Over, exact_ball};
 use crate::surface::{Partials, Rails, SpaceCurve, Surface, partials_between};
-use torse_algebra::order::{compare, greatest, least};
 use torse_algebra::{Ball, Jet, Rational, Scalar};
 
 /// The developable patch that touches two curves along a [`Branch`]: its rails are parts of the curves, and
@@ -193,9 +192,9 @@ impl<P: SpaceCurve<Ball>, Q: SpaceCurve<Ball>> ConnectingPatch<P, Q> {
             }
             let (a, b) = (newton.lower(), w.lower());
             let (c, d) = (newton.upper(), w.upper());
-            let next = Ball::from_bounds(greatest(&a, &b), least(&c, &d), bits);
+            let next = Ball::from_bounds(&a.max(b), &c.min(d), bits);
             let shrunk = next.width() + next.width();
-            let enough = compare(&shrunk, &w.width()).is_gt();
+            let enough = shrunk > w.width();
             w = next;
             if enough {
                 break;
