@@ -7,6 +7,7 @@ mod hermite;
 mod homogeneous;
 mod model;
 mod patch;
+mod sheet;
 
 pub use approximate::{ConvexBasis, approximate, approximate_tensor};
 pub use exact::{BernsteinForm, ExactForm, HomogeneousRail, PolynomialBasis, convert};

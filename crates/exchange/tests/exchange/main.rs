@@ -10,3 +10,4 @@ mod drawings;
 mod files;
 mod meshes;
 mod patterns;
+mod sheets;

@@ -102,8 +102,8 @@ pub use crate::developable::{
 };
 pub use inspect::{Inspection, Seam};
 pub use planes::{Joint, Planes};
-pub use rail::Rail;
-pub use surface::{Budget, Connected, Cut, Sheet};
+pub use rail::{Rail, RailCurve};
+pub use surface::{Budget, Connected, Construction, Cut, Sheet};
 
 /// A point or vector of space.
 pub type Point = [f64; 3];

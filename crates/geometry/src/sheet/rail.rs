@@ -22,13 +22,24 @@ use torse_algebra::Jet;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rail<S = f64> {
-    curve: Kind<S>,
+    curve: RailCurve<S>,
 }
 
+/// The curve of the generic layer that a rail is.
 #[derive(Debug, Clone, PartialEq)]
-enum Kind<S> {
+pub enum RailCurve<S = f64> {
+    /// A curve without weights.
     Plain(Curve<Shape<S>, S, 3>),
+    /// A curve with weights.
     Weighted(RationalCurve<Shape<S>, S, 3>),
+}
+
+impl<S> Rail<S> {
+    /// The curve that the rail is.
+    #[must_use]
+    pub fn curve(&self) -> &RailCurve<S> {
+        &self.curve
+    }
 }
 
 impl Rail {
@@ -72,7 +83,7 @@ impl Rail {
     pub fn weighted(shape: Shape<f64>, points: &[Point], weights: &[f64]) -> Result<Self> {
         let curve = RationalCurve::new(shape, points, weights.to_vec())?;
         Ok(Self {
-            curve: Kind::Weighted(curve),
+            curve: RailCurve::Weighted(curve),
         })
     }
 
@@ -91,8 +102,8 @@ impl Rail {
     /// [`GeometryError::NotFinite`] for NaN and infinities, and what a weighted curve refuses.
     pub fn point(&self, x: f64) -> Result<Point> {
         match &self.curve {
-            Kind::Plain(curve) => curve.point(&x),
-            Kind::Weighted(curve) => curve.point(&x),
+            RailCurve::Plain(curve) => curve.point(&x),
+            RailCurve::Weighted(curve) => curve.point(&x),
         }
     }
 
@@ -114,8 +125,8 @@ impl Rail {
     /// As [`Rail::point`].
     pub fn derivatives(&self, x: f64, order: usize) -> Result<Vec<Point>> {
         match &self.curve {
-            Kind::Plain(curve) => curve.derivatives(&x, order),
-            Kind::Weighted(curve) => curve.derivatives(&x, order),
+            RailCurve::Plain(curve) => curve.derivatives(&x, order),
+            RailCurve::Weighted(curve) => curve.derivatives(&x, order),
         }
     }
 
@@ -139,8 +150,8 @@ impl Rail {
     #[must_use]
     pub fn reversed(&self) -> Self {
         let curve = match &self.curve {
-            Kind::Plain(curve) => Kind::Plain(curve.reversed()),
-            Kind::Weighted(curve) => Kind::Weighted(curve.reversed()),
+            RailCurve::Plain(curve) => RailCurve::Plain(curve.reversed()),
+            RailCurve::Weighted(curve) => RailCurve::Weighted(curve.reversed()),
         };
         Self { curve }
     }
@@ -163,8 +174,8 @@ impl Rail {
 
     fn plain(&self) -> Result<&Curve<Shape<f64>, f64, 3>> {
         match &self.curve {
-            Kind::Plain(curve) => Ok(curve),
-            Kind::Weighted(_) => Err(GeometryError::Degenerate {
+            RailCurve::Plain(curve) => Ok(curve),
+            RailCurve::Weighted(_) => Err(GeometryError::Degenerate {
                 what: "joint of a weighted curve",
                 at: Place::Whole,
             }),
@@ -175,7 +186,7 @@ impl Rail {
 impl<B: Into<Shape<S>> + Basis<S>, S: Coordinate> From<Curve<B, S, 3>> for Rail<S> {
     fn from(curve: Curve<B, S, 3>) -> Self {
         Self {
-            curve: Kind::Plain(curve.with_basis(Into::into)),
+            curve: RailCurve::Plain(curve.with_basis(Into::into)),
         }
     }
 }
@@ -183,7 +194,7 @@ impl<B: Into<Shape<S>> + Basis<S>, S: Coordinate> From<Curve<B, S, 3>> for Rail<
 impl From<RationalCurve<Bernstein, f64, 3>> for Rail {
     fn from(curve: RationalCurve<Bernstein, f64, 3>) -> Self {
         Self {
-            curve: Kind::Weighted(curve.with_basis(Into::into)),
+            curve: RailCurve::Weighted(curve.with_basis(Into::into)),
         }
     }
 }
@@ -191,8 +202,8 @@ impl From<RationalCurve<Bernstein, f64, 3>> for Rail {
 impl<S: Coordinate> SpaceCurve<S> for Rail<S> {
     fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
         match &self.curve {
-            Kind::Plain(curve) => curve.jet(x, order),
-            Kind::Weighted(curve) => curve.jet(x, order),
+            RailCurve::Plain(curve) => curve.jet(x, order),
+            RailCurve::Weighted(curve) => curve.jet(x, order),
         }
     }
 }
@@ -202,8 +213,8 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for Rail<S> {
 
     fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Rail<T>> {
         let curve = match &self.curve {
-            Kind::Plain(curve) => Kind::Plain(curve.over(convert)?),
-            Kind::Weighted(curve) => Kind::Weighted(curve.over(convert)?),
+            RailCurve::Plain(curve) => RailCurve::Plain(curve.over(convert)?),
+            RailCurve::Weighted(curve) => RailCurve::Weighted(curve.over(convert)?),
         };
         Ok(Rail { curve })
     }

@@ -75,15 +75,28 @@ pub struct Connected {
 /// share.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet<S = f64> {
-    kind: Kind<S>,
+    construction: Construction<S>,
 }
 
+/// How a sheet is made: the patch of the generic layer that it is.
 #[derive(Debug, Clone, PartialEq)]
-enum Kind<S> {
+pub enum Construction<S = f64> {
+    /// Rulings that join points of equal parameter.
     Ruled(Box<RuledSurface<Rail<S>, Rail<S>>>),
+    /// The envelope of a family of planes.
     Envelope(Box<EnvelopingPatch<Shape<S>, S>>),
+    /// The tangents of an edge of regression.
     Tangent(Box<TangentPatch<Shape<S>, S>>),
+    /// A developable that touches two rails.
     Connecting(Box<ConnectingPatch<Rail<S>, Rail<S>>>),
+}
+
+impl<S> Sheet<S> {
+    /// How the sheet is made.
+    #[must_use]
+    pub fn construction(&self) -> &Construction<S> {
+        &self.construction
+    }
 }
 
 impl Sheet {
@@ -91,8 +104,8 @@ impl Sheet {
     /// tells.
     #[must_use]
     pub fn ruled(first: Rail, second: Rail) -> Self {
-        let kind = Kind::Ruled(Box::new(RuledSurface::new(first, second)));
-        Self { kind }
+        let construction = Construction::Ruled(Box::new(RuledSurface::new(first, second)));
+        Self { construction }
     }
 
     /// The developables that touch two free rails, and the best of them: see [`connect`].
@@ -103,7 +116,7 @@ impl Sheet {
         let found = connect(first, second)?;
         Ok(Connected {
             sheet: found.chosen().map(|patch| Self {
-                kind: Kind::Connecting(Box::new(patch)),
+                construction: Construction::Connecting(Box::new(patch)),
             }),
             reason: found.choice().map(|(_, reason)| reason),
             branches: found.branches().to_vec(),
@@ -117,8 +130,8 @@ impl Sheet {
     /// As [`EnvelopingPatch::new`].
     pub fn envelope(planes: &Planes, cut: Cut) -> Result<Self> {
         let patch = EnvelopingPatch::new(planes.family().clone(), cut.0)?;
-        let kind = Kind::Envelope(Box::new(patch));
-        Ok(Self { kind })
+        let construction = Construction::Envelope(Box::new(patch));
+        Ok(Self { construction })
     }
 
     /// The tangents of the edge of regression of a family of planes, from `from` to `to` times its derivative.
@@ -127,8 +140,8 @@ impl Sheet {
     /// As [`TangentPatch::new`].
     pub fn tangent(planes: &Planes, from: f64, to: f64) -> Result<Self> {
         let patch = TangentPatch::new(planes.family().clone(), [from, to])?;
-        let kind = Kind::Tangent(Box::new(patch));
-        Ok(Self { kind })
+        let construction = Construction::Tangent(Box::new(patch));
+        Ok(Self { construction })
     }
 
     /// A Hermite cone between parallel planes.
@@ -238,31 +251,31 @@ impl Sheet {
 
 impl Rails<f64> for Sheet {
     fn rail_jets(&self, x: &f64, order: usize) -> Result<[[Jet<f64>; 3]; 2]> {
-        match &self.kind {
-            Kind::Ruled(patch) => patch.rail_jets(x, order),
-            Kind::Envelope(patch) => patch.rail_jets(x, order),
-            Kind::Tangent(patch) => patch.rail_jets(x, order),
-            Kind::Connecting(patch) => patch.rail_jets(x, order),
+        match &self.construction {
+            Construction::Ruled(patch) => patch.rail_jets(x, order),
+            Construction::Envelope(patch) => patch.rail_jets(x, order),
+            Construction::Tangent(patch) => patch.rail_jets(x, order),
+            Construction::Connecting(patch) => patch.rail_jets(x, order),
         }
     }
 
     fn is_developable_by_construction(&self) -> bool {
-        !matches!(self.kind, Kind::Ruled(_))
+        !matches!(self.construction, Construction::Ruled(_))
     }
 }
 
 impl Rails<Ball> for Sheet<Ball> {
     fn rail_jets(&self, x: &Ball, order: usize) -> Result<[[Jet<Ball>; 3]; 2]> {
-        match &self.kind {
-            Kind::Ruled(patch) => patch.rail_jets(x, order),
-            Kind::Envelope(patch) => patch.rail_jets(x, order),
-            Kind::Tangent(patch) => patch.rail_jets(x, order),
-            Kind::Connecting(patch) => patch.rail_jets(x, order),
+        match &self.construction {
+            Construction::Ruled(patch) => patch.rail_jets(x, order),
+            Construction::Envelope(patch) => patch.rail_jets(x, order),
+            Construction::Tangent(patch) => patch.rail_jets(x, order),
+            Construction::Connecting(patch) => patch.rail_jets(x, order),
         }
     }
 
     fn is_developable_by_construction(&self) -> bool {
-        !matches!(self.kind, Kind::Ruled(_))
+        !matches!(self.construction, Construction::Ruled(_))
     }
 }
 
@@ -276,12 +289,14 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for Sheet<S> {
     type Object = Sheet<T>;
 
     fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Sheet<T>> {
-        let kind = match &self.kind {
-            Kind::Ruled(patch) => Kind::Ruled(Box::new(patch.over(convert)?)),
-            Kind::Envelope(patch) => Kind::Envelope(Box::new(patch.over(convert)?)),
-            Kind::Tangent(patch) => Kind::Tangent(Box::new(patch.over(convert)?)),
-            Kind::Connecting(patch) => Kind::Connecting(Box::new(patch.over(convert)?)),
+        let construction = match &self.construction {
+            Construction::Ruled(patch) => Construction::Ruled(Box::new(patch.over(convert)?)),
+            Construction::Envelope(patch) => Construction::Envelope(Box::new(patch.over(convert)?)),
+            Construction::Tangent(patch) => Construction::Tangent(Box::new(patch.over(convert)?)),
+            Construction::Connecting(patch) => {
+                Construction::Connecting(Box::new(patch.over(convert)?))
+            }
         };
-        Ok(Sheet { kind })
+        Ok(Sheet { construction })
     }
 }
