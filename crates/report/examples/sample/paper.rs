@@ -39,6 +39,8 @@ fn outcome(name: &str, at: &str, kind: Kind, verdict: Verdict, printed: &str) ->
         difference: None,
         conditions: Vec::new(),
         witness: None,
+        net: None,
+        contradiction: None,
         steps: Vec::new(),
         note: None,
         uses: Vec::new(),
