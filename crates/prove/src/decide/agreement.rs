@@ -3,7 +3,7 @@
 //! A printed number with d digits after the point agrees with v if |v - printed| <= 10^-d / 2
 //! (rounded), or if v lies between the printed number and the next one away from zero (cut off). Both
 //! are decided by exact arithmetic or by a certified enclosure. An integer printed among decimals is
-//! read with as many digits as its neighbours; integers alone are exact.
+//! read with as many digits as the neighbour that has the fewest; integers alone are exact.
 
 use super::domain::{enclosure, truth};
 use super::{Decision, Refutation};
@@ -72,11 +72,13 @@ pub fn decide(values: &[Fraction], printed: &[Printed]) -> Decision {
     let Some(decimals) = decimals else {
         return open("the value still depends on symbols");
     };
-    // An integer without a point among decimals is read with as many digits as its neighbours.
+    // An integer without a point among decimals is read with as many digits as the neighbour that has the fewest.
+    let pointed = printed.iter().filter_map(|p| p.decimals).filter(|d| *d > 0);
+    let fewest = pointed.min().unwrap_or(0);
     let found: Option<Vec<Option<Agreement>>> = values
         .iter()
         .zip(printed)
-        .map(|(v, p)| agreement(v, p, p.decimals.unwrap_or(digits)))
+        .map(|(v, p)| agreement(v, p, p.decimals.filter(|d| *d > 0).unwrap_or(fewest)))
         .collect();
     let Some(found) = found else {
         return open("the value is too near to the border between two printed numbers");

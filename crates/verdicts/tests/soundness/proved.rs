@@ -124,6 +124,20 @@ fn variation_diminishes_only_for_functions_that_sum_to_one() {
 }
 
 #[test]
+fn a_derivative_reaches_the_symbols_in_the_seeds_of_a_basis() {
+    let basis = "[basis.A]\nvariable = \"x\"\ndegree = 0\nseeds = ['a']\nstep = ['1 - x', 'x']\n";
+    let declarations = format!("{}{basis}", crate::DECLARATIONS);
+    let claims = [
+        "states = 'D(A[0,0](x), a) == 1'",
+        "states = 'D(A[0,0](x), a) == 0'",
+        "states = 'at(A[0,0](x), a, 3) == 3'",
+    ];
+    let found = crate::common::outcomes("seeds", &declarations, &claims);
+    let verdicts: Vec<_> = found.iter().map(|outcome| outcome.verdict).collect();
+    assert_eq!(verdicts, [Holds, False, Holds], "{found:#?}");
+}
+
+#[test]
 fn a_degree_below_that_of_the_seeds_is_an_empty_sum() {
     for (number, range) in [">= 2", "2..5"].into_iter().enumerate() {
         let lines = format!(

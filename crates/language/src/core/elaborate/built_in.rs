@@ -1,0 +1,253 @@
+//! The built-in functions, and derivatives.
+
+use super::binders::{Local, Scope, Use};
+use super::{Elaborator, Lambda, Meaning, Outcome, wrong};
+use crate::core::{BuiltIn, FamilyProperty, Node, Printed, Statement, Term, Variable};
+use crate::fault::{Fault, Problem};
+use crate::syntax::{self, Expr, Place};
+use std::sync::Arc;
+use torse_numbers::{Rational, rational};
+
+/// The names of the built-in functions.
+pub(super) const NAMES: [&str; 21] = [
+    "sum",
+    "D",
+    "at",
+    "binom",
+    "factorial",
+    "sin",
+    "cos",
+    "sqrt",
+    "dot",
+    "cross",
+    "det",
+    "transpose",
+    "inverse",
+    "solve",
+    "norm",
+    "agrees",
+    "coefficients",
+    "identity",
+    "nonnegative",
+    "independent",
+    "variation_diminishing",
+];
+
+impl Elaborator<'_> {
+    pub(super) fn built_in(
+        &self,
+        name: &str,
+        arguments: &[Expr],
+        place: Place,
+        scope: &Scope,
+    ) -> Outcome<Meaning> {
+        let count = |wanted: &str| {
+            Fault::at(
+                place,
+                Problem::Count {
+                    name: name.to_owned(),
+                    wanted: wanted.to_owned(),
+                    found: arguments.len(),
+                },
+            )
+        };
+        let function = match (name, arguments) {
+            ("sum", [index, low, high, term]) => {
+                let syntax::Node::Name(name) = &index.node else {
+                    return Err(wrong(index.place, "a formula", "the name of an index"));
+                };
+                let variable = self.fresh(name);
+                let inside = scope.with_local(name, &variable, Local::Index);
+                let node = Node::Sum {
+                    index: variable,
+                    low: self.term_in(low, scope)?,
+                    high: self.term_in(high, scope)?,
+                    term: self.term_in(term, &inside)?,
+                };
+                return Ok(Meaning::Term(self.made(node, place)));
+            }
+            ("sum", _) => return Err(count("sum(index, low, high, term)")),
+            ("D", [inner, rest @ ..]) if rest.len() <= 2 => {
+                return self.derivative(inner, rest, place, scope);
+            }
+            ("D", _) => return Err(count("D(F, variable, order)")),
+            ("at", [inner, variable, point]) => {
+                let value = self.term_in(point, scope)?;
+                let bound = self.bound(variable, scope, Use::At)?;
+                let put = |body: Term| {
+                    self.made(
+                        Node::Let {
+                            variable: bound.variable.clone(),
+                            value: value.clone(),
+                            body,
+                        },
+                        place,
+                    )
+                };
+                return Ok(match self.open(inner, &bound.scope)? {
+                    Meaning::Term(body) => Meaning::Term(put(body)),
+                    Meaning::Function(function) => Meaning::Function(Lambda {
+                        body: put(function.body),
+                        ..function
+                    }),
+                    Meaning::Statement(statement) => {
+                        Meaning::Statement(statement.mapped(&|term| put(term.clone())))
+                    }
+                });
+            }
+            ("at", _) => return Err(count("at(formula, variable, point)")),
+            ("agrees", [value, printed]) => {
+                return Ok(Meaning::Statement(Statement::Agrees {
+                    value: self.term_in(value, scope)?,
+                    printed: printed_numbers(printed)?,
+                    place: printed.place,
+                }));
+            }
+            ("nonnegative" | "independent" | "variation_diminishing", [family]) => {
+                let syntax::Node::Name(basis) = &family.node else {
+                    return Err(wrong(family.place, "a formula", "the name of a basis"));
+                };
+                let property = match name {
+                    "nonnegative" => FamilyProperty::Nonnegative,
+                    "independent" => FamilyProperty::Independent,
+                    _ => FamilyProperty::VariationDiminishing,
+                };
+                let family = self.family(basis, family.place)?;
+                return Ok(Meaning::Statement(Statement::Family(property, family)));
+            }
+            ("binom", [_, _]) => BuiltIn::Binomial,
+            ("factorial", [_]) => BuiltIn::Factorial,
+            ("sin", [_]) => BuiltIn::Sine,
+            ("cos", [_]) => BuiltIn::Cosine,
+            ("sqrt", [_]) => BuiltIn::SquareRoot,
+            ("dot", [_, _]) => BuiltIn::Dot,
+            ("cross", [_, _]) => BuiltIn::Cross,
+            ("norm", [_]) => BuiltIn::Norm,
+            ("det", [_]) => BuiltIn::Determinant,
+            ("transpose", [_]) => BuiltIn::Transpose,
+            ("inverse", [_]) => BuiltIn::Inverse,
+            ("solve", [_, _]) => BuiltIn::Solve,
+            ("identity", [_]) => BuiltIn::Identity,
+            ("coefficients", [_, _]) => BuiltIn::Coefficients,
+            _ => {
+                return Err(count(match name {
+                    "binom" | "dot" | "cross" | "solve" | "agrees" | "coefficients" => {
+                        "two arguments"
+                    }
+                    _ => "one argument",
+                }));
+            }
+        };
+        let arguments = self.terms_in(arguments, scope)?;
+        Ok(Meaning::Term(
+            self.made(Node::Apply(function, arguments), place),
+        ))
+    }
+
+    /// `D(F, x, n)` of a function is a function; of a formula, a formula.
+    pub(super) fn derivative(
+        &self,
+        inner: &Expr,
+        rest: &[Expr],
+        place: Place,
+        scope: &Scope,
+    ) -> Outcome<Meaning> {
+        let order = match rest.get(1) {
+            None => self.made(Node::Number(rational::integer(1)), place),
+            Some(order) => self.term_in(order, scope)?,
+        };
+        if let Meaning::Function(function) = self.open(inner, scope)? {
+            let parameter = match rest.first().map(|e| (&e.node, e.place)) {
+                None => function.parameters.first(),
+                Some((syntax::Node::Name(name), _)) => {
+                    function.parameters.iter().find(|p| p.name() == name)
+                }
+                Some((_, place)) => {
+                    return Err(wrong(place, "a formula", "the name of a variable"));
+                }
+            };
+            if let Some(parameter) = parameter.cloned() {
+                return Ok(Meaning::Function(
+                    self.differentiated(&function, &parameter, order, place),
+                ));
+            }
+        }
+        let Some(variable) = rest.first() else {
+            return Err(wrong(place, "a formula", "a variable to differentiate by"));
+        };
+        let bound = self.bound(variable, scope, Use::Derivative)?;
+        let derivative = |body: Term| {
+            let node = Node::Derivative {
+                variable: bound.variable.clone(),
+                order: order.clone(),
+                body,
+                at: bound.outside.clone(),
+            };
+            self.made(node, place)
+        };
+        match self.open(inner, &bound.scope)? {
+            Meaning::Term(body) => Ok(Meaning::Term(derivative(body))),
+            // By a symbol that is no parameter: by a shape parameter, say.
+            Meaning::Function(function) => Ok(Meaning::Function(Lambda {
+                body: derivative(function.body),
+                ..function
+            })),
+            Meaning::Statement(_) => Err(wrong(inner.place, "a statement", "a formula")),
+        }
+    }
+
+    /// The function that is the derivative of a function by one of its parameters.
+    pub(super) fn differentiated(
+        &self,
+        function: &Lambda,
+        parameter: &Variable,
+        order: Term,
+        place: Place,
+    ) -> Lambda {
+        let variable = self.fresh(parameter.name());
+        let inner = self.made(Node::Variable(variable.clone()), place);
+        let body = Node::Let {
+            variable: parameter.clone(),
+            value: inner,
+            body: function.body.clone(),
+        };
+        let derivative = Node::Derivative {
+            variable,
+            order,
+            body: self.made(body, place),
+            at: self.made(Node::Variable(parameter.clone()), place),
+        };
+        Lambda {
+            name: Arc::clone(&function.name),
+            parameters: function.parameters.clone(),
+            body: self.made(derivative, place),
+        }
+    }
+}
+
+/// The printed numbers of `agrees`, with their digits.
+fn printed_numbers(printed: &Expr) -> Outcome<Vec<Printed>> {
+    let number = |item: &Expr| -> Option<(Rational, Option<u32>)> {
+        match &item.node {
+            syntax::Node::Number { value, decimals } => Some((value.clone(), *decimals)),
+            _ => None,
+        }
+    };
+    let one = |item: &Expr| -> Outcome<Printed> {
+        let (found, negative) = match &item.node {
+            syntax::Node::Negative(inner) => (number(inner), true),
+            _ => (number(item), false),
+        };
+        let (value, decimals) =
+            found.ok_or_else(|| wrong(item.place, "a formula", "a printed number"))?;
+        Ok(Printed {
+            value: if negative { -value } else { value },
+            decimals,
+            negative,
+        })
+    };
+    match &printed.node {
+        syntax::Node::List(items) => items.iter().map(one).collect(),
+        _ => Ok(vec![one(printed)?]),
+    }
+}

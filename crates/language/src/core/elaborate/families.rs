@@ -1,0 +1,166 @@
+//! Members of declared families and of basis families.
+
+use super::binders::{Local, Scope};
+use super::{Elaborator, Meaning, Outcome, counted, wrong};
+use crate::core::{Family, Node, Points, Variable};
+use crate::derivation::declarations::{Basis, SymbolKind};
+use crate::fault::{Fault, Problem};
+use crate::syntax::{self, Expr, Place};
+use std::sync::Arc;
+
+impl Elaborator<'_> {
+    pub(super) fn indexed(
+        &self,
+        head: &Expr,
+        indices: &[Expr],
+        place: Place,
+        scope: &Scope,
+    ) -> Outcome<Meaning> {
+        if let syntax::Node::Name(name) = &head.node
+            && !scope.locals.contains_key(name)
+            && self.declarations.definition(name).is_none()
+        {
+            if let Some(basis) = self.declarations.basis(name) {
+                return self.member(name, basis, indices, &[], place, scope);
+            }
+            if let Some(SymbolKind::Family { dimension, ranges }) = self.declarations.symbol(name) {
+                if !ranges.is_empty() && ranges.len() != indices.len() {
+                    return Err(Fault::at(
+                        place,
+                        Problem::Count {
+                            name: name.clone(),
+                            wanted: match ranges.len() {
+                                1 => "1 index".to_owned(),
+                                n => format!("{n} indices"),
+                            },
+                            found: indices.len(),
+                        },
+                    ));
+                }
+                let points = Arc::clone(
+                    self.points
+                        .borrow_mut()
+                        .entry(name.clone())
+                        .or_insert_with(|| {
+                            Arc::new(Points {
+                                name: Arc::from(name.as_str()),
+                                dimension: *dimension,
+                                ranges: ranges.clone(),
+                            })
+                        }),
+                );
+                let indices = self.terms_in(indices, scope)?;
+                return Ok(Meaning::Term(
+                    self.made(Node::Member(points, indices), place),
+                ));
+            }
+        }
+        let head = self.term_in(head, scope)?;
+        let indices = self.terms_in(indices, scope)?;
+        Ok(Meaning::Term(self.made(Node::Entry(head, indices), place)))
+    }
+
+    pub(super) fn member(
+        &self,
+        name: &str,
+        basis: &Basis,
+        indices: &[Expr],
+        arguments: &[Expr],
+        place: Place,
+        scope: &Scope,
+    ) -> Outcome<Meaning> {
+        let [index, degree] = indices else {
+            return Err(Fault::at(
+                place,
+                Problem::Count {
+                    name: name.to_owned(),
+                    wanted: "two indices: which function, and the degree".to_owned(),
+                    found: indices.len(),
+                },
+            ));
+        };
+        if arguments.len() > basis.parameters.len() + 1 {
+            let parameters = counted(basis.parameters.len(), "shape parameter");
+            return Err(Fault::at(
+                place,
+                Problem::Count {
+                    name: name.to_owned(),
+                    wanted: format!("a variable and {parameters}"),
+                    found: arguments.len(),
+                },
+            ));
+        }
+        let mut all = self.terms_in(arguments, scope)?;
+        let names = std::iter::once(&basis.variable).chain(&basis.parameters);
+        for left_out in names.skip(arguments.len()) {
+            if scope.locals.contains_key(left_out) {
+                return Err(Fault::at(
+                    place,
+                    Problem::LeftOut {
+                        family: name.to_owned(),
+                        argument: left_out.clone(),
+                    },
+                ));
+            }
+            match self.named(left_out, place, &scope.outside())? {
+                Meaning::Term(term) => all.push(term),
+                other => return Err(wrong(place, other.kind(), "a number")),
+            }
+        }
+        let node = Node::Basis {
+            family: self.family_of(name, basis, &scope.outside())?,
+            index: self.term_in(index, scope)?,
+            degree: self.term_in(degree, scope)?,
+            arguments: all,
+        };
+        Ok(Meaning::Term(self.made(node, place)))
+    }
+
+    /// The family in a scope of globals: where none is bound it is opened once.
+    pub(super) fn family_of(
+        &self,
+        name: &str,
+        basis: &Basis,
+        outside: &Scope,
+    ) -> Outcome<Arc<Family>> {
+        let closed = outside.globals.is_empty();
+        if closed && let Some(family) = self.families.borrow().get(name) {
+            return Ok(Arc::clone(family));
+        }
+        let names: Vec<&String> = std::iter::once(&basis.variable)
+            .chain(&basis.parameters)
+            .collect();
+        let variables: Vec<Variable> = names.iter().map(|n| self.fresh(n)).collect();
+        let scope = names
+            .iter()
+            .zip(&variables)
+            .fold(outside.clone(), |scope, (name, variable)| {
+                scope.with_local(name, variable, Local::Continuous)
+            });
+        let part = |written: &crate::derivation::Written| {
+            let body = self
+                .term_in(&written.expr, &scope)
+                .map_err(|f| f.within(&written.origin))?;
+            let node = Node::Opened {
+                name: Arc::from(name),
+                origin: Arc::new(written.origin.clone()),
+                closed: false,
+                body,
+            };
+            Ok(self.made(node, written.expr.place))
+        };
+        let family = Arc::new(Family {
+            name: Arc::from(name),
+            variables,
+            degree: basis.degree,
+            seeds: basis.seeds.iter().map(part).collect::<Outcome<_>>()?,
+            step: (part(&basis.step.0)?, part(&basis.step.1)?),
+        });
+        if closed {
+            self.families
+                .borrow_mut()
+                .insert(name.to_owned(), Arc::clone(&family));
+        }
+        Ok(family)
+    }
+}

@@ -1,0 +1,487 @@
+//! From syntax trees to core terms.
+//!
+//! One walk that carries a [`Scope`]: the variables of enclosing binders by their names in the text (`locals`), and
+//! the variables that stand for declared symbols below a `D` or an `at` by that symbol (`globals`). Definitions see
+//! the second only: they are formulas in the declared symbols, wherever they are used.
+
+mod binders;
+mod built_in;
+mod families;
+
+use super::{Family, Node, Points, Set, Statement, Term, Variable};
+use crate::derivation::declarations::{Declarations, Definition, SymbolKind};
+use crate::fault::{Fault, Problem};
+use crate::syntax::{self, Connective, Expr, Place};
+use binders::{Local, Scope};
+use built_in::NAMES;
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use torse_numbers::rational;
+
+/// How deep definitions may use each other.
+const MAX_DEPTH: usize = 80;
+/// The most nodes of core terms that one formula may open to.
+const MAX_NODES: u64 = 400_000;
+
+/// What a formula stands for.
+#[derive(Debug, Clone)]
+pub enum Meaning {
+    /// A number, a vector or a matrix.
+    Term(Term),
+    /// A statement.
+    Statement(Statement),
+    /// A function, to be applied.
+    Function(Lambda),
+}
+
+impl Meaning {
+    fn kind(&self) -> &'static str {
+        match self {
+            Self::Term(_) => "a formula",
+            Self::Statement(_) => "a statement",
+            Self::Function(_) => "a function",
+        }
+    }
+}
+
+/// A function: a term in its own variables.
+#[derive(Debug, Clone)]
+pub struct Lambda {
+    /// The name, for messages.
+    pub name: Arc<str>,
+    /// The parameters, bound in the body.
+    pub parameters: Vec<Variable>,
+    /// The body.
+    pub body: Term,
+}
+
+/// Opens formulas under declarations. Definitions are opened once.
+#[derive(Debug)]
+pub struct Elaborator<'a> {
+    declarations: &'a Declarations,
+    next: Cell<u32>,
+    depth: Cell<usize>,
+    nodes: Cell<u64>,
+    opened: RefCell<BTreeMap<String, Meaning>>,
+    families: RefCell<BTreeMap<String, Arc<Family>>>,
+    points: RefCell<BTreeMap<String, Arc<Points>>>,
+}
+
+type Outcome<T> = Result<T, Fault>;
+
+impl<'a> Elaborator<'a> {
+    /// An elaborator under these declarations.
+    #[must_use]
+    pub fn new(declarations: &'a Declarations) -> Self {
+        Self {
+            declarations,
+            next: Cell::new(0),
+            depth: Cell::new(0),
+            nodes: Cell::new(0),
+            opened: RefCell::default(),
+            families: RefCell::default(),
+            points: RefCell::default(),
+        }
+    }
+
+    /// The declarations.
+    #[must_use]
+    pub fn declarations(&self) -> &'a Declarations {
+        self.declarations
+    }
+
+    /// The core of a formula, whatever it stands for.
+    ///
+    /// # Errors
+    /// [`Fault`] for undeclared names, what stands at the wrong place, and wrong numbers of arguments.
+    pub fn meaning(&self, expr: &Expr) -> Outcome<Meaning> {
+        self.nodes.set(0);
+        self.open(expr, &Scope::default())
+    }
+
+    /// The core of a formula.
+    ///
+    /// # Errors
+    /// As [`Elaborator::meaning`].
+    pub fn term(&self, expr: &Expr) -> Outcome<Term> {
+        self.nodes.set(0);
+        self.term_in(expr, &Scope::default())
+    }
+
+    /// The core of a statement.
+    ///
+    /// # Errors
+    /// As [`Elaborator::meaning`].
+    pub fn statement(&self, expr: &Expr) -> Outcome<Statement> {
+        self.nodes.set(0);
+        self.statement_in(expr, &Scope::default())
+    }
+
+    /// The basis family of this name.
+    ///
+    /// # Errors
+    /// [`Fault`] in its seeds or step, and if there is none.
+    pub fn family(&self, name: &str, place: Place) -> Outcome<Arc<Family>> {
+        let basis = self
+            .declarations
+            .basis(name)
+            .ok_or_else(|| wrong(place, "a formula", "the name of a basis"))?;
+        self.family_of(name, basis, &Scope::default())
+    }
+
+    /// The declared symbols that occur in a claim, and those in whose terms their sets are declared.
+    #[must_use]
+    pub fn symbols_of(&self, claim: &super::Claim) -> BTreeMap<Arc<str>, Set> {
+        let mut names: Vec<Arc<str>> = vec![];
+        let mut add = |name: &Arc<str>| names.push(Arc::clone(name));
+        for hypothesis in &claim.hypotheses {
+            hypothesis.statement.declared_names(&mut add);
+        }
+        claim
+            .unknowns
+            .iter()
+            .for_each(|t| t.declared_names(&mut add));
+        claim.statement.declared_names(&mut add);
+        let mut all: BTreeMap<Arc<str>, Set> = BTreeMap::new();
+        while let Some(name) = names.pop() {
+            if all.contains_key(&name) {
+                continue;
+            }
+            let Some(set) = self.declarations.symbol(&name) else {
+                continue;
+            };
+            let mut forms = vec![];
+            match set {
+                SymbolKind::Integer { least, most } => forms.extend(least.iter().chain(most)),
+                SymbolKind::Family { ranges, .. } => {
+                    forms.extend(ranges.iter().flat_map(|(a, b)| [a, b]));
+                }
+                SymbolKind::Real(_) | SymbolKind::Vector(_) => {}
+            }
+            for form in forms {
+                names.extend(form.multiples().map(|(name, _)| Arc::from(name)));
+            }
+            all.insert(name, set.clone());
+        }
+        all
+    }
+
+    fn fresh(&self, name: &str) -> Variable {
+        let number = self.next.get();
+        self.next.set(number.saturating_add(1));
+        Variable {
+            number,
+            name: Arc::from(name),
+        }
+    }
+
+    fn made(&self, node: Node, place: Place) -> Term {
+        Term {
+            node: Arc::new(node),
+            place,
+        }
+    }
+
+    fn term_in(&self, expr: &Expr, scope: &Scope) -> Outcome<Term> {
+        match self.open(expr, scope)? {
+            Meaning::Term(term) => Ok(term),
+            other => Err(wrong(
+                expr.place,
+                other.kind(),
+                "a number, vector or matrix",
+            )),
+        }
+    }
+
+    fn terms_in(&self, exprs: &[Expr], scope: &Scope) -> Outcome<Vec<Term>> {
+        exprs.iter().map(|e| self.term_in(e, scope)).collect()
+    }
+
+    fn statement_in(&self, expr: &Expr, scope: &Scope) -> Outcome<Statement> {
+        match self.open(expr, scope)? {
+            Meaning::Statement(statement) => Ok(statement),
+            other => Err(wrong(expr.place, other.kind(), "a statement")),
+        }
+    }
+
+    fn open(&self, expr: &Expr, scope: &Scope) -> Outcome<Meaning> {
+        self.nodes.set(self.nodes.get() + 1);
+        if self.nodes.get() > MAX_NODES {
+            return Err(Fault::limit(
+                expr.place,
+                format!("the formula opens to more than {MAX_NODES} terms"),
+            ));
+        }
+        let place = expr.place;
+        let term = |node| Ok(Meaning::Term(self.made(node, place)));
+        match &expr.node {
+            syntax::Node::Number { value, .. } => term(Node::Number(value.clone())),
+            syntax::Node::Name(name) => self.named(name, place, scope),
+            syntax::Node::Call(head, arguments) => self.call(head, arguments, place, scope),
+            syntax::Node::Index(head, indices) => self.indexed(head, indices, place, scope),
+            syntax::Node::Negative(inner) => term(Node::Negative(self.term_in(inner, scope)?)),
+            syntax::Node::Binary(operator, a, b) => term(Node::Binary(
+                *operator,
+                self.term_in(a, scope)?,
+                self.term_in(b, scope)?,
+            )),
+            syntax::Node::List(items) => term(Node::List(self.terms_in(items, scope)?)),
+            syntax::Node::Compare(first, rest) => {
+                let mut left = self.term_in(first, scope)?;
+                let mut chain: Option<Statement> = None;
+                for (relation, right) in rest {
+                    let right = self.term_in(right, scope)?;
+                    let link = Statement::Compare {
+                        relation: *relation,
+                        left,
+                        right: right.clone(),
+                    };
+                    chain = Some(match chain {
+                        None => link,
+                        Some(before) => {
+                            Statement::Join(Connective::And, Box::new(before), Box::new(link))
+                        }
+                    });
+                    left = right;
+                }
+                chain
+                    .map(Meaning::Statement)
+                    .ok_or_else(|| wrong(place, "nothing", "a comparison"))
+            }
+            syntax::Node::Join(connective, a, b) => Ok(Meaning::Statement(Statement::Join(
+                *connective,
+                Box::new(self.statement_in(a, scope)?),
+                Box::new(self.statement_in(b, scope)?),
+            ))),
+            syntax::Node::Not(inner) => Ok(Meaning::Statement(Statement::Not(Box::new(
+                self.statement_in(inner, scope)?,
+            )))),
+        }
+    }
+
+    fn named(&self, name: &str, place: Place, scope: &Scope) -> Outcome<Meaning> {
+        let term = |node| Ok(Meaning::Term(self.made(node, place)));
+        if let Some((variable, _)) = scope.locals.get(name) {
+            return term(Node::Variable(variable.clone()));
+        }
+        if let Some(variable) = scope.globals.get(name) {
+            return term(Node::Variable(variable.clone()));
+        }
+        if let Some(definition) = self.declarations.definition(name) {
+            return self.definition(name, definition, place, &scope.outside());
+        }
+        match self.declarations.symbol(name) {
+            Some(SymbolKind::Real(_) | SymbolKind::Integer { .. }) => {
+                return term(Node::Symbol(Arc::from(name)));
+            }
+            Some(SymbolKind::Vector(dimension)) => {
+                return term(Node::Vector(Arc::from(name), *dimension));
+            }
+            Some(SymbolKind::Family { .. }) => {
+                return Err(wrong(
+                    place,
+                    "a family without an index",
+                    "one of its members",
+                ));
+            }
+            None => {}
+        }
+        if name == "pi" {
+            return term(Node::Pi);
+        }
+        // F'' is the second derivative of F by its first parameter.
+        let base = name.trim_end_matches('\'');
+        if base.len() < name.len()
+            && let Ok(Meaning::Function(function)) = self.named(base, place, scope)
+            && let Some(parameter) = function.parameters.first().cloned()
+        {
+            let order = i64::try_from(name.len() - base.len()).unwrap_or(i64::MAX);
+            let order = self.made(Node::Number(rational::integer(order)), place);
+            return Ok(Meaning::Function(
+                self.differentiated(&function, &parameter, order, place),
+            ));
+        }
+        Err(self.unknown(name, place, scope))
+    }
+
+    fn definition(
+        &self,
+        name: &str,
+        definition: &Definition,
+        place: Place,
+        scope: &Scope,
+    ) -> Outcome<Meaning> {
+        let closed = scope.globals.is_empty();
+        if closed && let Some(meaning) = self.opened.borrow().get(name) {
+            return Ok(meaning.clone());
+        }
+        if self.depth.get() >= MAX_DEPTH {
+            return Err(Fault::at(place, Problem::Circular { limit: MAX_DEPTH }));
+        }
+        self.depth.set(self.depth.get() + 1);
+        let parameters: Vec<Variable> = definition
+            .parameters
+            .iter()
+            .map(|p| self.fresh(p))
+            .collect();
+        let inside = definition
+            .parameters
+            .iter()
+            .zip(&parameters)
+            .fold(scope.clone(), |scope, (name, variable)| {
+                scope.with_local(name, variable, Local::Continuous)
+            });
+        let origin = &definition.body.origin;
+        let body = self
+            .open(&definition.body.expr, &inside)
+            .map_err(|f| f.within(origin));
+        self.depth.set(self.depth.get() - 1);
+        let name: Arc<str> = Arc::from(name);
+        let origin = Arc::new(origin.clone());
+        let wrap = |body: Term, closed: bool| {
+            self.made(
+                Node::Opened {
+                    name: Arc::clone(&name),
+                    origin: Arc::clone(&origin),
+                    closed,
+                    body,
+                },
+                place,
+            )
+        };
+        let meaning = match (body?, parameters.is_empty()) {
+            (Meaning::Term(body), true) => Meaning::Term(wrap(body, closed)),
+            (Meaning::Statement(statement), true) => {
+                Meaning::Statement(statement.mapped(&|term| wrap(term.clone(), closed)))
+            }
+            (function @ Meaning::Function(_), true) => function,
+            (Meaning::Term(body), false) => Meaning::Function(Lambda {
+                name: Arc::clone(&name),
+                parameters,
+                body: wrap(body, false),
+            }),
+            (other, false) => {
+                let fault = wrong(definition.body.expr.place, other.kind(), "a formula");
+                return Err(fault.within(&definition.body.origin));
+            }
+        };
+        if closed {
+            self.opened
+                .borrow_mut()
+                .insert(name.to_string(), meaning.clone());
+        }
+        Ok(meaning)
+    }
+
+    fn call(
+        &self,
+        head: &Expr,
+        arguments: &[Expr],
+        place: Place,
+        scope: &Scope,
+    ) -> Outcome<Meaning> {
+        let free = |name: &str| {
+            !scope.locals.contains_key(name) && self.declarations.definition(name).is_none()
+        };
+        if let syntax::Node::Index(family, indices) = &head.node
+            && let syntax::Node::Name(name) = &family.node
+            && free(name)
+            && let Some(basis) = self.declarations.basis(name)
+        {
+            return self.member(name, basis, indices, arguments, place, scope);
+        }
+        if let syntax::Node::Name(name) = &head.node
+            && NAMES.contains(&name.as_str())
+            && free(name)
+        {
+            return self.built_in(name, arguments, place, scope);
+        }
+        match self.open(head, scope)? {
+            Meaning::Function(function) => {
+                let values = self.terms_in(arguments, scope)?;
+                self.applied(&function, values, place).map(Meaning::Term)
+            }
+            other => Err(wrong(head.place, other.kind(), "a function")),
+        }
+    }
+
+    fn applied(&self, function: &Lambda, values: Vec<Term>, place: Place) -> Outcome<Term> {
+        if values.len() != function.parameters.len() {
+            return Err(Fault::at(
+                place,
+                Problem::Count {
+                    name: function.name.to_string(),
+                    wanted: counted(function.parameters.len(), "argument"),
+                    found: values.len(),
+                },
+            ));
+        }
+        // Variables of their own: no value can mention the parameter of another one.
+        let bound = function.parameters.iter().zip(values).rev();
+        Ok(
+            bound.fold(function.body.clone(), |body, (parameter, value)| {
+                let node = Node::Let {
+                    variable: parameter.clone(),
+                    value,
+                    body,
+                };
+                self.made(node, place)
+            }),
+        )
+    }
+
+    fn unknown(&self, name: &str, place: Place, scope: &Scope) -> Fault {
+        let candidates = self
+            .declarations
+            .names()
+            .chain(scope.locals.keys().map(String::as_str))
+            .chain(NAMES);
+        let similar = candidates
+            .map(|candidate| (edit_distance(name, candidate), candidate))
+            .filter(|(distance, candidate)| *distance <= 1 + candidate.len() / 4)
+            .min()
+            .map(|(_, candidate)| candidate.to_owned());
+        Fault::at(
+            place,
+            Problem::UnknownName {
+                name: name.to_owned(),
+                similar,
+            },
+        )
+    }
+}
+
+/// The Levenshtein distance, for suggestions.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = i;
+        let mut left = i + 1;
+        for (y, slot) in b.iter().zip(row.iter_mut().skip(1)) {
+            let cost = (diagonal + usize::from(x != *y))
+                .min(left + 1)
+                .min(*slot + 1);
+            diagonal = *slot;
+            *slot = cost;
+            left = cost;
+        }
+        if let Some(first) = row.first_mut() {
+            *first = i + 1;
+        }
+    }
+    row.last().copied().unwrap_or(0)
+}
+
+fn wrong(place: Place, what: &'static str, wanted: &'static str) -> Fault {
+    Fault::at(place, Problem::WrongType { what, wanted })
+}
+
+/// `1 argument`, `2 arguments`.
+fn counted(number: usize, what: &str) -> String {
+    match number {
+        1 => format!("1 {what}"),
+        n => format!("{n} {what}s"),
+    }
+}
