@@ -178,6 +178,8 @@ pub struct Family {
     pub seeds: Vec<Term>,
     /// The two factors a and b of the step.
     pub step: (Term, Term),
+    /// Whether no variable of an enclosing binder occurs in seeds and step.
+    pub closed: bool,
 }
 
 /// The built-in functions of terms.

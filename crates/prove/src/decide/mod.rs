@@ -20,10 +20,11 @@ pub mod sign;
 pub mod variation;
 pub mod witness;
 
+use crate::case::opposite;
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{Statement, Value};
 use crate::evidence::{Evidence, Witness};
-use domain::Domain;
+use domain::{Constraint, Domain};
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::core::FamilyProperty;
 use torse_language::fault::Fault;
@@ -139,6 +140,17 @@ pub fn decide(
             }
             let second = decide(b, domain, evaluator)?;
             let closed = |s: &Statement| !has_negation(s);
+            // Where the second fails the first has to hold: a proof there proves, and a point there refutes both.
+            if closed(a)
+                && let Some(failing) = failure(b)
+            {
+                let mut there = domain.clone();
+                there.constraints.extend(failing);
+                let decided = decide(a, &there, evaluator)?;
+                if decided.is_proven() || decided.is_refuted() {
+                    return Ok(decided);
+                }
+            }
             Ok(match (first, second) {
                 (_, proven @ Decision::Proven { .. }) => proven,
                 // Two refutations that need no point are refutations at every point.
@@ -184,6 +196,27 @@ pub fn ranges(
         _ => sharpness::bounded(statement),
     };
     Ok(sharpness::steps(&bounded, domain))
+}
+
+/// The constraints under which a statement fails, if they are a conjunction.
+fn failure(statement: &Statement) -> Option<Vec<Constraint>> {
+    match statement {
+        Statement::Compare {
+            relation,
+            left,
+            right,
+        } => {
+            let (lefts, rights) = (left.entries(), right.entries());
+            let ([x], [y]) = (lefts.as_slice(), rights.as_slice()) else {
+                return None;
+            };
+            let value = x.minus(y).as_fraction()?.clone();
+            let relation = opposite(*relation);
+            Some(vec![Constraint { value, relation }])
+        }
+        Statement::Join(Connective::Or, a, b) => Some([failure(a)?, failure(b)?].concat()),
+        _ => None,
+    }
 }
 
 /// Whether a negation stands anywhere in the statement: it speaks of the whole domain, not of one point.

@@ -35,7 +35,7 @@ impl Evaluator<'_> {
                 other => return Err(wrong_type(argument.place, other.kind(), "a number")),
             }
         }
-        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place))?;
+        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
         let power = degree.clone() - Affine::number(i64::from(family.degree));
         if let Some(n) = power.as_number() {
             let Ok(steps) = usize::try_from(n) else {
@@ -62,7 +62,7 @@ impl Evaluator<'_> {
                     format!("degree {degree} is larger than 60"),
                 ));
             }
-            let row = self.row(name, &operator, &seeds, steps, &values);
+            let row = self.row(family, &operator, &seeds, steps, &values);
             // Outside 0..k the functions are zero by convention.
             let entry = usize::try_from(position)
                 .ok()
@@ -99,7 +99,7 @@ impl Evaluator<'_> {
         family: &Family,
         values: &[Fraction],
     ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
-        self.seeds(family, values, super::value::NOWHERE)
+        self.seeds(family, values, super::value::NOWHERE, &Environment::new())
     }
 
     /// Step factors and seeds at the arguments (variable first, then shape parameters).
@@ -108,13 +108,15 @@ impl Evaluator<'_> {
         family: &Family,
         values: &[Fraction],
         place: Place,
+        outside: &Environment,
     ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
-        let bound: Environment = family
-            .variables
-            .iter()
-            .zip(values)
-            .map(|(variable, value)| (variable.number(), value.clone().into()))
-            .collect();
+        let mut bound = match family.closed {
+            true => Environment::new(),
+            false => outside.clone(),
+        };
+        for (variable, value) in family.variables.iter().zip(values) {
+            bound.insert(variable.number(), value.clone().into());
+        }
         let one = |term: &Term| -> Result<Fraction, Fault> {
             match self.value(term, &bound)? {
                 Value::Scalar(q) => q
@@ -135,14 +137,16 @@ impl Evaluator<'_> {
     /// All functions of one numeric degree, remembered.
     fn row(
         &self,
-        name: &str,
+        family: &Family,
         operator: &(Fraction, Fraction),
         seeds: &[Fraction],
         steps: usize,
         values: &[Fraction],
     ) -> Vec<Fraction> {
-        let key = format!("{name} {steps} {values:?}");
-        if let Some(row) = self.members.borrow().get(&key) {
+        let key = format!("{} {steps} {values:?}", family.name);
+        if family.closed
+            && let Some(row) = self.members.borrow().get(&key)
+        {
             return row.clone();
         }
         self.spend(ROW_WORK * (1 + steps as u64));
@@ -158,7 +162,9 @@ impl Evaluator<'_> {
             }
             row = next;
         }
-        self.members.borrow_mut().insert(key, row.clone());
+        if family.closed {
+            self.members.borrow_mut().insert(key, row.clone());
+        }
         row
     }
 }

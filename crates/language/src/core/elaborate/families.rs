@@ -155,6 +155,7 @@ impl Elaborator<'_> {
             degree: basis.degree,
             seeds: basis.seeds.iter().map(part).collect::<Outcome<_>>()?,
             step: (part(&basis.step.0)?, part(&basis.step.1)?),
+            closed,
         });
         if closed {
             self.families

@@ -56,12 +56,133 @@ pub fn prove(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate
         }
     }
     if !strict(&best)
+        && let Some(found) = combination(polynomial, &assumed)
+    {
+        best = better(best, found);
+    }
+    if !strict(&best)
         && !assumed.is_empty()
         && let Some(found) = direct(polynomial, domain, &assumed)
     {
         best = better(best, found);
     }
     best.or_else(|| without_square(polynomial, domain, &assumed))
+}
+
+/// The most assumptions that are combined, of the first so many.
+const MAX_COMBINED: usize = 3;
+const MAX_COMBINABLE: usize = 8;
+
+/// The polynomial as a constant plus nonnegative multiples of two or three assumptions (Farkas 1902: for linear ones
+/// there is such a sum whenever the polynomial is nonnegative where they are).
+fn combination(polynomial: &Polynomial, assumed: &[(Polynomial, bool)]) -> Option<Certificate> {
+    let useful: Vec<usize> = assumed
+        .iter()
+        .enumerate()
+        .filter(|(_, (p, _))| p.as_constant().is_none() && p.len() <= 12)
+        .map(|(number, _)| number)
+        .take(MAX_COMBINABLE)
+        .collect();
+    if polynomial.len() > 12 {
+        return None;
+    }
+    let mut found: Option<Certificate> = None;
+    let mut chosen: Vec<Vec<usize>> = vec![vec![]];
+    for _ in 0..MAX_COMBINED {
+        chosen = chosen
+            .iter()
+            .flat_map(|few| {
+                let last = few.last().copied();
+                let later = useful
+                    .iter()
+                    .filter(move |n| last.is_none_or(|last| **n > last));
+                later.map(|n| [few.as_slice(), &[*n]].concat())
+            })
+            .collect();
+        for few in chosen.iter().filter(|few| few.len() > 1) {
+            if let Some(certificate) = combined(polynomial, assumed, few) {
+                found = better(found, certificate);
+            }
+        }
+        if found.as_ref().is_some_and(|c| c.strict) {
+            break;
+        }
+    }
+    found
+}
+
+/// The multiples of these assumptions that leave a constant, by elimination.
+fn combined(
+    polynomial: &Polynomial,
+    assumed: &[(Polynomial, bool)],
+    numbers: &[usize],
+) -> Option<Certificate> {
+    let parts: Vec<&(Polynomial, bool)> = numbers
+        .iter()
+        .map(|n| assumed.get(*n))
+        .collect::<Option<_>>()?;
+    let mut rest = polynomial.clone();
+    let mut parts: Vec<(usize, Polynomial, Polynomial)> = numbers
+        .iter()
+        .zip(&parts)
+        .enumerate()
+        .map(|(place, (_, (p, _)))| {
+            (
+                place,
+                p.clone(),
+                Polynomial::symbol(Symbol::named(&format!("#{place}"))),
+            )
+        })
+        .collect();
+    // Each multiple is carried beside its assumption, so that the elimination can be read off at the end.
+    let mut goal = Polynomial::zero();
+    while let Some((_, part, name)) = parts.pop() {
+        let Some(lead) = part.terms().find(|t| !t.powers.is_empty()) else {
+            continue;
+        };
+        let (powers, below) = (lead.powers.clone(), lead.coefficient.clone());
+        let ratio = |p: &Polynomial| {
+            let own = p.terms().find(|t| t.powers == powers);
+            own.map(|t| t.coefficient / below.clone())
+        };
+        for (_, other, other_name) in &mut parts {
+            if let Some(factor) = ratio(other) {
+                *other = &*other - &part.scaled(&factor);
+                *other_name = &*other_name - &name.scaled(&factor);
+            }
+        }
+        if let Some(factor) = ratio(&rest) {
+            rest = &rest - &part.scaled(&factor);
+            goal = &goal + &name.scaled(&factor);
+        }
+    }
+    let rest = rest.as_constant()?;
+    let mut multipliers = vec![];
+    let mut strict = rest > integer(0);
+    for (place, number) in numbers.iter().enumerate() {
+        let name = Symbol::named(&format!("#{place}"));
+        let own = goal
+            .terms()
+            .find(|t| matches!(t.powers.as_slice(), [(s, 1)] if **s == name));
+        let multiple = own.map_or(integer(0), |t| t.coefficient);
+        if multiple < integer(0) {
+            return None;
+        }
+        if multiple > integer(0) {
+            strict |= assumed.get(*number)?.1;
+            multipliers.push((*number, multiple));
+        }
+    }
+    (rest >= integer(0)).then(|| Certificate {
+        strict,
+        multipliers,
+        factors: vec![],
+        rest: Polynomial::constant(&rest),
+        pieces: vec![Piece {
+            region: vec![],
+            reason: Reason::Coefficients,
+        }],
+    })
 }
 
 /// The stronger of two certificates, the first of two equal ones.
