@@ -26,7 +26,7 @@ fn short() -> PaperOutcome {
 }
 
 #[test]
-fn the_json_of_a_claim_has_the_ten_fields_in_order_and_null_where_there_is_nothing() {
+fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing() {
     let text = verdicts_json(&paper::sample().claims[3..5]).unwrap();
     assert_eq!(
         text,
@@ -50,7 +50,9 @@ fn the_json_of_a_claim_has_the_ten_fields_in_order_and_null_where_there_is_nothi
         "left_decimal": "0.0833[3, 4]",
         "right_decimal": "0"
       },
-      "note": null
+      "note": null,
+      "net": null,
+      "contradiction": null
     },
     {
       "id": "sample/eq-5.third",
@@ -62,7 +64,9 @@ fn the_json_of_a_claim_has_the_ten_fields_in_order_and_null_where_there_is_nothi
       "corrected": null,
       "condition": "alpha_1 != 0 and mu + nu + 2 != 0",
       "witness": null,
-      "note": null
+      "note": null,
+      "net": null,
+      "contradiction": null
     }
   ]
 }
