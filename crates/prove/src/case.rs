@@ -131,7 +131,7 @@ impl<'a> Ground<'a> {
                 let taken = self
                     .evaluator
                     .truth(&hypothesis.statement)
-                    .and_then(|statement| self.assume(&statement, hypothesis));
+                    .and_then(|statement| self.assume(&statement));
                 match taken {
                     Ok(()) => {}
                     Err(fault) if fault.is_limit() => {
@@ -149,11 +149,11 @@ impl<'a> Ground<'a> {
         }
     }
 
-    fn assume(&mut self, statement: &Statement, hypothesis: &Hypothesis) -> Result<(), Fault> {
+    fn assume(&mut self, statement: &Statement) -> Result<(), Fault> {
         match statement {
             Statement::Join(Connective::And, a, b) => {
-                self.assume(a, hypothesis)?;
-                self.assume(b, hypothesis)
+                self.assume(a)?;
+                self.assume(b)
             }
             Statement::Compare {
                 relation,
@@ -375,13 +375,13 @@ impl<'a> Ground<'a> {
 
     /// The value with all eliminated and fixed symbols put in.
     fn resolved(&self, value: &Fraction) -> Result<Fraction, Fault> {
-        let solved = self.domain.solved.iter();
-        let value = solved.fold(Ok(value.clone()), |value, (symbol, by)| {
-            replaced(&value?, symbol, by)
+        let mut solved = self.domain.solved.iter();
+        let value = solved.try_fold(value.clone(), |value, (symbol, by)| {
+            replaced(&value, symbol, by)
         })?;
-        let fixed = self.evaluator.fixed().iter();
-        fixed.fold(Ok(value), |value, (name, by)| {
-            replaced(&value?, &Symbol::named(name), by)
+        let mut fixed = self.evaluator.fixed().iter();
+        fixed.try_fold(value, |value, (name, by)| {
+            replaced(&value, &Symbol::named(name), by)
         })
     }
 

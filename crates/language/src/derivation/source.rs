@@ -14,6 +14,9 @@ pub struct Source {
     pub text: String,
 }
 
+/// The last column at which a caret is drawn; further on the formula as a whole is pointed at.
+const FARTHEST_COLUMN: usize = 30_000;
+
 /// Where a formula comes from: a range of a file.
 #[derive(Debug, Clone)]
 pub struct Origin {
@@ -63,6 +66,8 @@ impl Origin {
     #[must_use]
     pub fn span(&self, place: Place) -> SourceSpan {
         match self.start {
+            // A caret so far to the right that no terminal shows it would not be drawn either.
+            Some(start) if place.start > FARTHEST_COLUMN => (start, 1).into(),
             Some(start) => (start + place.start, place.end.saturating_sub(place.start)).into(),
             None => (self.whole.0, self.whole.1.saturating_sub(self.whole.0)).into(),
         }

@@ -63,7 +63,7 @@ mod tests {
                 assert_eq!(x == y, a * d == c * b);
                 assert_eq!(x < y, a * d < c * b);
                 let (least, greatest) = (x.clone().min(y.clone()), x.clone().max(y.clone()));
-                assert!(least <= greatest && (&least == &x || &least == &y));
+                assert!(least <= greatest && (least == x || least == y));
                 assert_eq!(least + greatest, x + y);
             }
         }

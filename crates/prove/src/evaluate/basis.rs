@@ -70,7 +70,7 @@ impl Evaluator<'_> {
             return Ok(self.at_sample(entry.unwrap_or_else(Fraction::zero)).into());
         }
         // The operator is a power: it says nothing below the degree of the seeds.
-        if !self.declarations.least(&power).is_some_and(|n| n >= 0) {
+        if self.declarations.least(&power).is_none_or(|n| n < 0) {
             return Err(Fault::limit(
                 place,
                 format!(

@@ -193,7 +193,7 @@ impl Evaluator<'_> {
             return Ok(None);
         };
         // (u + v E)^n is a polynomial in E for n >= 0 alone.
-        if !self.declarations.least(&power).is_some_and(|n| n >= 0) {
+        if self.declarations.least(&power).is_none_or(|n| n < 0) {
             return Ok(None);
         }
         // Bases with exponents n - chosen + c and chosen + d.
