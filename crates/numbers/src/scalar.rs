@@ -56,8 +56,8 @@ pub enum ExactError {
 
 /// A commutative ring with partial division and the trigonometric pair of a quarter turn.
 ///
-/// Implementations: `f64`, [`Rational`], [`Ball`](crate::Ball), [`Jet`](crate::Jet) over any scalar,
-/// and [`Fraction`](crate::Fraction). The ring operators never fail; what may fail says so.
+/// Implementations: `f64`, [`Rational`], [`Ball`](crate::Ball), `Jet` over any scalar,
+/// and `Fraction`. The ring operators never fail; what may fail says so.
 pub trait Scalar:
     Clone
     + std::fmt::Debug

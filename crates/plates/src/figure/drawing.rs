@@ -25,7 +25,7 @@ pub struct Drawing {
     pub columns: Option<usize>,
     /// Width and height of a panel in pixels of 1/96 inch.
     pub size: Option<[u32; 2]>,
-    /// The symbols that a reader may move; free in [`Figure::interactive`](super::Figure::interactive).
+    /// The symbols that a reader may move; free in [`interactive`](super::interactive).
     pub sliders: Vec<Slider>,
     /// The panels.
     pub panels: Vec<Panel>,

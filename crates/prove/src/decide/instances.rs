@@ -47,7 +47,7 @@ pub fn ordered(integers: Vec<String>, declarations: &Declarations) -> Vec<String
 
 /// Values of the integers, smallest first, and whether the list is complete.
 ///
-/// The work grows with the number of integers and not with its power: at most [`MAX_CARRIED`] assignments of the first of
+/// The work grows with the number of integers and not with its power: at most `MAX_CARRIED` assignments of the first of
 /// them are extended by the next.
 #[must_use]
 pub fn assignments(
