@@ -1,7 +1,7 @@
 //! The `torse` command: arguments in, verdicts, explanations and reports out.
 //!
 //! One file a subcommand; no mathematics. Derivation files come from [`derivations`], the claims that
-//! the user names from [`selection`], outcomes from [`run`]; [`exit`] says which exit code means what.
+//! the user names from [`selection`], outcomes from [`mod@run`]; [`exit`] says which exit code means what.
 
 mod derivations;
 mod derive;
