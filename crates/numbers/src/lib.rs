@@ -10,6 +10,7 @@ pub mod affine;
 pub mod ball;
 pub mod rational;
 pub mod scalar;
+pub mod work;
 
 pub use affine::Affine;
 pub use ball::Ball;

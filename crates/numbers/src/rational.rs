@@ -16,6 +16,7 @@ mod order;
 mod rounding;
 mod size;
 mod text;
+mod words;
 
 pub use rounding::remainder;
 pub(crate) use rounding::{ceiling_quotient, floor_quotient};

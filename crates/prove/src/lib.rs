@@ -5,7 +5,6 @@
 //! leads from exact values back to a formula as one would write it by hand.
 #![warn(missing_docs)]
 
-pub mod budget;
 pub mod case;
 pub mod decide;
 pub mod evaluate;

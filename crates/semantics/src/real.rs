@@ -213,7 +213,11 @@ impl Arithmetic for Reals<'_> {
         self.work.spend(1)?;
         for (a, b) in [(a, b), (b, a)] {
             if let (Some(q), Real::Exact { rational, turns }) = (a.as_rational(), b) {
-                return Ok(self.exact(q * rational, q * turns));
+                let turns = match turns.is_zero() {
+                    true => Rational::zero(),
+                    false => q * turns,
+                };
+                return Ok(self.exact(q * rational, turns));
             }
             // Zero times anything is exactly zero.
             if a.sign() == Some(Ordering::Equal) {
@@ -242,7 +246,11 @@ impl Arithmetic for Reals<'_> {
         ) = (a, b)
         {
             if t.is_zero() {
-                return Ok(self.exact(rational / r, turns / r));
+                let turns = match turns.is_zero() {
+                    true => Rational::zero(),
+                    false => turns / r,
+                };
+                return Ok(self.exact(rational / r, turns));
             }
             if rational * t == turns * r {
                 return Ok(self.exact(turns / t, Rational::zero()));

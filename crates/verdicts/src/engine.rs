@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use torse_algebra::{Fraction, Polynomial};
+use torse_algebra::{Fraction, Polynomial, work};
 use torse_language::derivation::{Claim, DerivationError, Figure, Paper, Written};
 use torse_language::notation::{self, Formula};
 use torse_language::words::{Kind, Verdict};
@@ -15,6 +15,8 @@ use torse_prove::decide::{Decision, Refutation};
 use torse_prove::evidence::Evidence;
 use torse_prove::{decide_statement, formula};
 
+/// The work that a claim may cost unless more is asked for: some twenty times what the hardest claims of the papers take.
+pub const STANDARD_WORK: u64 = 400_000_000;
 /// Formulas with more terms than this are not shown.
 const MAX_SHOWN_TERMS: usize = 120;
 
@@ -48,9 +50,22 @@ pub fn run(paper: &Paper, done: &(dyn Fn() + Sync)) -> Result<PaperOutcome, Box<
 /// # Errors
 /// A [`DerivationError`] when a formula of the claim does not make sense.
 pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<DerivationError>> {
+    decide_claim_within(STANDARD_WORK, paper, claim)
+}
+
+/// The same with another budget of work, in the units of [`work`]: as much for the verdict, and as much again for the
+/// search for a correction. A claim that needs more is undecided, and says so.
+///
+/// # Errors
+/// A [`DerivationError`] when a formula of the claim does not make sense.
+pub fn decide_claim_within(
+    budget: u64,
+    paper: &str,
+    claim: &Claim,
+) -> Result<Outcome, Box<DerivationError>> {
     let outcome = undecided(paper, claim);
     // What the closure could leave half done are values of its own and memory of formulas already evaluated.
-    let decided = catch_unwind(AssertUnwindSafe(|| decided(outcome.clone(), claim)));
+    let decided = catch_unwind(AssertUnwindSafe(|| decided(outcome.clone(), claim, budget)));
     decided.unwrap_or_else(|panic| Ok(panicked(outcome, &*panic)))
 }
 
@@ -96,7 +111,11 @@ fn undecided(paper: &str, claim: &Claim) -> Outcome {
     }
 }
 
-fn decided(mut outcome: Outcome, claim: &Claim) -> Result<Outcome, Box<DerivationError>> {
+fn decided(
+    mut outcome: Outcome,
+    claim: &Claim,
+    budget: u64,
+) -> Result<Outcome, Box<DerivationError>> {
     let entry = &claim.entry;
     if let Some(figure) = &claim.figure {
         outcome.steps.extend(entry.underspecified.clone());
@@ -123,9 +142,13 @@ fn decided(mut outcome: Outcome, claim: &Claim) -> Result<Outcome, Box<Derivatio
         outcome.verdict = Verdict::Definition;
         return Ok(outcome);
     };
-    let decision = decide_statement(claim, statement)
-        .map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
-    conclude(&mut outcome, claim, statement, decision);
+    match work::within(budget, || decide_statement(claim, statement)) {
+        Ok(decision) => {
+            let decision = decision.map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
+            conclude(&mut outcome, claim, statement, decision, budget);
+        }
+        Err(out) => outcome.steps = vec![out.to_string()],
+    }
     net::cast(&mut outcome, claim, statement);
     Ok(outcome)
 }
@@ -143,7 +166,13 @@ fn drawn(outcome: &mut Outcome, figure: &Figure) {
 }
 
 /// Writes a decision into the outcome.
-fn conclude(outcome: &mut Outcome, claim: &Claim, statement: &Written, decision: Decision) {
+fn conclude(
+    outcome: &mut Outcome,
+    claim: &Claim,
+    statement: &Written,
+    decision: Decision,
+    budget: u64,
+) {
     match decision {
         Decision::Proven {
             evidence,
@@ -165,7 +194,9 @@ fn conclude(outcome: &mut Outcome, claim: &Claim, statement: &Written, decision:
         Decision::Refuted(refutation) => {
             outcome.verdict = Verdict::False;
             outcome.evidence = Some(Evidence::Witness);
-            refute(outcome, claim, statement, *refutation);
+            refute(outcome, *refutation);
+            // A correction that is not found within the budget is none; the verdict stands.
+            let _ = work::within(budget, || correct(outcome, claim, statement));
         }
         Decision::Vacuous { reason } => {
             outcome.verdict = Verdict::Vacuous;
@@ -179,7 +210,8 @@ fn conclude(outcome: &mut Outcome, claim: &Claim, statement: &Written, decision:
     }
 }
 
-fn refute(outcome: &mut Outcome, claim: &Claim, statement: &Written, refutation: Refutation) {
+/// Searches for what the paper meant. The outcome changes only when something is found.
+fn correct(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
     // A statement in words is our formula, not the paper's: correcting it would say nothing.
     let printed_formula = matches!(
         outcome.kind,
@@ -187,16 +219,20 @@ fn refute(outcome: &mut Outcome, claim: &Claim, statement: &Written, refutation:
     );
     if printed_formula {
         outcome.correction = repair::search(claim, statement);
-    }
-    if outcome.correction.is_some() {
-        outcome.verdict = Verdict::Misprint;
-    } else if printed_formula {
+        if outcome.correction.is_some() {
+            outcome.verdict = Verdict::Misprint;
+            return;
+        }
         // Derived anew is no slip of printing: the statement is false.
         outcome.correction = repair::ansatz::search(claim, statement);
     }
     if outcome.kind == Kind::Value && outcome.correction.is_none() {
         outcome.data = repair::data::search(claim, statement);
     }
+}
+
+/// Writes a refutation into the outcome.
+fn refute(outcome: &mut Outcome, refutation: Refutation) {
     outcome.steps = refutation.steps;
     outcome.witness = Some(refutation.witness);
     if let Some((left, right)) = refutation.sides {

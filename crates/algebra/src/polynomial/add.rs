@@ -1,6 +1,6 @@
 //! Addition: a merge of two sorted lists of terms over a common denominator.
 
-use super::Polynomial;
+use super::{Polynomial, cost};
 use crate::rational::{Integer, Rational};
 use crate::symbol::Symbol;
 use num_integer::Integer as _;
@@ -46,6 +46,7 @@ pub(super) fn widened(p: &Polynomial, symbols: &Arc<[Symbol]>) -> Vec<u16> {
 }
 
 fn sum(a: &Polynomial, b: &Polynomial, negated: &Integer) -> Polynomial {
+    cost::sum(a, b);
     let symbols = common_symbols(a, b);
     let width = symbols.len();
     let (rows_a, rows_b) = (widened(a, &symbols), widened(b, &symbols));

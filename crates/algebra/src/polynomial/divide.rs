@@ -4,7 +4,7 @@
 //! relations too, so a result is always right; `None` means only that no quotient without use of the
 //! relations exists.
 
-use super::Polynomial;
+use super::{Polynomial, cost};
 use crate::rational::Rational;
 use crate::symbol::Symbol;
 use num_traits::Zero;
@@ -65,6 +65,7 @@ impl Polynomial {
                 .zip(lead)
                 .map(|(a, b)| a.checked_sub(*b))
                 .collect::<Option<_>>()?;
+            cost::division_step(divisor);
             let factor = &coefficient / lead_coefficient;
             for (other, c) in divisor_rows.iter().skip(1) {
                 let target: Vec<u16> = step

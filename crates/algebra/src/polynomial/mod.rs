@@ -9,10 +9,11 @@
 //! **Theorem.** A polynomial is the zero function if and only if its normal form has no terms.
 //!
 //! One operation is one file: [`add`], [`multiply`], `reduce` (the relations), [`divide`], [`gcd`],
-//! [`calculus`], [`evaluate`], [`trigonometry`].
+//! [`calculus`], [`evaluate`], [`trigonometry`]; `cost` counts their work.
 
 pub mod add;
 pub mod calculus;
+mod cost;
 mod dense;
 pub mod divide;
 pub mod evaluate;

@@ -7,7 +7,7 @@
 //! O(n m log n) word operations. Products that fill their box of exponents well go by a table instead
 //! (`dense`).
 
-use super::Polynomial;
+use super::{Polynomial, cost};
 use super::add::{common_symbols, widened};
 use super::dense;
 use crate::rational::Integer;
@@ -190,6 +190,7 @@ impl Mul for &Polynomial {
         if let Some(factor) = other.as_constant() {
             return self.scaled(&factor);
         }
+        cost::product(self, other);
         let symbols = common_symbols(self, other);
         let (rows_a, rows_b) = (widened(self, &symbols), widened(other, &symbols));
         let (a, b) = ((rows_a.as_slice(), self), (rows_b.as_slice(), other));

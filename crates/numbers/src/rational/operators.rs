@@ -1,6 +1,7 @@
-//! The ring operations, quotients and signs: the inner type's, by value and by reference.
+//! The ring operations, quotients and signs, by value and by reference: those of [`words`] for short numbers, the inner
+//! type's for others.
 
-use super::{Inner, Integer, Rational};
+use super::{Inner, Integer, Rational, words};
 use num_traits::{Num, One, Signed, Zero};
 use std::iter::{Product, Sum};
 use std::ops::{
@@ -13,7 +14,10 @@ macro_rules! operator {
             type Output = Rational;
             #[inline]
             fn $method(self, other: Rational) -> Rational {
-                Rational(self.0.$method(other.0))
+                match words::$method(&self, &other) {
+                    Some(short) => short,
+                    None => Rational(self.0.$method(other.0)),
+                }
             }
         }
 
@@ -21,7 +25,10 @@ macro_rules! operator {
             type Output = Rational;
             #[inline]
             fn $method(self, other: &Rational) -> Rational {
-                Rational(self.0.$method(&other.0))
+                match words::$method(&self, other) {
+                    Some(short) => short,
+                    None => Rational(self.0.$method(&other.0)),
+                }
             }
         }
 
@@ -29,7 +36,10 @@ macro_rules! operator {
             type Output = Rational;
             #[inline]
             fn $method(self, other: Rational) -> Rational {
-                Rational((&self.0).$method(other.0))
+                match words::$method(self, &other) {
+                    Some(short) => short,
+                    None => Rational((&self.0).$method(other.0)),
+                }
             }
         }
 
@@ -37,21 +47,30 @@ macro_rules! operator {
             type Output = Rational;
             #[inline]
             fn $method(self, other: &Rational) -> Rational {
-                Rational((&self.0).$method(&other.0))
+                match words::$method(self, other) {
+                    Some(short) => short,
+                    None => Rational((&self.0).$method(&other.0)),
+                }
             }
         }
 
         impl $assign for Rational {
             #[inline]
             fn $assign_method(&mut self, other: Rational) {
-                self.0.$assign_method(other.0);
+                match words::$method(self, &other) {
+                    Some(short) => *self = short,
+                    None => self.0.$assign_method(other.0),
+                }
             }
         }
 
         impl $assign<&Rational> for Rational {
             #[inline]
             fn $assign_method(&mut self, other: &Rational) {
-                self.0.$assign_method(&other.0);
+                match words::$method(self, other) {
+                    Some(short) => *self = short,
+                    None => self.0.$assign_method(&other.0),
+                }
             }
         }
     )*};

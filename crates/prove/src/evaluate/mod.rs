@@ -20,13 +20,15 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
-use torse_algebra::{Affine, Fraction, Symbol};
+use torse_algebra::{Affine, Fraction, Symbol, work};
 use torse_language::core::{self, Elaborator, Meaning, Node, Term};
 use torse_language::derivation::declarations::Declarations;
 use torse_language::fault::{Fault, Problem};
 use torse_language::syntax::{Expr, Place};
 use value::{Statement, Value, Vector};
 
+/// What visiting a node costs, in units of [`work`].
+const NODE_WORK: u64 = 8;
 /// How many nodes one formula may visit: formulas of papers stay far below.
 const MAX_NODES: u64 = 400_000;
 
@@ -249,6 +251,7 @@ impl<'a> Evaluator<'a> {
     fn value(&self, term: &Term, bound: &Environment) -> Outcome<Value> {
         self.nodes.set(self.nodes.get() + 1);
         self.spend(1);
+        work::spend(NODE_WORK);
         let place = term.place;
         if self.nodes.get() > MAX_NODES {
             return Err(Fault::limit(

@@ -1,0 +1,37 @@
+//! What operations on polynomials cost, in the units of [`torse_numbers::work`].
+
+use super::Polynomial;
+use torse_numbers::work::spend;
+
+/// Products of more pairs of terms than this also cost memory.
+const LARGE: u64 = 1 << 18;
+
+/// Spends what a product will cost: a unit a pair of terms, more for long coefficients, and more than in proportion once
+/// the result may be too large to hold.
+pub(super) fn product(a: &Polynomial, b: &Polynomial) {
+    let pairs = number(a.len()).saturating_mul(number(b.len()));
+    let words = 1 + words(a).saturating_mul(words(b)) / 4;
+    spend(pairs.saturating_mul(words).saturating_mul(1 + pairs / LARGE));
+}
+
+/// Spends what a sum or a multiple will cost: a unit a term.
+pub(super) fn sum(a: &Polynomial, b: &Polynomial) {
+    spend(number(a.len()) + number(b.len()));
+}
+
+/// Spends what one step of a division will cost.
+pub(super) fn division_step(divisor: &Polynomial) {
+    spend(4 * number(divisor.len()));
+}
+
+/// The words of the first and last coefficients, which stand for all.
+fn words(p: &Polynomial) -> u64 {
+    let bits = |c: &crate::Integer| dashu_int::ops::BitTest::bit_len(c);
+    let ends = p.coefficients.first().into_iter().chain(p.coefficients.last());
+    let longest = ends.chain([&p.denominator]).map(bits).max();
+    number(longest.unwrap_or(0)) / 64 + 1
+}
+
+fn number(n: usize) -> u64 {
+    u64::try_from(n).unwrap_or(u64::MAX)
+}

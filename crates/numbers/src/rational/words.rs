@@ -1,0 +1,138 @@
+//! The ring operations of numbers whose parts are machine words, without big integers in between.
+//!
+//! Most rational numbers that a proof meets are short, and the general operations of the inner type spend their time on
+//! divisions of two words each. Here greatest common divisors are those of single words, and no product of two
+//! words is longer than two, so that nothing can overflow (Knuth, The Art of Computer Programming 2, section 4.5.1).
+
+use super::{Integer, Rational};
+use num_integer::Integer as _;
+
+/// Numerator and denominator; the smallest numerator, which has no negative, is left to the general operations.
+fn words(q: &Rational) -> Option<(i64, i64)> {
+    let numerator = i64::try_from(q.numer()).ok().filter(|n| *n != i64::MIN)?;
+    Some((numerator, i64::try_from(q.denom()).ok()?))
+}
+
+/// The greatest common divisor of a number of any sign and a positive one.
+#[inline]
+fn common(n: i64, positive: i64) -> i64 {
+    match positive {
+        1 => 1,
+        _ => n.gcd(&positive),
+    }
+}
+
+#[inline]
+fn made(numerator: i128, denominator: i128) -> Rational {
+    Rational::in_lowest_terms(Integer::from(numerator), Integer::from(denominator))
+}
+
+#[inline]
+fn product((a, b): (i64, i64), (c, d): (i64, i64)) -> Rational {
+    let (across, back) = (common(a, d), common(c, b));
+    made(
+        i128::from(a / across) * i128::from(c / back),
+        i128::from(b / back) * i128::from(d / across),
+    )
+}
+
+fn sum((a, b): (i64, i64), (c, d): (i64, i64)) -> Rational {
+    let shared = common(b, d);
+    if shared == 1 {
+        let numerator = i128::from(a) * i128::from(d) + i128::from(c) * i128::from(b);
+        return made(numerator, i128::from(b) * i128::from(d));
+    }
+    let numerator = i128::from(a) * i128::from(d / shared) + i128::from(c) * i128::from(b / shared);
+    // What is left to cancel divides the shared part of the denominators.
+    let rest = i64::try_from(numerator % i128::from(shared)).unwrap_or(0);
+    let cancelled = rest.gcd(&shared);
+    let numerator = match cancelled {
+        1 => numerator,
+        by => numerator / i128::from(by),
+    };
+    made(
+        numerator,
+        i128::from(b / shared) * i128::from(d / cancelled),
+    )
+}
+
+/// The sum, if both numbers are short.
+pub(super) fn add(x: &Rational, y: &Rational) -> Option<Rational> {
+    Some(sum(words(x)?, words(y)?))
+}
+
+/// The difference, if both numbers are short.
+pub(super) fn sub(x: &Rational, y: &Rational) -> Option<Rational> {
+    let (c, d) = words(y)?;
+    Some(sum(words(x)?, (-c, d)))
+}
+
+/// The product, if both numbers are short.
+pub(super) fn mul(x: &Rational, y: &Rational) -> Option<Rational> {
+    Some(product(words(x)?, words(y)?))
+}
+
+/// The quotient, if both numbers are short and the divisor is not zero.
+pub(super) fn div(x: &Rational, y: &Rational) -> Option<Rational> {
+    let (c, d) = words(y)?;
+    let inverse = match c {
+        0 => return None,
+        1.. => (d, c),
+        _ => (-d, -c),
+    };
+    Some(product(words(x)?, inverse))
+}
+
+/// Remainders are left to the inner type.
+pub(super) fn rem(_: &Rational, _: &Rational) -> Option<Rational> {
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Inner;
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Words of all lengths, those at the ends of their range often.
+    fn word() -> impl Strategy<Value = i64> {
+        prop_oneof![
+            -40_i64..40,
+            any::<i64>(),
+            any::<i64>().prop_map(|n| n >> 31),
+            (0_i64..3).prop_map(|n| i64::MAX - n),
+            (0_i64..3).prop_map(|n| i64::MIN + n),
+        ]
+    }
+
+    fn number() -> impl Strategy<Value = Rational> {
+        let denominator = word().prop_filter("a divisor of zero", |d| *d != 0);
+        (word(), denominator).prop_map(|(n, d)| Rational::new(n.into(), d.into()))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2_000))]
+
+        #[test]
+        fn short_numbers_are_computed_as_the_inner_type_computes_them(x in number(), y in number()) {
+            let inner = |q: Inner| Rational(q);
+            let same = |short: Option<Rational>, general: Rational| {
+                short.is_none_or(|q| q.numer() == general.numer() && q.denom() == general.denom())
+            };
+            prop_assert!(same(add(&x, &y), inner(&x.0 + &y.0)));
+            prop_assert!(same(sub(&x, &y), inner(&x.0 - &y.0)));
+            prop_assert!(same(mul(&x, &y), inner(&x.0 * &y.0)));
+            if *y.numer() != Integer::ZERO {
+                prop_assert!(same(div(&x, &y), inner(&x.0 / &y.0)));
+            }
+        }
+    }
+
+    #[test]
+    fn the_short_way_is_taken_up_to_the_ends_of_a_word_and_not_beyond() {
+        let [most, least] = [i64::MAX, i64::MIN].map(|n| Rational::from_integer(n.into()));
+        assert!(add(&most, &-most.clone()).is_some());
+        assert!(mul(&least, &most).is_none() && sub(&most, &least).is_none());
+        assert!(div(&most, &Rational::from_integer(Integer::ZERO)).is_none());
+    }
+}
