@@ -23,5 +23,6 @@ pub use polynomial::Polynomial;
 pub use sturm::SturmSequence;
 pub use symbol::{Angle, Symbol};
 pub use torse_numbers::{
-    Affine, Ball, ExactError, Integer, Rational, Scalar, ZeroTest, affine, ball, rational, scalar, work,
+    Affine, Ball, ExactError, Integer, Rational, Scalar, ZeroTest, affine, ball, planted, rational,
+    scalar, work,
 };

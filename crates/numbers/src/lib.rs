@@ -8,6 +8,7 @@
 
 pub mod affine;
 pub mod ball;
+pub mod planted;
 pub mod rational;
 pub mod scalar;
 pub mod work;

@@ -10,6 +10,7 @@ use crate::decide::{self, Decision, conditions, instances, sign};
 use crate::evaluate::value::{Statement, Value};
 use std::collections::BTreeMap;
 use std::rc::Rc;
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::core::{self, Elaborator};
 use torse_language::derivation::declarations::SymbolKind;
@@ -334,6 +335,7 @@ fn divisors(statement: &Statement) -> Vec<Polynomial> {
 fn open_conditions(conditions: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
     conditions::separated(conditions)
         .into_iter()
+        .filter(|_| !planted(Planted::ConditionDropped))
         .filter(|p| !ground.domain.assumes_nonzero(p) && !sign::never_zero(p, &ground.domain))
         .collect()
 }

@@ -144,7 +144,8 @@ fn decided(
     };
     match work::within(budget, || decide_statement(claim, statement)) {
         Ok(decision) => {
-            let decision = decision.map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
+            let decision =
+                decision.map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
             conclude(&mut outcome, claim, statement, decision, budget);
         }
         Err(out) => outcome.steps = vec![out.to_string()],

@@ -1,6 +1,7 @@
 //! Determinants and the adjugate.
 
 use super::{Matrix, MatrixError, Ring};
+use crate::planted::{Planted, planted};
 use crate::rational::{Integer, Rational};
 use crate::scalar::{Scalar, ZeroTest};
 use dashu_int::ops::DivRem;
@@ -64,7 +65,8 @@ impl<T: Ring> Matrix<T> {
                 for (j, entry) in row.iter().enumerate().filter(|(j, _)| set >> j & 1 == 0) {
                     let product = entry.clone() * minor.clone();
                     let to_the_right = (set >> j).count_ones();
-                    let term = if to_the_right % 2 == 0 {
+                    let term = if to_the_right % 2 == 0 || planted(Planted::DeterminantWithoutSigns)
+                    {
                         product
                     } else {
                         -product

@@ -5,6 +5,7 @@ use crate::rational::{Integer, Rational};
 use crate::symbol::Symbol;
 use num_integer::Integer as _;
 use num_traits::{One, Zero};
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::ops::{Add, Neg, Sub};
 use std::sync::Arc;
@@ -25,9 +26,9 @@ pub(super) fn common_symbols(a: &Polynomial, b: &Polynomial) -> Arc<[Symbol]> {
 
 /// The exponents of `p` as rows over `symbols`, which contain those of `p`. The order of the rows is
 /// kept: a new column is the same in all of them.
-pub(super) fn widened(p: &Polynomial, symbols: &Arc<[Symbol]>) -> Vec<u16> {
+pub(super) fn widened<'p>(p: &'p Polynomial, symbols: &Arc<[Symbol]>) -> Cow<'p, [u16]> {
     if p.symbols == *symbols {
-        return p.exponents.clone();
+        return Cow::Borrowed(&p.exponents);
     }
     let columns: Vec<usize> = p
         .symbols
@@ -42,7 +43,7 @@ pub(super) fn widened(p: &Polynomial, symbols: &Arc<[Symbol]>) -> Vec<u16> {
             }
         }
     }
-    rows
+    Cow::Owned(rows)
 }
 
 fn sum(a: &Polynomial, b: &Polynomial, negated: &Integer) -> Polynomial {
@@ -55,42 +56,38 @@ fn sum(a: &Polynomial, b: &Polynomial, negated: &Integer) -> Polynomial {
         &denominator / &a.denominator,
         &denominator / &b.denominator * negated,
     );
-    let row = |rows: &[u16], term: usize| {
-        rows.get(term * width..(term + 1) * width)
-            .map(<[u16]>::to_vec)
-    };
-    let mut exponents = Vec::with_capacity(rows_a.len() + rows_b.len());
+    let scaled = |c: &Integer, scale: &Integer| if scale.is_one() { c.clone() } else { c * scale };
+    let row = |rows: &'_ [u16], term: usize| term * width..((term + 1) * width).min(rows.len());
+    let mut exponents = Vec::with_capacity((a.len() + b.len()) * width);
     let mut coefficients = Vec::with_capacity(a.len() + b.len());
     let (mut i, mut j) = (0, 0);
     loop {
-        let order = match (a.coefficients.get(i), b.coefficients.get(j)) {
-            (None, None) => break,
+        let (from_a, from_b) = (
+            rows_a.get(row(&rows_a, i)).unwrap_or_default(),
+            rows_b.get(row(&rows_b, j)).unwrap_or_default(),
+        );
+        let (x, y) = (a.coefficients.get(i), b.coefficients.get(j));
+        let order = match (x, y) {
+            (Some(_), Some(_)) => from_a.cmp(from_b),
             (Some(_), None) => Ordering::Greater,
-            (None, Some(_)) => Ordering::Less,
-            (Some(_), Some(_)) => rows_a
-                .get(i * width..(i + 1) * width)
-                .cmp(&rows_b.get(j * width..(j + 1) * width)),
+            (None, _) => Ordering::Less,
         };
-        let mut coefficient = Integer::zero();
-        let mut taken = None;
-        if order != Ordering::Less {
-            coefficient += a
-                .coefficients
-                .get(i)
-                .map_or_else(Integer::zero, |c| c * &scale_a);
-            taken = row(&rows_a, i);
-            i += 1;
-        }
-        if order != Ordering::Greater {
-            coefficient += b
-                .coefficients
-                .get(j)
-                .map_or_else(Integer::zero, |c| c * &scale_b);
-            taken = row(&rows_b, j);
-            j += 1;
-        }
+        let first = x.filter(|_| order != Ordering::Less);
+        let second = y.filter(|_| order != Ordering::Greater);
+        (i, j) = (
+            i + usize::from(first.is_some()),
+            j + usize::from(second.is_some()),
+        );
+        let taken = if first.is_some() { from_a } else { from_b };
+        let first = first.map(|c| scaled(c, &scale_a));
+        let second = second.map(|c| scaled(c, &scale_b));
+        let coefficient = match (first, second) {
+            (Some(first), Some(second)) => first + second,
+            (Some(only), None) | (None, Some(only)) => only,
+            (None, None) => break,
+        };
         if !coefficient.is_zero() {
-            exponents.extend(taken.unwrap_or_default());
+            exponents.extend_from_slice(taken);
             coefficients.push(coefficient);
         }
     }

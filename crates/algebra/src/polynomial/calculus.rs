@@ -1,6 +1,7 @@
 //! Derivation: partial derivatives by a variable, with the chain rule for its sine and cosine.
 
 use super::Polynomial;
+use crate::planted::{Planted, planted};
 use crate::rational::{Rational, integer};
 use crate::symbol::{Angle, Symbol};
 use std::sync::Arc;
@@ -48,7 +49,10 @@ impl Polynomial {
         for symbol in self.symbols.iter().filter(|s| s.depends_on(name)) {
             let (inner, sign) = match symbol {
                 Symbol::Sin(variable, angle) => (Symbol::Cos(Arc::clone(variable), *angle), 1),
-                Symbol::Cos(variable, angle) => (Symbol::Sin(Arc::clone(variable), *angle), -1),
+                Symbol::Cos(variable, angle) => {
+                    let sign = if planted(Planted::CosineRate) { 1 } else { -1 };
+                    (Symbol::Sin(Arc::clone(variable), *angle), sign)
+                }
                 _ => continue,
             };
             let rate = match symbol {

@@ -11,7 +11,11 @@ const LARGE: u64 = 1 << 18;
 pub(super) fn product(a: &Polynomial, b: &Polynomial) {
     let pairs = number(a.len()).saturating_mul(number(b.len()));
     let words = 1 + words(a).saturating_mul(words(b)) / 4;
-    spend(pairs.saturating_mul(words).saturating_mul(1 + pairs / LARGE));
+    spend(
+        pairs
+            .saturating_mul(words)
+            .saturating_mul(1 + pairs / LARGE),
+    );
 }
 
 /// Spends what a sum or a multiple will cost: a unit a term.
@@ -27,7 +31,11 @@ pub(super) fn division_step(divisor: &Polynomial) {
 /// The words of the first and last coefficients, which stand for all.
 fn words(p: &Polynomial) -> u64 {
     let bits = |c: &crate::Integer| dashu_int::ops::BitTest::bit_len(c);
-    let ends = p.coefficients.first().into_iter().chain(p.coefficients.last());
+    let ends = p
+        .coefficients
+        .first()
+        .into_iter()
+        .chain(p.coefficients.last());
     let longest = ends.chain([&p.denominator]).map(bits).max();
     number(longest.unwrap_or(0)) / 64 + 1
 }

@@ -7,9 +7,9 @@
 //! O(n m log n) word operations. Products that fill their box of exponents well go by a table instead
 //! (`dense`).
 
-use super::{Polynomial, cost};
 use super::add::{common_symbols, widened};
 use super::dense;
+use super::{Polynomial, cost};
 use crate::rational::Integer;
 use crate::symbol::Symbol;
 use std::ops::Mul;
@@ -193,7 +193,7 @@ impl Mul for &Polynomial {
         cost::product(self, other);
         let symbols = common_symbols(self, other);
         let (rows_a, rows_b) = (widened(self, &symbols), widened(other, &symbols));
-        let (a, b) = ((rows_a.as_slice(), self), (rows_b.as_slice(), other));
+        let (a, b) = ((&*rows_a, self), (&*rows_b, other));
         if let Some(product) = dense::product(&symbols, a, b) {
             return product.reduced();
         }

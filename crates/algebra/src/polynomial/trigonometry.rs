@@ -6,6 +6,7 @@
 
 use super::Polynomial;
 use crate::matrix::ExactDivision;
+use crate::planted::{Planted, planted};
 use crate::rational::{Rational, integer, ratio, remainder};
 use crate::scalar::{ExactError, Scalar, ZeroTest};
 use crate::symbol::{Angle, Symbol};
@@ -22,6 +23,9 @@ type Pair = (Polynomial, Polynomial);
 
 /// (sin, cos) of the sum of two angles.
 fn sum_of_angles((s1, c1): &Pair, (s2, c2): &Pair) -> Pair {
+    if planted(Planted::AngleSum) {
+        return (&(s1 * c2) + &(c1 * s2), &(c1 * c2) + &(s1 * s2));
+    }
     (&(s1 * c2) + &(c1 * s2), &(c1 * c2) - &(s1 * s2))
 }
 

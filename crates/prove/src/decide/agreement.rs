@@ -9,6 +9,7 @@ use super::domain::{enclosure, truth};
 use super::{Decision, Refutation};
 use crate::evidence::{Evidence, Witness};
 use num_traits::Signed;
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Rational};
 use torse_language::core::Printed;
@@ -41,7 +42,10 @@ fn agreement(value: &Fraction, printed: &Printed, decimals: u32) -> Option<Optio
     let below = |value: Fraction, bound: &Rational, relation: Relation| {
         truth(&(value - Fraction::from(bound.clone())), relation)
     };
-    let half = &unit / integer(2);
+    let half = match planted(Planted::RoundingTooWide) {
+        true => unit.clone(),
+        false => &unit / integer(2),
+    };
     let rounded = below(gap.clone(), &half, Relation::AtMost)?
         && below(-gap.clone(), &half, Relation::AtMost)?;
     if rounded {

@@ -3,6 +3,7 @@
 use super::domain::{Constraint, Domain, truth};
 use super::sign::{Sign, of};
 use torse_algebra::Affine;
+use torse_algebra::planted::{Planted, planted};
 use torse_language::derivation::declarations::SymbolKind;
 use torse_language::syntax::Relation;
 
@@ -67,6 +68,9 @@ fn fails(domain: &Domain<'_>, number: usize, c: &Constraint) -> bool {
         Relation::Less => matches!(sign, Some(Sign::Positive | Sign::Nonnegative)),
         Relation::AtMost => sign == Some(Sign::Positive),
         Relation::Greater => matches!(sign, Some(Sign::Negative | Sign::Nonpositive)),
+        Relation::AtLeast if planted(Planted::ClosedEndExcluded) => {
+            matches!(sign, Some(Sign::Negative | Sign::Nonpositive))
+        }
         Relation::AtLeast => sign == Some(Sign::Negative),
         Relation::Equal => matches!(sign, Some(Sign::Positive | Sign::Negative)),
         Relation::Different => false,

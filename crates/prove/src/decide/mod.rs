@@ -25,6 +25,7 @@ use crate::evaluate::Evaluator;
 use crate::evaluate::value::{Statement, Value};
 use crate::evidence::{Evidence, Witness};
 use domain::{Constraint, Domain};
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::core::FamilyProperty;
 use torse_language::fault::Fault;
@@ -294,6 +295,9 @@ fn comparisons(statement: &Statement) -> Vec<(&Value, &Value)> {
 
 /// A conjunction of decisions, neither of which is a refutation unless the second is.
 pub(crate) fn both(first: Decision, second: Decision) -> Decision {
+    if planted(Planted::SecondHalfIgnored) {
+        return first;
+    }
     match (first, second) {
         (_, refuted @ Decision::Refuted(_)) => refuted,
         (

@@ -10,6 +10,7 @@ use super::domain::{Domain, enclosure, truth};
 use crate::evidence::Witness;
 use crate::formula;
 use std::collections::BTreeMap;
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Angle, Fraction, Polynomial, Symbol};
 use torse_language::derivation::declarations::SymbolKind;
 use torse_language::notation;
@@ -98,6 +99,7 @@ pub fn find(
     let mut constraints: Vec<(Fraction, Relation)> = domain
         .constraints
         .iter()
+        .filter(|_| !planted(Planted::WitnessAnywhere))
         .map(|c| (c.value.clone(), c.relation))
         .collect();
     let recorded = also.iter().flat_map(|f| f.conditions());

@@ -4,6 +4,7 @@ use super::quantity::Quantity;
 use super::series::{Axis, Series, Target};
 use super::value::Value;
 use super::{Environment, Evaluator, wrong_type};
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Fraction};
 use torse_language::core::{Family, Term};
 use torse_language::fault::{Fault, Problem};
@@ -38,6 +39,10 @@ impl Evaluator<'_> {
         let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
         let power = degree.clone() - Affine::number(i64::from(family.degree));
         if let Some(n) = power.as_number() {
+            let n = match planted(Planted::DegreeBelowSeeds) {
+                true => n.max(0),
+                false => n,
+            };
             let Ok(steps) = usize::try_from(n) else {
                 let range = format!("{}..", family.degree);
                 let name = format!("the degree of {name}");

@@ -3,6 +3,7 @@
 use super::quantity::Quantity;
 use super::value::{Statement, Value};
 use super::{Environment, Evaluator, linear, symbolic_degree, wrong_type};
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Polynomial, Rational};
 use torse_language::core::{BuiltIn, Printed, Term, Variable};
@@ -251,6 +252,9 @@ impl Evaluator<'_> {
         let name = self.fresh(variable.name());
         let mut inner = bound.clone();
         inner.insert(variable.number(), Fraction::named(&name).into());
+        if planted(Planted::ValueBeforeDerivative) {
+            inner.insert(variable.number(), self.number(at, bound)?.into());
+        }
         let value = (0..order).try_fold(self.value(body, &inner)?, |value, _| {
             value.mapped(&|q: &Quantity| Ok::<_, Fault>(q.derivative(&name)))
         })?;

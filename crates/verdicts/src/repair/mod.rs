@@ -24,6 +24,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use subject::Subject;
 use target::Target;
+use torse_algebra::planted::{Planted, planted};
 use torse_language::derivation::{Claim, Written};
 use torse_language::notation;
 use torse_language::syntax::{Expr, Node};
@@ -57,7 +58,7 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     {
         let side = subject.side(&edit.expr);
         let entries = target.entries_agreeing(&side);
-        if entries > 0 && target.agrees(&side) {
+        if entries > 0 && target.agrees(&side) || planted(Planted::CorrectionUnproved) {
             once.push((edit.clone(), vec![edit.change.clone()]));
         }
         singles.push((entries, edit));
@@ -114,7 +115,8 @@ fn proved(
             expr: expr.clone(),
             origin: statement.origin.clone(),
         };
-        if !decide_statement(claim, &trial).is_ok_and(|d| d.is_proven()) {
+        let proved = decide_statement(claim, &trial).is_ok_and(|d| d.is_proven());
+        if !proved && !planted(Planted::CorrectionUnproved) {
             continue;
         }
         if let Some(first) = &mut found {

@@ -16,6 +16,7 @@
 use super::coordinates::{Coordinates, Region};
 use crate::decide::domain::{Domain, truth};
 use std::collections::BTreeMap;
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::positivity::RationalBox;
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
@@ -113,7 +114,10 @@ pub enum CertificateError {
 pub fn assumed(domain: &Domain<'_>) -> Vec<(Polynomial, bool)> {
     let oriented = domain.constraints.iter().filter_map(|c| {
         // The product with the denominator has the sign of the quotient.
-        let product = c.value.numerator() * &c.value.denominator();
+        let mut product = c.value.numerator() * &c.value.denominator();
+        if planted(Planted::AssumptionReversed) {
+            product = -product;
+        }
         match c.relation {
             Relation::Greater => Some((product, true)),
             Relation::AtLeast => Some((product, false)),

@@ -5,6 +5,7 @@ use super::certificate::{Certificate, Factor, Piece, Reason, assumed};
 use super::coordinates::{Coordinates, Region};
 use crate::decide::domain::{Domain, truth};
 use crate::formula::factors;
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::rational::integer;
 use torse_algebra::{Polynomial, Rational, Symbol};
 use torse_language::syntax::Relation;
@@ -47,7 +48,10 @@ pub fn prove(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate
             if strict(&best) {
                 return best;
             }
-            let rest = polynomial - &value.scaled(&multiple);
+            let mut rest = polynomial - &value.scaled(&multiple);
+            if planted(Planted::CertificateSign) {
+                rest = polynomial + &value.scaled(&multiple);
+            }
             if let Some(mut found) = direct(&rest, domain, &[]) {
                 found.strict |= *positive;
                 found.multipliers.push((number, multiple));

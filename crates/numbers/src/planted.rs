@@ -1,0 +1,75 @@
+//! Faults planted on purpose, to see that each is caught.
+//!
+//! A tool that says "proved" has to show what happens when it errs. Each [`Planted`] names one deliberate mistake of an
+//! engine like this one; the place where it would be made asks [`planted`]. Without the feature `planted-faults`, which only
+//! tests turn on, the answer is the constant `false` and nothing of them is left in the program.
+
+/// A deliberate mistake.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Planted {
+    /// A symbol that is eliminated leaves its declared range behind nowhere.
+    RangeForgotten,
+    /// The conditions of a proof are dropped.
+    ConditionDropped,
+    /// An assumption is used with the wrong sign.
+    AssumptionReversed,
+    /// A multiple of an assumption enters a certificate of sign with the wrong sign.
+    CertificateSign,
+    /// Zero or more is taken for more than zero.
+    ZeroTakenForPositive,
+    /// An index of a sum of symbolic length is left free in the argument of a basis.
+    IndexLeftFree,
+    /// A basis below the degree of its seeds is taken to be its seeds.
+    DegreeBelowSeeds,
+    /// An empty sum has a term.
+    EmptySumHasTerm,
+    /// A derivative is taken after its point is put in.
+    ValueBeforeDerivative,
+    /// The derivative of a power of the step lacks the factor of the power.
+    PowerWithoutFactor,
+    /// The derivative of the cosine has the wrong sign.
+    CosineRate,
+    /// The cosine of a sum of angles has the wrong sign.
+    AngleSum,
+    /// A determinant is a permanent.
+    DeterminantWithoutSigns,
+    /// Only the first half of a conjunction is decided.
+    SecondHalfIgnored,
+    /// A domain whose closed end belongs to it is called empty.
+    ClosedEndExcluded,
+    /// A counterexample need not satisfy the assumptions.
+    WitnessAnywhere,
+    /// A decimal agrees when it is one unit of its last place off.
+    RoundingTooWide,
+    /// A candidate for a correction is not proved.
+    CorrectionUnproved,
+}
+
+#[cfg(feature = "planted-faults")]
+thread_local! {
+    static CHOSEN: std::cell::Cell<Option<Planted>> = const { std::cell::Cell::new(None) };
+}
+
+/// Whether this mistake is to be made on this thread.
+#[cfg(feature = "planted-faults")]
+#[must_use]
+pub fn planted(fault: Planted) -> bool {
+    CHOSEN.get() == Some(fault)
+}
+
+/// Whether this mistake is to be made: no.
+#[cfg(not(feature = "planted-faults"))]
+#[inline(always)]
+#[must_use]
+pub const fn planted(_: Planted) -> bool {
+    false
+}
+
+/// Makes one mistake, and no other, wherever it can be made while the job is done on this thread.
+#[cfg(feature = "planted-faults")]
+pub fn with<T>(fault: Planted, job: impl FnOnce() -> T) -> T {
+    let before = CHOSEN.replace(Some(fault));
+    let done = job();
+    CHOSEN.set(before);
+    done
+}
