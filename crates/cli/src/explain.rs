@@ -3,7 +3,7 @@
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
 use crate::mistakes::Mistakes;
-use crate::run::Run;
+use crate::run::{Budget, Run};
 use crate::{guard, selection, terminal};
 use clap::Args;
 use comfy_table::ColumnConstraint;
@@ -30,6 +30,8 @@ pub struct Explain {
     #[arg(long, value_name = "CHARACTERS", default_value_t = 2000)]
     longest: usize,
     #[command(flatten)]
+    budget: Budget,
+    #[command(flatten)]
     derivations: Derivations,
 }
 
@@ -50,10 +52,10 @@ impl Explain {
             return Ok(mistakes.tell(Exit::BadData));
         }
         let paper = selection::select_one(&papers, &self.name)?;
-        let run = Run::of(std::slice::from_ref(&paper), &mut mistakes);
+        let run = Run::of(std::slice::from_ref(&paper), self.budget, &mut mistakes);
         for paper in &run.papers {
             for outcome in &paper.claims {
-                let resting = Resting::on(outcome, &papers, &mut mistakes);
+                let resting = Resting::on(outcome, &papers, self.budget, &mut mistakes);
                 guard::finished();
                 terminal::print(&self.note(paper, outcome, resting))?;
             }
@@ -177,7 +179,7 @@ struct Resting {
 impl Resting {
     /// For a refuted claim, all that rests on it, each decided to see whether it survives; for any other
     /// the claims that use it.
-    fn on(outcome: &Outcome, papers: &[Paper], mistakes: &mut Mistakes) -> Self {
+    fn on(outcome: &Outcome, papers: &[Paper], budget: Budget, mistakes: &mut Mistakes) -> Self {
         let claims = papers.iter().flat_map(|paper| &paper.claims);
         let uses: Vec<(&str, Vec<String>)> = claims
             .map(|claim| (claim.entry.id.get_ref().as_str(), claim.uses()))
@@ -196,7 +198,7 @@ impl Resting {
         }
         let ids = resting(&outcome.id, &users);
         let ids: Vec<&str> = ids.into_iter().map(|(id, _)| id).collect();
-        let run = Run::of(&selection::only(papers, &ids), mistakes);
+        let run = Run::of(&selection::only(papers, &ids), budget, mistakes);
         let all: Vec<&Outcome> = std::iter::once(outcome).chain(run.outcomes()).collect();
         let rows = consequences(&outcome.id, &all)
             .into_iter()

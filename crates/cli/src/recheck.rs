@@ -2,7 +2,7 @@
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
-use crate::run::Run;
+use crate::run::{Budget, Run};
 use crate::terminal::Progress;
 use crate::{guard, selection, terminal};
 use clap::Args;
@@ -28,6 +28,8 @@ pub struct Replay {
     #[arg(long)]
     verbose: bool,
     #[command(flatten)]
+    budget: Budget,
+    #[command(flatten)]
     derivations: Derivations,
 }
 
@@ -45,7 +47,7 @@ impl Replay {
             mut mistakes,
         } = self.derivations.load()?;
         let papers = selection::select(papers, &self.names, &left_out)?;
-        let run = Run::of(&papers, &mut mistakes);
+        let run = Run::of(&papers, self.budget, &mut mistakes);
         let replayed = replay(&papers, &run.papers);
         guard::finished();
         let mut counts = [0_usize; 3];

@@ -2,7 +2,7 @@
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
-use crate::run::Run;
+use crate::run::{Budget, Run};
 use crate::terminal::Progress;
 use crate::{figures, guard, selection, terminal};
 use clap::Args;
@@ -30,6 +30,8 @@ pub struct Report {
     #[arg(long, value_name = "DIR", default_value = "reports")]
     out: PathBuf,
     #[command(flatten)]
+    budget: Budget,
+    #[command(flatten)]
     derivations: Derivations,
 }
 
@@ -53,7 +55,7 @@ impl Report {
         for paper in &papers {
             check_slug(&paper.head.id)?;
         }
-        let run = Run::of(&papers, &mut mistakes);
+        let run = Run::of(&papers, self.budget, &mut mistakes);
         figures::check(&papers, &mut mistakes);
         guard::finished();
         // A report without a claim that the paper makes would not be one.

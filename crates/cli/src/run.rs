@@ -6,8 +6,16 @@ use crate::terminal::Progress;
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
 use torse_language::derivation::Paper;
-use torse_verdicts::engine::decide_claim;
+use torse_verdicts::engine::{STANDARD_WORK, decide_claim_within};
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
+
+/// The option that bounds the work on a claim.
+#[derive(Debug, Clone, Copy, clap::Args)]
+pub struct Budget {
+    /// The most work on a claim, in units of one product of coefficients; what needs more is undecided
+    #[arg(long = "budget", value_name = "UNITS", default_value_t = STANDARD_WORK)]
+    units: u64,
+}
 
 /// The outcomes of a run, and how long each claim took.
 pub struct Run {
@@ -20,7 +28,7 @@ pub struct Run {
 impl Run {
     /// Decides all claims of `papers`, of all papers at once. Claims whose formulas make no sense are mistakes of theirs,
     /// and have no outcome.
-    pub fn of(papers: &[Paper], mistakes: &mut Mistakes) -> Self {
+    pub fn of(papers: &[Paper], budget: Budget, mistakes: &mut Mistakes) -> Self {
         let claims: Vec<_> = papers
             .iter()
             .flat_map(|paper| paper.claims.iter().map(|claim| (&paper.head.id, claim)))
@@ -32,7 +40,9 @@ impl Run {
             .with_max_len(1)
             .map(|(slug, claim)| {
                 let start = Instant::now();
-                let outcome = guard::named(claim.entry.id.get_ref(), || decide_claim(slug, claim));
+                let outcome = guard::named(claim.entry.id.get_ref(), || {
+                    decide_claim_within(budget.units, slug, claim)
+                });
                 progress.step();
                 outcome.map(|outcome| (outcome, start.elapsed()))
             })

@@ -2,7 +2,7 @@
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
-use crate::run::Run;
+use crate::run::{Budget, Run};
 use crate::{figures, guard, selection, terminal, verdicts};
 use clap::{Args, ValueEnum};
 use torse_report::verdicts_json;
@@ -26,6 +26,8 @@ pub struct Verify {
     /// List the ten slowest claims on standard error
     #[arg(long)]
     timings: bool,
+    #[command(flatten)]
+    budget: Budget,
     #[command(flatten)]
     derivations: Derivations,
 }
@@ -52,7 +54,7 @@ impl Verify {
             mut mistakes,
         } = self.derivations.load()?;
         let papers = selection::select(papers, &self.names, &left_out)?;
-        let run = Run::of(&papers, &mut mistakes);
+        let run = Run::of(&papers, self.budget, &mut mistakes);
         figures::check(&papers, &mut mistakes);
         guard::finished();
         // Where nothing is right there is nothing to show.

@@ -256,6 +256,8 @@ pub fn truth(value: &Fraction, relation: Relation) -> Option<bool> {
     // Zero is decided by the normal form, the sign of a nonzero number by an enclosure.
     let order = if value.is_zero() {
         Ordering::Equal
+    } else if let Some(number) = value.as_rational() {
+        number.cmp(&Rational::default())
     } else {
         BITS.into_iter()
             .find_map(|bits| enclosure(value, bits).and_then(|ball| ball.sign()))?

@@ -11,6 +11,7 @@ mod bernstein;
 pub mod certificate;
 pub mod coordinates;
 mod prove;
+mod samples;
 
 use super::domain::Domain;
 use super::{Decision, Refutation, witness};

@@ -3,6 +3,7 @@
 use super::bernstein::sign;
 use super::certificate::{Certificate, Factor, Piece, Reason, assumed};
 use super::coordinates::{Coordinates, Region};
+use super::samples;
 use crate::decide::domain::{Domain, truth};
 use crate::formula::factors;
 use torse_algebra::planted::{Planted, planted};
@@ -279,6 +280,10 @@ fn direct(
         .filter_map(|(number, value)| Some((number, -value, assumed.get(number)?.1)))
         .collect::<Vec<_>>();
     let cut = !bounds.is_empty();
+    let limits = bounds.iter().map(|(_, negative, _)| negative);
+    if samples::refute(&target, limits, &coordinates) {
+        return None;
+    }
     let mut search = Search {
         target,
         bounds,
