@@ -13,6 +13,7 @@
 
 pub mod add;
 pub mod calculus;
+mod coefficients;
 mod cost;
 mod dense;
 pub mod divide;
@@ -20,7 +21,10 @@ pub mod evaluate;
 pub mod gcd;
 mod modular;
 pub mod multiply;
+mod packed;
+mod quotients;
 mod reduce;
+mod sparse;
 pub mod trigonometry;
 
 use crate::rational::{Integer, Rational, integer};
@@ -316,8 +320,11 @@ impl Polynomial {
     }
 
     fn cancel_content(&mut self) {
+        // Neighbouring terms tend to share their factors. Terms from all over leave no common one sooner.
+        let step = self.len().isqrt().max(1);
+        let spread = (0..step).flat_map(|first| self.coefficients.iter().skip(first).step_by(step));
         let mut common = self.denominator.clone();
-        for coefficient in &self.coefficients {
+        for coefficient in spread {
             if common.is_one() {
                 return;
             }

@@ -1,183 +1,84 @@
 //! Multiplication.
 //!
-//! Exponent rows are packed into one machine word of 64 or 128 bits when the degrees of the product
-//! fit, so that comparing and adding rows is one instruction; coefficients run in `i128` where a bound
-//! from the factors proves that no sum can overflow, in big integers otherwise. The rows `a_i * b` are
-//! sorted already, so a run-detecting merge sort of their concatenation combines them in
-//! O(n m log n) word operations. Products that fill their box of exponents well go by a table instead
-//! (`dense`).
+//! Two choices are made apart. The arithmetic of the coefficients (`coefficients`): machine integers of the
+//! least size that a bound from the factors proves large enough, integers of any size, or short fractions
+//! where the common denominator is long (`quotients`). The layout of the rows: a table with a cell for every
+//! row where the product fills its box of exponents well (`dense`), a hash table otherwise (`sparse`), with
+//! rows packed into one machine word of 64 or 128 bits where the degrees of the product fit (`packed`).
+//!
+//! The methods are those of M. Monagan and R. Pearce, "Sparse polynomial division using a heap" (Journal of
+//! Symbolic Computation 46, 2011) for packing, and of FLINT for the choice between layouts; a hash table in
+//! ranges takes the place of the heap.
 
 use super::add::{common_symbols, widened};
-use super::dense;
-use super::{Polynomial, cost};
+use super::coefficients::{Coefficients, DoubleWords, Integers, Words};
+use super::packed::{Row, widths};
+use super::quotients::Quotients;
+use super::{Polynomial, cost, dense, sparse};
 use crate::rational::Integer;
-use crate::symbol::Symbol;
 use std::ops::Mul;
-use std::sync::Arc;
 
-/// A packed exponent row: the order of words is the order of rows, and adding words adds rows.
-trait Packed: Copy + Ord {
-    fn pack(row: &[u16], width: u32) -> Self;
-    fn unpack(self, columns: usize, width: u32, into: &mut Vec<u16>);
-    fn plus(self, other: Self) -> Self;
-}
-
-macro_rules! packed {
-    ($word:ty) => {
-        impl Packed for $word {
-            fn pack(row: &[u16], width: u32) -> Self {
-                row.iter().fold(0, |word, exponent| {
-                    word.wrapping_shl(width) | <$word>::from(*exponent)
-                })
-            }
-            fn unpack(self, columns: usize, width: u32, into: &mut Vec<u16>) {
-                let mask = (1 << width) - 1;
-                for column in (0..u32::try_from(columns).unwrap_or(0)).rev() {
-                    // The mask leaves at most 16 bits, so nothing is lost.
-                    into.push(((self >> (column * width)) & mask) as u16);
-                }
-            }
-            fn plus(self, other: Self) -> Self {
-                self + other
-            }
-        }
+/// The highest exponent of each column of the product.
+///
+/// # Panics
+/// When one is above `u16::MAX`: no row holds it, and a wrong product would be worse than none.
+fn highest(rows_a: &[u16], rows_b: &[u16], columns: usize) -> Vec<u16> {
+    let top = |rows: &[u16], column: usize| -> u16 {
+        let exponents = rows.iter().skip(column).step_by(columns);
+        exponents.copied().max().unwrap_or(0)
     };
-}
-packed!(u64);
-packed!(u128);
-
-/// The number of bits a column of the product needs.
-fn column_width(a: &[u16], b: &[u16]) -> u32 {
-    let highest = |rows: &[u16]| u32::from(rows.iter().copied().max().unwrap_or(0));
-    (32 - (highest(a) + highest(b)).leading_zeros()).max(1)
+    let sums = (0..columns).map(|column| {
+        let (sum, overflow) = top(rows_a, column).overflowing_add(top(rows_b, column));
+        assert!(!overflow, "a product has an exponent above {}", u16::MAX);
+        sum
+    });
+    sums.collect()
 }
 
-/// Every coefficient as `i128`, if all products and their sums stay below 2^127.
-pub(super) fn small(a: &[Integer], b: &[Integer]) -> Option<(Vec<i128>, Vec<i128>)> {
-    let convert = |c: &[Integer]| {
-        c.iter()
-            .map(|c| i128::try_from(c.clone()).ok())
-            .collect::<Option<Vec<_>>>()
+/// The terms of the product: rows in descending order and coefficients.
+fn terms<K: Coefficients>(
+    kind: &K,
+    highest: &[u16],
+    (rows_a, a): (&[u16], Vec<K::Factor>),
+    (rows_b, b): (&[u16], Vec<K::Factor>),
+) -> (Vec<u16>, Vec<Integer>) {
+    if let Some(cells) = dense::cells::<K::Sum>(highest, a.len(), b.len()) {
+        return dense::product(kind, highest, cells, (rows_a, &a), (rows_b, &b));
+    }
+    let widths = widths(highest);
+    let bits: u32 = widths.iter().sum();
+    if bits <= u64::BITS {
+        sparse_terms::<u64, K>(kind, &widths, (rows_a, a), (rows_b, b))
+    } else if bits <= u128::BITS {
+        sparse_terms::<u128, K>(kind, &widths, (rows_a, a), (rows_b, b))
+    } else {
+        sparse_terms::<Box<[u16]>, K>(kind, &widths, (rows_a, a), (rows_b, b))
+    }
+}
+
+/// The same by the hash table, with rows in the form `R`.
+fn sparse_terms<R: Row, K: Coefficients>(
+    kind: &K,
+    widths: &[u32],
+    (rows_a, a): (&[u16], Vec<K::Factor>),
+    (rows_b, b): (&[u16], Vec<K::Factor>),
+) -> (Vec<u16>, Vec<Integer>) {
+    let packed = |rows: &[u16], coefficients: Vec<K::Factor>| -> Vec<(R, K::Factor)> {
+        let rows = rows.chunks(widths.len()).map(|row| R::pack(row, widths));
+        rows.zip(coefficients).collect()
     };
-    let (a, b) = (convert(a)?, convert(b)?);
-    let bits = |c: &[i128]| {
-        128 - c
-            .iter()
-            .map(|c| c.unsigned_abs())
-            .max()
-            .unwrap_or(0)
-            .leading_zeros()
-    };
-    let collisions = usize::BITS - a.len().min(b.len()).leading_zeros();
-    (bits(&a) + bits(&b) + collisions < 127).then_some((a, b))
+    let likely = a.len() + b.len();
+    let mut exponents = Vec::with_capacity(likely * widths.len());
+    let mut coefficients = Vec::with_capacity(likely);
+    sparse::product(kind, &packed(rows_a, a), &packed(rows_b, b), |row, sum| {
+        row.unpack(widths, &mut exponents);
+        coefficients.push(kind.value(sum));
+    });
+    (exponents, coefficients)
 }
 
-/// Sorts the products of all terms and merges equal rows.
-fn merged<W: Packed, C>(
-    a: &[(W, C)],
-    b: &[(W, C)],
-    times: impl Fn(&C, &C) -> C,
-    add: impl Fn(&mut C, C),
-) -> Vec<(W, C)> {
-    let mut products: Vec<(W, C)> = Vec::with_capacity(a.len() * b.len());
-    for (word_a, c_a) in a {
-        products.extend(
-            b.iter()
-                .map(|(word_b, c_b)| (word_a.plus(*word_b), times(c_a, c_b))),
-        );
-    }
-    products.sort_by_key(|(word, _)| std::cmp::Reverse(*word));
-    let mut result: Vec<(W, C)> = Vec::with_capacity(products.len().min(a.len() + b.len()));
-    for (word, coefficient) in products {
-        match result.last_mut() {
-            Some((last, sum)) if *last == word => add(sum, coefficient),
-            _ => result.push((word, coefficient)),
-        }
-    }
-    result
-}
-
-fn packed_product<W: Packed>(
-    symbols: &Arc<[Symbol]>,
-    width: u32,
-    (rows_a, a): (&[u16], &Polynomial),
-    (rows_b, b): (&[u16], &Polynomial),
-) -> Polynomial {
-    let columns = symbols.len();
-    let words = |rows: &[u16], len: usize| -> Vec<W> {
-        (0..len)
-            .map(|t| {
-                W::pack(
-                    rows.get(t * columns..(t + 1) * columns).unwrap_or(&[]),
-                    width,
-                )
-            })
-            .collect()
-    };
-    let (words_a, words_b) = (words(rows_a, a.len()), words(rows_b, b.len()));
-    let terms: Vec<(W, Integer)> =
-        if let Some((small_a, small_b)) = small(&a.coefficients, &b.coefficients) {
-            let pair = |w: Vec<W>, c: Vec<i128>| w.into_iter().zip(c).collect::<Vec<_>>();
-            merged(
-                &pair(words_a, small_a),
-                &pair(words_b, small_b),
-                |x, y| x * y,
-                |sum, c| *sum += c,
-            )
-            .into_iter()
-            .filter(|(_, c)| *c != 0)
-            .map(|(word, c)| (word, Integer::from(c)))
-            .collect()
-        } else {
-            let pair =
-                |w: Vec<W>, c: &[Integer]| w.into_iter().zip(c.iter().cloned()).collect::<Vec<_>>();
-            merged(
-                &pair(words_a, &a.coefficients),
-                &pair(words_b, &b.coefficients),
-                |x, y| x * y,
-                |sum, c| *sum += c,
-            )
-            .into_iter()
-            .filter(|(_, c)| !c.is_zero())
-            .collect()
-        };
-    let mut exponents = Vec::with_capacity(terms.len() * columns);
-    let mut coefficients = Vec::with_capacity(terms.len());
-    for (word, coefficient) in terms {
-        word.unpack(columns, width, &mut exponents);
-        coefficients.push(coefficient);
-    }
-    Polynomial::normalized(
-        Arc::clone(symbols),
-        exponents,
-        coefficients,
-        &a.denominator * &b.denominator,
-    )
-}
-
-/// The product with unpacked rows, for degrees or symbol counts that fit no word.
-fn wide_product(
-    symbols: &Arc<[Symbol]>,
-    (rows_a, a): (&[u16], &Polynomial),
-    (rows_b, b): (&[u16], &Polynomial),
-) -> Polynomial {
-    let columns = symbols.len().max(1);
-    let mut terms = Vec::with_capacity(a.len() * b.len());
-    for (row_a, c_a) in rows_a.chunks(columns).zip(&a.coefficients) {
-        for (row_b, c_b) in rows_b.chunks(columns).zip(&b.coefficients) {
-            terms.push((
-                row_a
-                    .iter()
-                    .zip(row_b)
-                    .map(|(x, y)| x.saturating_add(*y))
-                    .collect(),
-                c_a * c_b,
-            ));
-        }
-    }
-    Polynomial::collected(Arc::clone(symbols), terms, &a.denominator * &b.denominator)
-}
-
+/// # Panics
+/// When an exponent of the product is above `u16::MAX`.
 impl Mul for &Polynomial {
     type Output = Polynomial;
     fn mul(self, other: Self) -> Polynomial {
@@ -193,20 +94,25 @@ impl Mul for &Polynomial {
         cost::product(self, other);
         let symbols = common_symbols(self, other);
         let (rows_a, rows_b) = (widened(self, &symbols), widened(other, &symbols));
-        let (a, b) = ((&*rows_a, self), (&*rows_b, other));
-        if let Some(product) = dense::product(&symbols, a, b) {
-            return product.reduced();
-        }
-        let width = column_width(&rows_a, &rows_b);
-        let needed = width.saturating_mul(u32::try_from(symbols.len()).unwrap_or(u32::MAX));
-        let product = if needed <= u64::BITS {
-            packed_product::<u64>(&symbols, width, a, b)
-        } else if needed <= u128::BITS {
-            packed_product::<u128>(&symbols, width, a, b)
+        let highest = highest(&rows_a, &rows_b, symbols.len());
+        let (a, b) = (&self.coefficients, &other.coefficients);
+        let (exponents, coefficients) = if let Some((a, b)) = Words::factors(a, b) {
+            terms(&Words, &highest, (&rows_a, a), (&rows_b, b))
+        } else if let Some((a, b)) = DoubleWords::factors(a, b) {
+            terms(&DoubleWords, &highest, (&rows_a, a), (&rows_b, b))
+        } else if let Some(kind) = Quotients::new(self, other) {
+            let (a, b) = (Quotients::factors(self), Quotients::factors(other));
+            terms(&kind, &highest, (&rows_a, a), (&rows_b, b))
         } else {
-            wide_product(&symbols, a, b)
+            terms(
+                &Integers,
+                &highest,
+                (&rows_a, a.clone()),
+                (&rows_b, b.clone()),
+            )
         };
-        product.reduced()
+        let denominator = &self.denominator * &other.denominator;
+        Polynomial::normalized(symbols, exponents, coefficients, denominator).reduced()
     }
 }
 
@@ -219,6 +125,9 @@ impl Mul for Polynomial {
 
 impl Polynomial {
     /// `self` to the power `exponent`, by repeated squaring.
+    ///
+    /// # Panics
+    /// When an exponent of the result is above `u16::MAX`.
     #[must_use]
     pub fn power(&self, exponent: u32) -> Self {
         let mut result = Self::constant(&crate::rational::integer(1));
@@ -235,3 +144,6 @@ impl Polynomial {
         result
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -68,7 +68,9 @@ impl Polynomial {
                     for j in 0..=squares {
                         let mut term = row.clone();
                         if let Some(slot) = term.get_mut(cosine) {
-                            *slot += 2 * j;
+                            let total = slot.checked_add(2 * j);
+                            assert!(total.is_some(), "an exponent above {}", u16::MAX);
+                            *slot = total.unwrap_or(u16::MAX);
                         }
                         let signed = if j % 2 == 0 {
                             binomial.clone()

@@ -1,0 +1,88 @@
+//! Rows of exponents as words, or as they are.
+
+/// A row of exponents in a form that is compared and added at once: its order is the order of rows, and the
+/// sum of two is the sum of the rows.
+pub(super) trait Row: Ord + Clone {
+    /// The row `exponents`, whose columns have so many bits each.
+    fn pack(exponents: &[u16], widths: &[u32]) -> Self;
+    /// Appends the exponents to `into`.
+    fn unpack(&self, widths: &[u32], into: &mut Vec<u16>);
+    /// The row of the product of two monomials.
+    fn plus(&self, other: &Self) -> Self;
+    /// A number whose upper half depends on all of the row.
+    fn hash(&self) -> u64;
+}
+
+/// An odd number whose bits show no pattern: 2^64 divided by the golden ratio.
+const SPREAD: u64 = 0x9E37_79B9_7F4A_7C15;
+
+/// The product with [`SPREAD`], its upper half folded on the lower one.
+fn spread(word: u64) -> u64 {
+    let (low, high) = word.carrying_mul(SPREAD, 0);
+    low ^ high
+}
+
+/// The number of bits of each column, given its highest exponent.
+pub(super) fn widths(highest: &[u16]) -> Vec<u32> {
+    highest
+        .iter()
+        .map(|top| u16::BITS - top.leading_zeros())
+        .collect()
+}
+
+macro_rules! packed {
+    ($word:ty, $hash:expr) => {
+        impl Row for $word {
+            fn pack(exponents: &[u16], widths: &[u32]) -> Self {
+                exponents
+                    .iter()
+                    .zip(widths)
+                    .fold(0, |word, (exponent, width)| {
+                        (word << width) | <$word>::from(*exponent)
+                    })
+            }
+
+            fn unpack(&self, widths: &[u32], into: &mut Vec<u16>) {
+                let start = into.len();
+                into.resize(start + widths.len(), 0);
+                let mut rest = *self;
+                for (slot, width) in into.iter_mut().skip(start).zip(widths).rev() {
+                    // A column has 16 bits at most, so nothing is lost.
+                    *slot = (rest & ((1 << width) - 1)) as u16;
+                    rest >>= width;
+                }
+            }
+
+            fn hash(&self) -> u64 {
+                $hash(*self)
+            }
+
+            fn plus(&self, other: &Self) -> Self {
+                self + other
+            }
+        }
+    };
+}
+packed!(u64, spread);
+packed!(u128, |row: u128| spread(
+    spread((row >> u64::BITS) as u64) ^ row as u64
+));
+
+impl Row for Box<[u16]> {
+    fn pack(exponents: &[u16], _: &[u32]) -> Self {
+        exponents.into()
+    }
+
+    fn unpack(&self, _: &[u32], into: &mut Vec<u16>) {
+        into.extend_from_slice(self);
+    }
+
+    fn hash(&self) -> u64 {
+        self.iter()
+            .fold(0, |hash, exponent| spread(hash ^ u64::from(*exponent)))
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        self.iter().zip(other).map(|(x, y)| x + y).collect()
+    }
+}

@@ -1,0 +1,147 @@
+//! Coefficients as fractions of their own.
+//!
+//! A polynomial keeps one common denominator. When the coefficients have unrelated denominators it is about
+//! their product, and so thousands of digits long, as is each integer coefficient over it, though each
+//! fraction in lowest terms is short. Then the products are summed as short fractions, without looking for
+//! common factors, and a sum is brought over the common denominator once instead of at every product.
+
+use super::Polynomial;
+use super::coefficients::Coefficients;
+use crate::rational::Integer;
+use dashu_int::ops::BitTest;
+use num_integer::Integer as _;
+
+/// The terms of each factor that are reduced on trial.
+const TRIALS: usize = 8;
+/// A term is reduced only if it takes part in so many products on average.
+const PRODUCTS_PER_TERM: usize = 8;
+/// How much longer the estimated work with the common denominator must be.
+const MARGIN: usize = 4;
+/// Longer denominators of sums are brought over the common one. Adding to a sum is then a few dozen words of
+/// work, little beside the hundreds of words of a common denominator that is worth avoiding.
+const MAX_BITS: usize = 1024;
+
+/// A fraction whose denominator is positive; in lowest terms when it is a coefficient.
+#[derive(Clone)]
+pub(super) struct Quotient {
+    numerator: Integer,
+    denominator: Integer,
+}
+
+/// An integer multiple of one over the common denominator, and a fraction.
+#[derive(Clone)]
+pub(super) struct Sum {
+    whole: Integer,
+    part: Quotient,
+}
+
+/// Sums of short fractions whose common denominator is long.
+pub(super) struct Quotients {
+    common: Integer,
+}
+
+/// The coefficient `c` of `p` in lowest terms.
+fn lowest(p: &Polynomial, c: &Integer) -> Quotient {
+    let divisor = c.gcd(&p.denominator);
+    Quotient {
+        numerator: c / &divisor,
+        denominator: &p.denominator / &divisor,
+    }
+}
+
+/// The average bits of the denominators of some coefficients in lowest terms.
+fn trial(p: &Polynomial) -> usize {
+    let step = p.len().div_ceil(TRIALS).max(1);
+    let tried = p.coefficients.iter().step_by(step);
+    let bits = tried.map(|c| lowest(p, c).denominator.bit_len());
+    bits.sum::<usize>() / p.len().div_ceil(step).max(1)
+}
+
+/// The average bits of the coefficients.
+fn length(p: &Polynomial) -> usize {
+    let bits = p.coefficients.iter().map(BitTest::bit_len);
+    bits.sum::<usize>() / p.len().max(1)
+}
+
+impl Quotients {
+    /// The arithmetic for the product of `a` and `b`, if it promises to be faster than integers over the
+    /// common denominator.
+    pub(super) fn new(a: &Polynomial, b: &Polynomial) -> Option<Self> {
+        let products = a.len().saturating_mul(b.len());
+        let common = a.denominator.bit_len() + b.denominator.bit_len();
+        if common <= MAX_BITS || products < PRODUCTS_PER_TERM * (a.len() + b.len()) {
+            return None;
+        }
+        // Bringing a fraction over the common denominator is one product and one quotient of that with the
+        // denominator of the fraction.
+        let own = common.saturating_mul(2 * (trial(a) + trial(b)));
+        let integers = length(a).saturating_mul(length(b));
+        (own.saturating_mul(MARGIN) <= integers).then(|| Self::of(a, b))
+    }
+
+    /// The arithmetic for the product of `a` and `b`, fast or not.
+    pub(super) fn of(a: &Polynomial, b: &Polynomial) -> Self {
+        Self {
+            common: &a.denominator * &b.denominator,
+        }
+    }
+
+    /// The coefficients of a factor.
+    pub(super) fn factors(p: &Polynomial) -> Vec<Quotient> {
+        p.coefficients.iter().map(|c| lowest(p, c)).collect()
+    }
+
+    /// The numerator of a fraction over the common denominator, of which its value is a multiple.
+    fn over_common(&self, part: &Quotient) -> Integer {
+        &part.numerator * &self.common / &part.denominator
+    }
+}
+
+impl Coefficients for Quotients {
+    type Factor = Quotient;
+    type Sum = Sum;
+
+    fn zero(&self) -> Sum {
+        Sum {
+            whole: Integer::ZERO,
+            part: Quotient {
+                numerator: Integer::ZERO,
+                denominator: Integer::ONE,
+            },
+        }
+    }
+
+    fn add_product(&self, sum: &mut Sum, x: &Quotient, y: &Quotient) {
+        let numerator = &x.numerator * &y.numerator;
+        let denominator = &x.denominator * &y.denominator;
+        let Sum { whole, part } = sum;
+        if !part.numerator.is_zero()
+            && part.denominator.bit_len() + denominator.bit_len() > MAX_BITS
+        {
+            *whole += self.over_common(part);
+            part.numerator = Integer::ZERO;
+        }
+        if part.numerator.is_zero() {
+            *part = Quotient {
+                numerator,
+                denominator,
+            };
+            return;
+        }
+        part.numerator *= &denominator;
+        part.numerator += numerator * &part.denominator;
+        part.denominator *= denominator;
+    }
+
+    fn is_zero(&self, sum: &Sum) -> bool {
+        if sum.whole.is_zero() {
+            sum.part.numerator.is_zero()
+        } else {
+            !sum.part.numerator.is_zero() && (&sum.whole + self.over_common(&sum.part)).is_zero()
+        }
+    }
+
+    fn value(&self, sum: Sum) -> Integer {
+        sum.whole + self.over_common(&sum.part)
+    }
+}
