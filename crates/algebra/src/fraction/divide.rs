@@ -1,0 +1,101 @@
+//! Division, which records the divisor, and cancellation, which forgets nothing.
+
+use super::{Fraction, merged};
+use crate::polynomial::Polynomial;
+use crate::rational::Rational;
+use crate::scalar::ExactError;
+use std::collections::BTreeMap;
+
+impl Fraction {
+    /// `self / divisor`, recording the divisor.
+    ///
+    /// # Errors
+    /// [`ExactError::DivisionByZero`] when the divisor is the zero function.
+    ///
+    /// ```
+    /// use torse_algebra::Fraction;
+    /// let (x, y) = (Fraction::named("x"), Fraction::named("y"));
+    /// let quotient = (x.clone() * y.clone()).over(&y).unwrap();
+    /// assert_eq!(quotient.to_string(), "x");
+    /// assert_eq!(quotient.conditions()[0].to_string(), "y"); // cancelled, not forgotten
+    /// ```
+    pub fn over(&self, divisor: &Self) -> Result<Self, ExactError> {
+        if divisor.is_zero() {
+            return Err(ExactError::DivisionByZero {
+                divisor: divisor.to_string(),
+            });
+        }
+        let mut result = self.clone();
+        result.conditions = merged(&self.conditions, &divisor.conditions);
+        result.numerator = &result.numerator * &divisor.denominator();
+        let (content, factors) = self.factors_of(&divisor.numerator);
+        result.numerator = result.numerator.scaled(&content.recip());
+        for (factor, exponent) in factors {
+            result.conditions = merged(&result.conditions, std::slice::from_ref(&factor));
+            *result.denominator.entry(factor).or_insert(0) += exponent;
+        }
+        Ok(result.cancelled())
+    }
+
+    /// Splits a nonzero polynomial into its content and primitive factors, by single symbols and by the
+    /// factors this fraction's denominator already has.
+    fn factors_of(&self, p: &Polynomial) -> (Rational, BTreeMap<Polynomial, u32>) {
+        let (content, mut rest) = p.primitive();
+        let mut factors = BTreeMap::new();
+        let symbols = rest.symbols().to_vec();
+        let known = symbols
+            .into_iter()
+            .map(Polynomial::symbol)
+            .chain(self.denominator.keys().cloned());
+        for candidate in known.collect::<Vec<_>>() {
+            while rest.as_constant().is_none()
+                && let Some(quotient) = rest.exact_quotient(&candidate)
+            {
+                *factors.entry(candidate.clone()).or_insert(0) += 1;
+                rest = quotient;
+            }
+        }
+        // A leftover constant can only be a unit of the primitive part.
+        let (more, rest) = rest.primitive();
+        if rest.as_constant().is_none() {
+            *factors.entry(rest).or_insert(0) += 1;
+        }
+        (content * more, factors)
+    }
+
+    /// Cancels denominator factors that divide the numerator, wholly or in part.
+    pub(super) fn cancelled(mut self) -> Self {
+        if self.numerator.is_zero() {
+            self.denominator.clear();
+            return self;
+        }
+        let mut reduced = BTreeMap::new();
+        let mut pending: Vec<(Polynomial, u32)> =
+            std::mem::take(&mut self.denominator).into_iter().collect();
+        while let Some((factor, mut exponent)) = pending.pop() {
+            while exponent > 0
+                && let Some(quotient) = self.numerator.exact_quotient(&factor)
+            {
+                self.numerator = quotient;
+                exponent -= 1;
+            }
+            if exponent == 0 {
+                continue;
+            }
+            let common = factor.gcd(&self.numerator);
+            match factor.exact_quotient(&common) {
+                Some(rest) if common.as_constant().is_none() && rest.as_constant().is_none() => {
+                    pending.push((common, exponent));
+                    pending.push((rest.primitive().1, exponent));
+                    let content = rest.primitive().0;
+                    self.numerator = self
+                        .numerator
+                        .scaled(&num_traits::pow(content.recip(), exponent as usize));
+                }
+                _ => *reduced.entry(factor).or_insert(0) += exponent,
+            }
+        }
+        self.denominator = reduced;
+        self
+    }
+}

@@ -1,0 +1,126 @@
+//! Replacing symbols, in the value and in what it was divided by.
+
+use super::{Fraction, merged};
+use crate::affine::Affine;
+use crate::polynomial::Polynomial;
+use crate::scalar::{ExactError, Scalar};
+use crate::symbol::{Angle, Symbol};
+
+impl Fraction {
+    /// The fraction with each symbol for which `value` answers replaced by that fraction.
+    ///
+    /// # Errors
+    /// [`ExactError::DivisionByZero`] when a denominator vanishes under the replacement.
+    pub fn substituted(
+        &self,
+        value: impl Fn(&Symbol) -> Option<Fraction>,
+    ) -> Result<Self, ExactError> {
+        if !self.symbols().iter().any(|s| value(s).is_some()) && self.conditions.is_empty() {
+            return Ok(self.clone());
+        }
+        let replace = |p: &Polynomial| -> Self { p.replaced(&Self::zero(), &value) };
+        let mut result = replace(&self.numerator);
+        for (factor, exponent) in &self.denominator {
+            let divisor = replace(factor);
+            for _ in 0..*exponent {
+                result = result.over(&divisor)?;
+            }
+        }
+        for condition in &self.conditions {
+            let replaced = replace(condition);
+            let divisor = replaced.numerator.primitive().1;
+            if divisor.is_zero() {
+                return Err(ExactError::DivisionByZero {
+                    divisor: condition.to_string(),
+                });
+            }
+            if divisor.as_constant().is_none() {
+                result.conditions = merged(&result.conditions, &[divisor]);
+            }
+        }
+        Ok(result)
+    }
+
+    /// The integer-affine form that the fraction is, such as `m - 2`: what can stand in an index.
+    #[must_use]
+    pub fn as_affine(&self) -> Option<Affine> {
+        let mut total = Affine::number(0);
+        for term in self.as_polynomial()?.terms() {
+            if !term.coefficient.is_integer() {
+                return None;
+            }
+            let multiple = i64::try_from(term.coefficient.to_integer()).ok()?;
+            let form = match term.powers.as_slice() {
+                [] => Affine::number(1),
+                [(Symbol::Named(name), 1)] => Affine::symbol(name),
+                _ => return None,
+            };
+            total = total + form * multiple;
+        }
+        Some(total)
+    }
+
+    /// The fraction with the variable `name` at `value` wherever it stands: by itself, under sine and cosine, in
+    /// the indices of members of families, and in the recorded conditions.
+    ///
+    /// ```
+    /// use torse_algebra::{Affine, Fraction, Symbol};
+    /// let member = |index| Fraction::symbol(Symbol::indexed("P", vec![index]));
+    /// let product = Fraction::named("m") * member(Affine::symbol("m"));
+    /// let at_two = product.at("m", &Fraction::integer(2)).unwrap();
+    /// assert_eq!(at_two, Fraction::integer(2) * member(Affine::number(2)));
+    /// assert!(product.at("m", &Fraction::symbol(Symbol::Pi)).is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`ExactError::NoExactTurn`] when the sine and cosine at `value` are not exact here;
+    /// [`ExactError::NoIndex`] when the variable stands in an index where `value` cannot;
+    /// [`ExactError::DivisionByZero`] when a denominator vanishes there.
+    pub fn at(&self, name: &str, value: &Fraction) -> Result<Self, ExactError> {
+        let mut present = self.symbols();
+        present.extend(self.conditions.iter().flat_map(|p| p.symbols().to_vec()));
+        let uses_pair = |angle| {
+            present.iter().any(|s| matches!(s, Symbol::Sin(v, a) | Symbol::Cos(v, a) if &**v == name && *a == angle))
+        };
+        let form = value.as_affine();
+        let in_index = |s: &&Symbol| matches!(s, Symbol::Indexed(..)) && s.depends_on(name);
+        if form.is_none()
+            && let Some(member) = present.iter().find(in_index)
+        {
+            return Err(ExactError::NoIndex {
+                member: member.to_string(),
+                value: value.to_string(),
+            });
+        }
+        let turn = if uses_pair(Angle::QuarterTurn) {
+            Some(value.quarter_turn()?)
+        } else {
+            None
+        };
+        let radian = if uses_pair(Angle::Radian) {
+            Some(value.sine_cosine()?)
+        } else {
+            None
+        };
+        self.substituted(|symbol| match symbol {
+            Symbol::Named(v) if &**v == name => Some(value.clone()),
+            Symbol::Indexed(family, index) if symbol.depends_on(name) => {
+                let form = form.as_ref()?;
+                let index = index.iter().map(|i| i.substituted(name, form)).collect();
+                Some(Self::symbol(Symbol::Indexed(family.clone(), index)))
+            }
+            Symbol::Sin(v, a) | Symbol::Cos(v, a) if &**v == name => {
+                let (sine, cosine) = match a {
+                    Angle::QuarterTurn => turn.clone()?,
+                    Angle::Radian => radian.clone()?,
+                };
+                Some(if matches!(symbol, Symbol::Sin(..)) {
+                    sine
+                } else {
+                    cosine
+                })
+            }
+            _ => None,
+        })
+    }
+}
