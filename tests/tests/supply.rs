@@ -1,0 +1,110 @@
+//! What comes in from outside: its licences, where it comes from, and the compiler it needs.
+//!
+//! Read off what cargo itself says about the locked packages of this platform, so that it is tested on every
+//! machine; `cargo deny` (see `deny.toml`) looks at all platforms, and at advisories.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use serde_json::Value;
+use std::process::Command;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+/// The packages that are built here, as `cargo metadata` describes them.
+fn packages() -> Vec<Value> {
+    let version = Command::new(env!("CARGO")).arg("-vV").output().unwrap();
+    let version = String::from_utf8(version.stdout).unwrap();
+    let host = version.lines().find_map(|line| line.strip_prefix("host: "));
+    let described = Command::new(env!("CARGO"))
+        .current_dir(ROOT)
+        .args(["metadata", "--format-version=1", "--locked", "--offline"])
+        .args(["--filter-platform", host.unwrap()])
+        .output()
+        .unwrap();
+    let errors = String::from_utf8_lossy(&described.stderr);
+    assert!(described.status.success(), "{errors}");
+    let described: Value = serde_json::from_slice(&described.stdout).unwrap();
+    let packages = described["packages"].as_array().unwrap();
+    assert!(packages.len() > 100, "{} packages", packages.len());
+    packages.clone()
+}
+
+fn name(package: &Value) -> String {
+    let text = |key: &str| package[key].as_str().unwrap().to_owned();
+    format!("{} {}", text("name"), text("version"))
+}
+
+/// The numbers of a version such as `1.92` or `1.92.0`, which are the same.
+fn numbers(version: &str) -> [u32; 3] {
+    let mut numbers = [0; 3];
+    for (number, text) in numbers.iter_mut().zip(version.split('.')) {
+        *number = text.parse().unwrap();
+    }
+    numbers
+}
+
+/// Whether a licence expression can be met with the licences allowed. It is read as a conjunction of
+/// alternatives; where it is none, this asks for more than it does.
+fn is_met(expression: &str, allowed: &[String]) -> bool {
+    let expression = expression.replace(" / ", " OR ").replace('/', " OR ");
+    expression.split(" AND ").all(|alternatives| {
+        let alternatives = alternatives.split(" OR ");
+        let mut licences = alternatives.map(|licence| licence.trim_matches(['(', ')', ' ']));
+        licences.any(|licence| allowed.iter().any(|other| other == licence))
+    })
+}
+
+fn allowed() -> Vec<String> {
+    let text = std::fs::read_to_string(format!("{ROOT}/deny.toml")).unwrap();
+    let table: toml::Table = text.parse().unwrap();
+    let allowed = table["licenses"]["allow"].as_array().unwrap();
+    let licences = allowed.iter().map(|licence| licence.as_str().unwrap());
+    licences.map(str::to_owned).collect()
+}
+
+#[test]
+fn no_package_needs_a_newer_compiler_than_the_one_that_is_stated() {
+    let packages = packages();
+    let needs = |package: &Value| package["rust_version"].as_str().map(numbers);
+    let ours = packages
+        .iter()
+        .filter(|package| package["source"].is_null());
+    let stated: Vec<_> = ours.map(|package| needs(package).unwrap()).collect();
+    assert!(stated.windows(2).all(|pair| pair[0] == pair[1]));
+    let newer = packages.iter().filter(|p| needs(p) > Some(stated[0]));
+    assert_eq!(newer.map(name).collect::<Vec<_>>(), [""; 0]);
+    assert!(numbers("1.100") > numbers("1.92.1"));
+    assert_eq!(numbers("1.92"), numbers("1.92.0"));
+}
+
+#[test]
+fn every_package_has_a_licence_that_is_allowed() {
+    let allowed = allowed();
+    let met = |package: &Value| {
+        let licence = package["license"].as_str();
+        licence.is_some_and(|expression| is_met(expression, &allowed))
+    };
+    let packages = packages();
+    let unmet = packages.iter().filter(|package| !met(package));
+    assert_eq!(unmet.map(name).collect::<Vec<_>>(), [""; 0]);
+}
+
+#[test]
+fn every_package_comes_from_the_registry_or_from_here() {
+    let registry = "registry+https://github.com/rust-lang/crates.io-index";
+    let elsewhere = |package: &Value| package["source"].as_str().is_some_and(|s| s != registry);
+    let packages = packages();
+    let wrong = packages.iter().filter(|package| elsewhere(package));
+    assert_eq!(wrong.map(name).collect::<Vec<_>>(), [""; 0]);
+}
+
+#[test]
+fn alternatives_need_one_licence_and_conjunctions_all() {
+    let allowed = ["MIT".to_owned(), "Unicode-3.0".to_owned()];
+    assert!(is_met("Apache-2.0 OR MIT", &allowed));
+    assert!(is_met("Unlicense/MIT", &allowed));
+    assert!(is_met("(MIT OR Apache-2.0) AND Unicode-3.0", &allowed));
+    assert!(!is_met("MIT AND GPL-3.0-only", &allowed));
+    assert!(!is_met("MITX", &allowed));
+    assert!(!is_met("MPL-2.0", &allowed));
+}
