@@ -32,6 +32,21 @@ pub struct Fraction {
 }
 
 impl Fraction {
+    /// Whether both are the same in form, with the same conditions; equal fractions need not be.
+    ///
+    /// ```
+    /// use torse_algebra::Fraction;
+    /// let x = Fraction::named("x");
+    /// let one = x.clone().over(&x).unwrap();
+    /// assert!(one == Fraction::integer(1) && !one.is_identical(&Fraction::integer(1)));
+    /// ```
+    #[must_use]
+    pub fn is_identical(&self, other: &Self) -> bool {
+        self.numerator == other.numerator
+            && self.denominator == other.denominator
+            && self.conditions == other.conditions
+    }
+
     /// Zero.
     #[must_use]
     pub fn zero() -> Self {

@@ -6,6 +6,7 @@
 mod data;
 mod derive;
 mod explain;
+mod hostile;
 mod report;
 mod support;
 mod verify;

@@ -2,9 +2,9 @@
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::sync::mpsc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use std::{fs, thread};
 use tempfile::TempDir;
 
@@ -34,6 +34,39 @@ pub fn torse<S: AsRef<OsStr>>(arguments: &[S]) -> Ran {
         out: String::from_utf8(output.stdout).unwrap(),
         err: String::from_utf8(output.stderr).unwrap(),
     }
+}
+
+/// Runs `torse COMMAND.. --derivations FOLDER`, and the most kilobytes that it held at a time, where the system tells.
+pub fn measured(folder: &Path, command: &[&str]) -> (Ran, u64) {
+    let mut torse = Command::new(env!("CARGO_BIN_EXE_torse"));
+    torse.args(command).arg("--derivations").arg(folder);
+    let child = torse
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let status = format!("/proc/{}/status", child.id());
+    let (sender, receiver) = mpsc::channel();
+    thread::spawn(move || sender.send(child.wait_with_output()));
+    let started = Instant::now();
+    let mut most = 0;
+    let output = loop {
+        if let Ok(output) = receiver.recv_timeout(Duration::from_millis(10)) {
+            break output.unwrap();
+        }
+        assert!(started.elapsed() < PATIENCE, "it did not end");
+        // The high-water mark is gone with the process: it is read while there is one.
+        let text = fs::read_to_string(&status).unwrap_or_default();
+        let mark = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let kilobytes = mark.and_then(|rest| rest.trim().strip_suffix(" kB")?.parse().ok());
+        most = most.max(kilobytes.unwrap_or(0));
+    };
+    let ran = Ran {
+        code: output.status.code(),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    };
+    (ran, most)
 }
 
 /// The derivations of the repository.

@@ -249,13 +249,17 @@ impl Evaluator<'_> {
             .and_then(|n| u32::try_from(n).ok())
             .filter(|n| *n <= 12)
             .ok_or_else(|| Fault::limit(place, format!("a derivative of order {form}")))?;
-        let name = self.fresh(variable.name());
+        let enclosing = self.derivatives.get();
+        let name = self.differential(variable.name(), enclosing);
         let mut inner = bound.clone();
         inner.insert(variable.number(), Fraction::named(&name).into());
         if planted(Planted::ValueBeforeDerivative) {
             inner.insert(variable.number(), self.number(at, bound)?.into());
         }
-        let value = (0..order).try_fold(self.value(body, &inner)?, |value, _| {
+        self.derivatives.set(enclosing + 1);
+        let body = self.value(body, &inner);
+        self.derivatives.set(enclosing);
+        let value = (0..order).try_fold(body?, |value, _| {
             value.mapped(&|q: &Quantity| Ok::<_, Fault>(q.derivative(&name)))
         })?;
         let point = self.number(at, bound)?;

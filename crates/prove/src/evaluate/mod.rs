@@ -9,12 +9,14 @@ pub mod basis;
 mod functions;
 mod index;
 pub mod linear;
+mod memory;
 mod place;
 pub mod quantity;
 pub mod series;
 mod sum;
 pub mod value;
 
+use memory::Memory;
 use quantity::Quantity;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
@@ -58,8 +60,9 @@ pub struct Evaluator<'a> {
     /// The sums of symbolic length that are being evaluated: the symbol of the index, its first and last value.
     sums: RefCell<Vec<(String, Affine, Affine)>>,
     members: RefCell<BTreeMap<String, Vec<Fraction>>>,
-    /// Values of definitions without parameters, in and outside of angles. The term keeps its address taken.
-    opened: RefCell<BTreeMap<(usize, bool), (Term, Value)>>,
+    /// How many derivatives enclose the term that is evaluated.
+    derivatives: Cell<u32>,
+    memory: Memory,
 }
 
 use arithmetic::{fitted, matrix_product, multiplied, numeric, refilled};
@@ -89,7 +92,8 @@ impl<'a> Evaluator<'a> {
             made: Cell::new(0),
             sums: RefCell::default(),
             members: RefCell::default(),
-            opened: RefCell::default(),
+            derivatives: Cell::new(0),
+            memory: Memory::default(),
         }
     }
 
@@ -101,7 +105,7 @@ impl<'a> Evaluator<'a> {
 
     /// Gives a symbol a value from here on.
     pub fn fix(&mut self, name: String, value: Fraction) {
-        self.opened.borrow_mut().clear();
+        self.memory.forget();
         self.fixed.insert(name, value);
     }
 
@@ -113,7 +117,7 @@ impl<'a> Evaluator<'a> {
 
     /// Gives unknowns their values from here on.
     pub fn determine(&mut self, solution: impl IntoIterator<Item = (Symbol, Fraction)>) {
-        self.opened.borrow_mut().clear();
+        self.memory.forget();
         self.solved.extend(solution);
     }
 
@@ -319,27 +323,13 @@ impl<'a> Evaluator<'a> {
                 order,
                 body,
                 at,
-            } => self.symbolically(|| self.derivative(variable, order, body, at, place, bound)),
+            } => self.remembered(term, bound, || {
+                self.symbolically(|| self.derivative(variable, order, body, at, place, bound))
+            }),
             Node::Apply(function, arguments) => self.apply(*function, arguments, place, bound),
-            Node::Opened {
-                origin,
-                closed,
-                body,
-                ..
-            } => {
-                if !closed {
-                    return self.value(body, bound).map_err(|f| f.within(origin));
-                }
-                let key = (Arc::as_ptr(&body.node).addr(), self.in_angle.get());
-                if let Some((_, value)) = self.opened.borrow().get(&key) {
-                    return Ok(value.clone());
-                }
-                let value = self.value(body, bound).map_err(|f| f.within(origin))?;
-                self.opened
-                    .borrow_mut()
-                    .insert(key, (body.clone(), value.clone()));
-                Ok(value)
-            }
+            Node::Opened { origin, body, .. } => self.remembered(body, bound, || {
+                self.value(body, bound).map_err(|f| f.within(origin))
+            }),
         }
     }
 
@@ -348,6 +338,12 @@ impl<'a> Evaluator<'a> {
         let number = self.made.get();
         self.made.set(number + 1);
         format!("{name}\u{b0}{number}")
+    }
+
+    /// The name of the variable of a derivative inside so many others. No value outside of the derivative has it, so that
+    /// the next one may have the same, and what was evaluated with it serves again.
+    fn differential(&self, name: &str, enclosing: u32) -> String {
+        format!("{name}\u{b0}'{enclosing}")
     }
 
     fn list(&self, items: &[Term], bound: &Environment) -> Outcome<Value> {

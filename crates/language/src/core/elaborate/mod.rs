@@ -292,15 +292,23 @@ impl<'a> Elaborator<'a> {
         }
         // F'' is the second derivative of F by its first parameter.
         let base = name.trim_end_matches('\'');
+        let closed = scope.globals.is_empty() && !scope.locals.contains_key(base);
+        if closed && let Some(meaning) = self.opened.borrow().get(name) {
+            return Ok(meaning.clone());
+        }
         if base.len() < name.len()
             && let Ok(Meaning::Function(function)) = self.named(base, place, scope)
             && let Some(parameter) = function.parameters.first().cloned()
         {
             let order = i64::try_from(name.len() - base.len()).unwrap_or(i64::MAX);
             let order = self.made(Node::Number(rational::integer(order)), place);
-            return Ok(Meaning::Function(
-                self.differentiated(&function, &parameter, order, place),
-            ));
+            let derivative =
+                Meaning::Function(self.differentiated(&function, &parameter, order, place));
+            if closed {
+                let kept = (name.to_owned(), derivative.clone());
+                self.opened.borrow_mut().extend([kept]);
+            }
+            return Ok(derivative);
         }
         Err(self.unknown(name, place, scope))
     }

@@ -90,7 +90,11 @@ pub(super) fn refute<'p>(
     let inside = |number: u32| {
         let place = |(side, bounded): (usize, &bool)| {
             let share = spread(number, side);
-            if *bounded { share } else { share / (1.0 - share) }
+            if *bounded {
+                share
+            } else {
+                share / (1.0 - share)
+            }
         };
         bounded.iter().enumerate().map(place).collect()
     };

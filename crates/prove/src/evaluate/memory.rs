@@ -1,0 +1,132 @@
+//! What was evaluated before.
+//!
+//! The value of a term depends on the values of its free variables alone: those that no binder inside it binds. So the
+//! bodies of definitions and derivatives, which a claim calls again and again, are evaluated once for each choice of them.
+
+use super::value::Value;
+use super::{Environment, Evaluator, Outcome};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+use std::sync::Arc;
+use torse_algebra::Fraction;
+use torse_language::core::{Node, Term};
+
+/// The most values of one term that are kept.
+const MAX_KEPT: usize = 24;
+
+/// Values by terms, in and outside of angles.
+#[derive(Default)]
+pub(super) struct Memory {
+    free: RefCell<BTreeMap<usize, (Term, Rc<BTreeSet<u32>>)>>,
+    values: RefCell<BTreeMap<(usize, bool), Vec<(Vec<Fraction>, Value)>>>,
+}
+
+impl Memory {
+    /// Forgets all values: symbols mean something else from here on.
+    pub(super) fn forget(&self) {
+        self.values.borrow_mut().clear();
+    }
+
+    /// The numbers of the variables that a term takes from outside.
+    fn free(&self, term: &Term) -> Rc<BTreeSet<u32>> {
+        // The term is kept, so that no other one gets its address.
+        let address = Arc::as_ptr(&term.node).addr();
+        if let Some((_, known)) = self.free.borrow().get(&address) {
+            return Rc::clone(known);
+        }
+        let mut all: BTreeSet<u32> = BTreeSet::new();
+        let inside = |all: &mut BTreeSet<u32>, body: &Term, bound: &[u32]| {
+            let of_body = self.free(body);
+            all.extend(of_body.iter().filter(|n| !bound.contains(n)));
+        };
+        match &*term.node {
+            Node::Variable(variable) => {
+                all.insert(variable.number());
+            }
+            Node::Sum {
+                index,
+                low,
+                high,
+                term,
+            } => {
+                inside(&mut all, low, &[]);
+                inside(&mut all, high, &[]);
+                inside(&mut all, term, &[index.number()]);
+            }
+            Node::Let {
+                variable,
+                value,
+                body,
+            } => {
+                inside(&mut all, value, &[]);
+                inside(&mut all, body, &[variable.number()]);
+            }
+            Node::Derivative {
+                variable,
+                order,
+                body,
+                at,
+            } => {
+                inside(&mut all, order, &[]);
+                inside(&mut all, at, &[]);
+                inside(&mut all, body, &[variable.number()]);
+            }
+            _ => {
+                for part in term.parts() {
+                    inside(&mut all, part, &[]);
+                }
+                if let Node::Basis { family, .. } = &*term.node {
+                    let own: Vec<u32> = family.variables.iter().map(|v| v.number()).collect();
+                    let steps = [&family.step.0, &family.step.1];
+                    for part in family.seeds.iter().chain(steps) {
+                        inside(&mut all, part, &own);
+                    }
+                }
+            }
+        }
+        let all = Rc::new(all);
+        let kept = (term.clone(), Rc::clone(&all));
+        self.free.borrow_mut().insert(address, kept);
+        all
+    }
+}
+
+impl Evaluator<'_> {
+    /// The value of a term, from memory if its free variables had the same values before.
+    pub(super) fn remembered(
+        &self,
+        term: &Term,
+        bound: &Environment,
+        evaluate: impl FnOnce() -> Outcome<Value>,
+    ) -> Outcome<Value> {
+        let free = self.memory.free(term);
+        // Inside a sum of symbolic length a value may rest on the range of its index.
+        if !free.is_empty() && !self.sums.borrow().is_empty() {
+            return evaluate();
+        }
+        let value = |number: &u32| match bound.get(number) {
+            Some(Value::Scalar(q)) => q.as_fraction().cloned(),
+            _ => None,
+        };
+        let Some(values) = free.iter().map(value).collect::<Option<Vec<Fraction>>>() else {
+            return evaluate();
+        };
+        let key = (Arc::as_ptr(&term.node).addr(), self.in_angle.get());
+        let same = |(own, _): &&(Vec<Fraction>, Value)| {
+            own.len() == values.len() && own.iter().zip(&values).all(|(x, y)| x.is_identical(y))
+        };
+        if let Some(known) = self.memory.values.borrow().get(&key)
+            && let Some((_, value)) = known.iter().find(same)
+        {
+            return Ok(value.clone());
+        }
+        let value = evaluate()?;
+        let mut kept = self.memory.values.borrow_mut();
+        let kept = kept.entry(key).or_default();
+        if kept.len() < MAX_KEPT {
+            kept.push((values, value.clone()));
+        }
+        Ok(value)
+    }
+}
