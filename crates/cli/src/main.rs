@@ -44,7 +44,7 @@ Examples:
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
-  torse recheck                          every proof again, by a second evaluator
+  torse recheck                          every verdict again, by the semantics
 
 `torse help COMMAND` says more, `torse --help` lists the exit codes.";
 
@@ -56,7 +56,7 @@ Examples:
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
-  torse recheck                          every proof again, by a second evaluator
+  torse recheck                          every verdict again, by the semantics
 
 Exit codes (of several that apply, the uppermost):
   6  a verdict and its replay contradict each other

@@ -1,4 +1,4 @@
-//! `torse recheck`: outcomes replayed by the naive evaluator.
+//! `torse recheck`: verdicts judged again by the semantics.
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
@@ -9,14 +9,15 @@ use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use torse_language::derivation::{Claim, Paper};
-use torse_verdicts::outcome::{Outcome, PaperOutcome};
+use torse_verdicts::outcome::{Net, Outcome, PaperOutcome};
 use torse_verdicts::recheck::{self, Recheck};
 
-/// Decide claims and replay the outcomes with a second, naive evaluator.
+/// Decide claims and judge every verdict again, thoroughly.
 ///
-/// The second evaluator shares the parser and the rational numbers with the engine and nothing else: maps
-/// for polynomials, families by their recursion, sums term by term. An identity must vanish at small
-/// degrees, a refuted statement must not, and its correction must. The exit code is 6 when an outcome is
+/// The second judge is the semantics: it shares the core terms and the numbers with the prover and nothing else.
+/// A statement that was proved has to be true at sixty points of its domain, and an identity at small degrees; where
+/// a condition fails it has to be false or undefined somewhere; a correction is judged like a proof; a refutation has
+/// to fail at its witness. `verify` does the same with less work. The exit code is 6 when a verdict is
 /// contradicted.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -24,7 +25,7 @@ pub struct Replay {
     /// Papers, claims, or beginnings of ids
     #[arg(value_name = "PAPER|ID")]
     names: Vec<String>,
-    /// List every claim with the instances at which it was replayed, or why it was not
+    /// List every claim with what was tried, or why it is not netted
     #[arg(long)]
     verbose: bool,
     #[command(flatten)]
@@ -39,7 +40,7 @@ Examples:
   torse recheck gbt-surfaces/thm-2 --verbose";
 
 impl Replay {
-    /// Decides, replays, prints the counts and every contradiction.
+    /// Decides, judges again, prints the counts and every contradiction.
     pub fn run(&self) -> Result<Exit, Failure> {
         let Found {
             papers,
@@ -48,27 +49,27 @@ impl Replay {
         } = self.derivations.load()?;
         let papers = selection::select(papers, &self.names, &left_out)?;
         let run = Run::of(&papers, self.budget, &mut mistakes);
-        let replayed = replay(&papers, &run.papers);
+        let judged = again(&papers, &run.papers);
         guard::finished();
-        let mut counts = [0_usize; 3];
+        let mut counts = [0_usize; 4];
         let mut rows = terminal::table();
-        for (id, result) in &replayed {
+        for (id, result) in &judged {
             let (place, word, detail) = told(result);
             if let Some(count) = counts.get_mut(place) {
                 *count += 1;
             }
-            if self.verbose || matches!(result, Recheck::Contradicted { .. }) {
+        if self.verbose || matches!(result, Recheck::Contradicted { .. }) {
                 rows.add_row([id.as_str(), word, detail.as_str()]);
             }
         }
-        let [confirmed, contradicted, rest] = counts;
+        let [netted, contradicted, decided, nothing] = counts;
         let mut text = String::new();
         if !rows.is_empty() {
             text.push_str(&terminal::lines(&rows));
             text.push('\n');
         }
         text.push_str(&format!(
-            "{confirmed} confirmed, {contradicted} contradicted, {rest} not of a kind that can be replayed\n"
+            "{netted} netted, {contradicted} contradicted, {decided} decided and not netted, {nothing} without a verdict to judge\n"
         ));
         terminal::print(&text)?;
         Ok(mistakes.tell(match contradicted {
@@ -78,36 +79,55 @@ impl Replay {
     }
 }
 
-/// The replayed claims with their ids, in file order.
-fn replay(papers: &[Paper], decided: &[PaperOutcome]) -> Vec<(String, Recheck)> {
+/// The claims that were judged again with their ids, in file order.
+fn again(papers: &[Paper], decided: &[PaperOutcome]) -> Vec<(String, Recheck)> {
     let claims = papers.iter().flat_map(|paper| &paper.claims);
     let outcomes = decided.iter().flat_map(|paper| &paper.claims);
     let outcomes: BTreeMap<&str, &Outcome> = outcomes.map(|o| (o.id.as_str(), o)).collect();
     let pairs: Vec<(&Claim, &Outcome)> = claims
         .filter_map(|claim| Some((claim, *outcomes.get(claim.entry.id.get_ref().as_str())?)))
         .collect();
-    let progress = Progress::new("replaying", pairs.len());
-    let replayed = pairs.par_iter().map(|(claim, outcome)| {
+    let progress = Progress::new("judging again", pairs.len());
+    let judged = pairs.par_iter().map(|(claim, outcome)| {
         let result = guard::named(&outcome.id, || recheck::claim(claim, outcome));
         progress.step();
         (outcome.id.clone(), result)
     });
-    let replayed = replayed.collect();
+    let judged = judged.collect();
     progress.finish();
-    replayed
+    judged
 }
 
 /// The place of the count, the word, and the details of a result.
 fn told(result: &Recheck) -> (usize, &'static str, String) {
     match result {
-        Recheck::Confirmed { instances } => (0, "confirmed", instances.join("; ")),
-        Recheck::Contradicted { instance, found } => {
-            let place = match instance.as_str() {
-                "" => String::new(),
-                instance => format!("at {instance}: "),
-            };
-            (1, "contradicted", format!("{place}{found}"))
+        Recheck::Netted(net) => (0, "netted", tried(net)),
+        Recheck::Contradicted { found } => (1, "contradicted", found.clone()),
+        Recheck::Decided(net) => {
+            let why = net.why.as_deref().unwrap_or("few points were decided");
+            (2, "not netted", format!("{}: {why}", tried(net)))
         }
-        Recheck::NotReplayable { reason } => (2, "not replayed", reason.clone()),
+        Recheck::Nothing => (3, "no verdict", String::new()),
     }
+}
+
+/// What was tried, in words.
+fn tried(net: &Net) -> String {
+    let counted = |count: u64, one: &str, many: &str| match count {
+        1 => format!("1 {one}"),
+        _ => format!("{count} {many}"),
+    };
+    let points = |count: u64| counted(count, "point", "points");
+    let mut parts = vec![points(net.decided)];
+    if net.instances > 0 {
+        parts.push(counted(net.instances, "identity", "identities"));
+    }
+    for sides in &net.conditions {
+        let beyond = points(sides.failing + sides.undefined);
+        parts.push(format!("{} needed at {beyond}", sides.condition));
+    }
+    if let Some(correction) = &net.correction {
+        parts.push(format!("the correction at {}", tried(correction)));
+    }
+    parts.join(", ")
 }

@@ -10,7 +10,7 @@
 //! - [`judge`]: what a statement is at a [`Point`]: a [`Judgement`], which is never guessed.
 //! - [`tally`]: a statement at points of its domain, drawn from a seeded stream: the net under a proof.
 //! - [`check_witness`]: whether a printed counterexample is one: the net under a refutation.
-//! - [`excepting`]: the domain where a condition fails: the net under a condition.
+//! - [`beyond`]: a statement at points of its domain where a condition fails: the net under a condition.
 //! - [`identity`] at [`instances`]: equations at fixed small integers, decided exactly.
 //!
 //! All work is bounded by a budget of operations, so answers are the same on every machine.
@@ -81,7 +81,7 @@ pub use gap::{Gap, Undefined, Unknown, Work};
 pub use instance::{Identity, Instance, identity, instances};
 pub use judge::Judgement;
 pub use name::Name;
-pub use net::{Tally, check, excepting, judge, tally};
+pub use net::{Beyond, Tally, beyond, check, judge, tally};
 pub use polynomial::{Polynomials, Quotient};
 pub use real::{Real, Reals};
 pub use series::Series;

@@ -3,6 +3,7 @@
 //! A proof that a point of the domain contradicts is wrong, and so is a refutation whose witness lies outside of the
 //! domain or satisfies the statement. Neither needs to know how the verdict was found.
 
+use crate::domain::draft::Draft;
 use crate::domain::point::{Outside, Point, check_hypotheses, check_sets, drawn};
 use crate::gap::Work;
 use crate::judge::{Judge, Judgement, address};
@@ -38,6 +39,9 @@ pub struct Tally {
     pub why_open: Option<String>,
     /// Points of the domain at which a condition is not true: they are not judged further.
     pub excepted: u64,
+    /// Whether the only point of the domain was judged, which has no numbers: neither the hypotheses nor the statement
+    /// name a symbol. No further points are drawn then.
+    pub single: bool,
     /// Whether the budget was spent.
     pub exhausted: bool,
 }
@@ -99,125 +103,235 @@ pub fn tally(
     wanted: u64,
     budget: u64,
 ) -> Tally {
-    let work = Work::new(budget);
-    let mut denied = BTreeMap::new();
-    settle(statement, claim, seed, wanted, &work, &mut denied);
+    let survey = Survey::new(claim, seed, wanted, budget);
+    let denied = survey.settled(statement);
     let mut tally = Tally::default();
-    let share = (budget / wanted.max(1)).saturating_mul(2);
-    while tally.attempts < LEAST_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted)
-        && tally.decided() < wanted
-        && tally.failing.is_none()
-    {
-        let attempt = tally.attempts;
-        tally.attempts += 1;
-        if work.left() == 0 {
-            tally.exhausted = true;
-            break;
-        }
-        let own = Work::new(share.min(work.left()));
-        one(
-            claim, statement, conditions, seed, attempt, &own, &denied, &mut tally,
-        );
-        let spent = share.min(work.left()) - own.left();
-        let _ = work.spend(spent);
-    }
+    tally.attempts = survey.walk(statement, conditions, &denied, &mut |seen| {
+        tally.count(seen);
+        !tally.single && tally.decided() < wanted && tally.failing.is_none()
+    });
+    tally.exhausted = survey.work.left() == 0;
     tally
 }
 
-#[expect(clippy::too_many_arguments, reason = "the body of one loop")]
-fn one(
+/// What a statement is where a condition fails.
+///
+/// A condition is needed if the statement is false, or undefined, at a point at which it fails.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Beyond {
+    /// Points that were drawn.
+    pub attempts: u64,
+    /// Points of the domain at which the condition fails and the statement is true all the same.
+    pub holding: u64,
+    /// Those at which the statement is false.
+    pub failing: u64,
+    /// Those at which it is undefined.
+    pub undefined: u64,
+    /// Those at which it was not decided.
+    pub open: u64,
+    /// The first point at which it is false, or else the first at which it is undefined.
+    pub needed_at: Option<Point>,
+}
+
+impl Beyond {
+    /// Points at which the condition fails and the statement was judged.
+    #[must_use]
+    pub fn judged(&self) -> u64 {
+        self.holding + self.failing + self.undefined
+    }
+}
+
+/// Judges `statement` at points of the domain of the claim at which `condition` fails, until it is judged at `wanted`
+/// of them or the budget is spent. `None` if the condition is no comparison.
+///
+/// Points that satisfy `condition`'s denial only nearly lie on the other side: they do not count.
+#[must_use]
+pub fn beyond(
     claim: &Claim,
     statement: &Statement,
-    conditions: &[Statement],
+    condition: &Statement,
     seed: &str,
-    attempt: u64,
-    work: &Work,
-    denied: &BTreeMap<usize, ()>,
-    tally: &mut Tally,
-) {
-    let Some((draft, near)) = drawn(claim, seed, attempt, work) else {
-        return;
-    };
-    let judge = Judge {
-        claim,
-        values: &|name| draft.value(name),
-        near,
-        denied,
-        work,
-    };
-    if conditions.iter().any(|c| judge.judge(c) != Judgement::True) {
-        tally.excepted += 1;
-        return;
-    }
-    let judgement = judge.judge(statement);
-    if draft.empty.get() {
-        return;
-    }
-    tally.found += 1;
-    match judgement {
-        Judgement::True => tally.holding += 1,
-        Judgement::False => {
-            tally.failing = Some(Point {
-                values: draft.values(),
-                near,
-            });
+    wanted: u64,
+    budget: u64,
+) -> Option<Beyond> {
+    let changed = excepting(claim, condition)?;
+    let survey = Survey::new(&changed, seed, wanted, budget);
+    // Whether something is denied is a matter of the whole domain.
+    let denied = Survey::new(claim, seed, wanted, budget).settled(statement);
+    let mut beyond = Beyond::default();
+    let mut undefined_at = None;
+    beyond.attempts = survey.walk(statement, &[], &denied, &mut |seen| {
+        let Seen::Judged { judgement, draft, near: false } = seen else {
+            return true;
+        };
+        let point = || Point {
+            values: draft.values(),
+            near: false,
+        };
+        match judgement {
+            Judgement::True => beyond.holding += 1,
+            Judgement::False => {
+                beyond.failing += 1;
+                beyond.needed_at.get_or_insert_with(point);
+            }
+            Judgement::Undefined(_) => {
+                beyond.undefined += 1;
+                undefined_at.get_or_insert_with(point);
+            }
+            Judgement::Undecided | Judgement::Unknown(_) => beyond.open += 1,
         }
-        Judgement::Undefined(_) => tally.undefined += 1,
-        open @ (Judgement::Undecided | Judgement::Unknown(_)) => {
-            tally.open += 1;
-            tally.why_open.get_or_insert_with(|| open.to_string());
+        beyond.judged() < wanted
+    });
+    beyond.needed_at = beyond.needed_at.or(undefined_at);
+    Some(beyond)
+}
+
+/// What a drawn point turned out to be.
+enum Seen<'s, 'a> {
+    /// One condition is not true there.
+    Excepted,
+    /// A point of the domain, judged.
+    Judged {
+        judgement: Judgement,
+        draft: &'s Draft<'a>,
+        near: bool,
+    },
+}
+
+impl Tally {
+    fn count(&mut self, seen: Seen<'_, '_>) {
+        let Seen::Judged { judgement, draft, near } = seen else {
+            self.excepted += 1;
+            return;
+        };
+        self.found += 1;
+        self.single = draft.values().is_empty();
+        match judgement {
+            Judgement::True => self.holding += 1,
+            Judgement::False => {
+                self.failing = Some(Point {
+                    values: draft.values(),
+                    near,
+                });
+            }
+            Judgement::Undefined(_) => self.undefined += 1,
+            open @ (Judgement::Undecided | Judgement::Unknown(_)) => {
+                self.open += 1;
+                self.why_open.get_or_insert_with(|| open.to_string());
+            }
         }
     }
 }
 
-/// Finds, for each `not p` of a statement, a point of the domain at which p is false: `not p` is true then.
-fn settle(
-    statement: &Statement,
-    claim: &Claim,
-    seed: &str,
-    wanted: u64,
-    work: &Work,
-    denied: &mut BTreeMap<usize, ()>,
-) {
-    let mut pending = vec![statement];
-    let mut inner = vec![];
-    while let Some(statement) = pending.pop() {
-        match statement {
-            Statement::Join(_, a, b) => pending.extend([&**a, &**b]),
-            Statement::Not(p) => {
-                inner.push(&**p);
-                pending.push(p);
-            }
-            _ => {}
+/// A walk through points of a domain, with bounded work.
+struct Survey<'a> {
+    claim: &'a Claim,
+    seed: &'a str,
+    attempts: u64,
+    /// The work of one point.
+    share: u64,
+    work: Work,
+}
+
+impl<'a> Survey<'a> {
+    fn new(claim: &'a Claim, seed: &'a str, wanted: u64, budget: u64) -> Self {
+        Self {
+            claim,
+            seed,
+            attempts: LEAST_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted),
+            share: (budget / wanted.max(1)).saturating_mul(2),
+            work: Work::new(budget),
         }
     }
-    // The innermost denials first.
-    for p in inner.into_iter().rev() {
-        for attempt in 0..LEAST_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted) {
-            let Some((draft, near)) = drawn(claim, seed, attempt, work) else {
-                continue;
-            };
-            let judge = Judge {
-                claim,
-                values: &|name| draft.value(name),
-                near,
-                denied,
-                work,
-            };
-            if judge.judge(p) == Judgement::False && !draft.empty.get() {
-                denied.insert(address(p), ());
-                break;
+
+    /// Judges the statement at one point after the other as long as `each` says so; returns how many were drawn.
+    fn walk(
+        &self,
+        statement: &Statement,
+        conditions: &[Statement],
+        denied: &BTreeMap<usize, ()>,
+        each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
+    ) -> u64 {
+        for attempt in 0..self.attempts {
+            let available = self.share.min(self.work.left());
+            if available == 0 {
+                return attempt;
+            }
+            let own = Work::new(available);
+            let go_on = self.one(statement, conditions, denied, attempt, &own, each);
+            let _ = self.work.spend(available - own.left());
+            if !go_on {
+                return attempt + 1;
             }
         }
+        self.attempts
+    }
+
+    fn one(
+        &self,
+        statement: &Statement,
+        conditions: &[Statement],
+        denied: &BTreeMap<usize, ()>,
+        attempt: u64,
+        work: &Work,
+        each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
+    ) -> bool {
+        let Some((draft, near)) = drawn(self.claim, self.seed, attempt, work) else {
+            return true;
+        };
+        let judge = Judge {
+            claim: self.claim,
+            values: &|name| draft.value(name),
+            near,
+            denied,
+            work,
+        };
+        if conditions.iter().any(|c| judge.judge(c) != Judgement::True) {
+            return each(Seen::Excepted);
+        }
+        let judgement = judge.judge(statement);
+        if draft.empty.get() {
+            return true;
+        }
+        each(Seen::Judged {
+            judgement,
+            draft: &draft,
+            near,
+        })
+    }
+
+    /// Finds, for each `not p` of a statement, a point of the domain at which p is false: `not p` is true then.
+    fn settled(&self, statement: &Statement) -> BTreeMap<usize, ()> {
+        let mut denied = BTreeMap::new();
+        let mut pending = vec![statement];
+        let mut inner = vec![];
+        while let Some(statement) = pending.pop() {
+            match statement {
+                Statement::Join(_, a, b) => pending.extend([&**a, &**b]),
+                Statement::Not(p) => {
+                    inner.push(&**p);
+                    pending.push(p);
+                }
+                _ => {}
+            }
+        }
+        // The innermost denials first.
+        for p in inner.into_iter().rev() {
+            let mut found = false;
+            self.walk(p, &[], &denied, &mut |seen| {
+                found = matches!(seen, Seen::Judged { judgement: Judgement::False, .. });
+                !found
+            });
+            if found {
+                denied.insert(address(p), ());
+            }
+        }
+        denied
     }
 }
 
 /// The claim with the denial of a comparison among its hypotheses: where a condition fails. `None` for other statements.
-///
-/// A tally of the changed claim tells whether the condition is needed: it is if the statement is false or undefined
-/// where the condition fails, and it is not if the changed domain has no points.
-#[must_use]
-pub fn excepting(claim: &Claim, condition: &Statement) -> Option<Claim> {
+fn excepting(claim: &Claim, condition: &Statement) -> Option<Claim> {
     let Statement::Compare {
         relation,
         left,

@@ -1,13 +1,13 @@
 //! Running claims: from a loaded paper to outcomes.
 
 use crate::net;
+use crate::condition::nonzero;
 use crate::outcome::{Outcome, PaperOutcome};
 use crate::repair;
 use rayon::prelude::*;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Arc;
-use torse_algebra::{Fraction, Polynomial, work};
+use torse_algebra::{Fraction, work};
 use torse_language::derivation::{Claim, DerivationError, Figure, Paper, Written};
 use torse_language::notation::{self, Formula};
 use torse_language::words::{Kind, Verdict};
@@ -249,19 +249,6 @@ fn refute(outcome: &mut Outcome, refutation: Refutation) {
 fn readable(value: &Fraction) -> Option<Formula> {
     (value.numerator().len() <= MAX_SHOWN_TERMS)
         .then(|| notation::formula(&formula::expression(value)))
-}
-
-/// `p != 0`, as a formula.
-fn nonzero(polynomial: &Polynomial) -> Formula {
-    use torse_language::syntax::Expr;
-    use torse_language::syntax::Node;
-    use torse_language::syntax::Relation;
-    let left = formula::expression(&polynomial.clone().into());
-    let zero = Expr::number(&torse_algebra::rational::integer(0));
-    notation::formula(&Expr::made(Node::Compare(
-        Arc::new(left),
-        vec![(Relation::Different, zero)],
-    )))
 }
 
 #[cfg(test)]

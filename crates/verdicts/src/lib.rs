@@ -5,6 +5,7 @@
 //! [`net`] judges every verdict by the semantics before it is shown, [`mutants`] are slips made on purpose, [`recheck`] replays proofs by other means.
 #![warn(missing_docs)]
 
+mod condition;
 pub mod consequences;
 pub mod derive;
 pub mod engine;
@@ -14,4 +15,4 @@ pub mod outcome;
 pub mod recheck;
 pub mod repair;
 
-pub use outcome::{Correction, DataChange, DataCorrection, Net, Outcome, PaperOutcome};
+pub use outcome::{Correction, DataChange, DataCorrection, Net, Outcome, PaperOutcome, Sides};

@@ -2,37 +2,70 @@
 //!
 //! Before a verdict is shown, `torse_semantics` judges the claim from its core terms, by other means than the prover: a
 //! proof at points of the domain, a refutation at its witness, which is put into every declared set, every hypothesis
-//! and the statement, a correction like a proof. What contradicts the verdict is shown in its place: it is no verdict.
+//! and the statement. What contradicts the verdict is shown in its place: it is no verdict.
+//!
+//! **Conditions.** A verdict with conditions is tried on both sides of each. Where they are true the statement has to be
+//! true: a point at which it is false is a contradiction. Where one of them fails the statement should be false or
+//! undefined somewhere, else the condition says more than is needed. That it was true at every point beyond is no
+//! contradiction, for the prover proved the weaker statement and nothing false is claimed of any point; but it must
+//! not pass as an accusation of the paper either. Such a condition is reported as not seen to be needed
+//! ([`Sides::seen_needed`]), the steps of the verdict say so, and the verdict is not netted.
+//!
+//! **Corrections** are proofs, with conditions of their own, and judged like proofs.
 
-use crate::outcome::{Net, Outcome};
+use crate::outcome::{Net, Outcome, Sides};
 use torse_language::core;
-use torse_language::derivation::{Claim, Written};
+use torse_language::derivation::{Claim, Origin, Source, Written};
+use torse_language::notation::Formula;
 use torse_language::syntax::parse;
 use torse_language::words::Verdict;
-use torse_prove::evidence::Evidence;
-use torse_semantics::{Judgement, Outside, Witness, check_witness, tally};
+use torse_semantics::{
+    Identity, Judgement, Outside, Tally, Witness, Work, beyond, check_witness, identity, instances,
+    tally,
+};
 
-/// The points at which a proof is to be decided.
-pub const WANTED: u64 = 20;
-/// The operations on numbers that one tally may take.
-const BUDGET: u64 = 300_000;
+/// How much is tried before a verdict is believed. All of it counts work, so that the answer is the same on every
+/// machine.
+#[derive(Debug, Clone, Copy)]
+pub struct Effort {
+    /// The points at which a proof is to be decided.
+    pub points: u64,
+    /// The operations on numbers that one statement may take.
+    pub budget: u64,
+    /// The operations on polynomials that all small instances of one statement may take; none are tried with 0.
+    pub polynomials: u64,
+    /// What the stream of points is seeded by, besides the id of the claim.
+    pub seed: &'static str,
+}
+
+/// What every verdict has to pass before it is shown.
+pub const ALWAYS: Effort = Effort {
+    points: 20,
+    budget: 300_000,
+    polynomials: 0,
+    seed: "",
+};
+
+/// How many points beyond a condition are wanted.
+const BEYOND: u64 = 10;
 
 /// Judges the verdict of a claim that has a statement. A contradiction makes it undecided.
 pub fn cast(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
-    let Ok(core) = core::Claim::new(claim, statement) else {
-        return;
-    };
-    let found = match outcome.verdict {
-        Verdict::Holds | Verdict::Conditional | Verdict::Definition => {
-            proof(outcome, claim, &core, &conditions(outcome))
+    match judged(outcome, claim, statement, &ALWAYS) {
+        None => {}
+        Some(Ok(net)) => {
+            let correction = net.correction.iter().flat_map(|net| &net.conditions);
+            let sides = net.conditions.iter().chain(correction);
+            let suspicious = sides.filter(|sides| sides.is_suspicious());
+            outcome.steps.extend(suspicious.map(|sides| {
+                format!(
+                    "the condition `{}` was not seen to be needed: the statement is true at {} points at which it fails",
+                    sides.condition, sides.holding
+                )
+            }));
+            outcome.net = Some(net);
         }
-        Verdict::False | Verdict::Misprint => refutation(outcome, claim, &core),
-        Verdict::Vacuous => nowhere(outcome, &core),
-        _ => return,
-    };
-    match found {
-        Ok(net) => outcome.net = Some(net),
-        Err(found) => contradicted(outcome, found),
+        Some(Err(found)) => contradicted(outcome, found),
     }
 }
 
@@ -52,174 +85,244 @@ fn contradicted(outcome: &mut Outcome, found: String) {
     outcome.contradiction = Some(found);
 }
 
-/// A proof, with its conditions, at points of the domain.
-fn proof(
+/// Judges a verdict with this effort: what was found, or what contradicts it. `None` where nothing was decided.
+pub fn judged(
     outcome: &Outcome,
     claim: &Claim,
-    core: &core::Claim,
-    conditions: &[Option<Written>],
-) -> Result<Net, String> {
-    if reads_solutions(core) {
-        return Ok(Net::uncovered(
-            "coefficients of what the given equations determine",
-        ));
-    }
-    let stated: Option<Vec<core::Statement>> = conditions
-        .iter()
-        .map(|condition| {
-            let core = core::Claim::new(claim, condition.as_ref()?).ok()?;
-            Some(core.statement)
-        })
-        .collect();
-    let Some(stated) = stated else {
-        return Ok(Net::uncovered("a condition that cannot be read back"));
+    statement: &Written,
+    effort: &Effort,
+) -> Option<Result<Net, String>> {
+    let core = core::Claim::new(claim, statement).ok()?;
+    let case = Case {
+        claim,
+        core: &core,
+        seed: format!("{}{}", effort.seed, outcome.id),
+        effort,
     };
-    let tally = tally(core, &core.statement, &stated, &outcome.id, WANTED, BUDGET);
-    match tally.failing {
-        Some(point) => Err(format!("it is false at {point}")),
-        None => {
-            Ok(Net {
+    match outcome.verdict {
+        Verdict::Holds | Verdict::Conditional | Verdict::Definition => {
+            Some(case.proof(&outcome.conditions))
+        }
+        Verdict::False | Verdict::Misprint => Some(case.refutation(outcome)),
+        Verdict::Vacuous => Some(case.nowhere()),
+        _ => None,
+    }
+}
+
+/// A statement about the domain of a claim, to be judged.
+struct Case<'a> {
+    claim: &'a Claim,
+    core: &'a core::Claim,
+    seed: String,
+    effort: &'a Effort,
+}
+
+impl Case<'_> {
+    fn tally(&self, conditions: &[core::Statement]) -> Tally {
+        let Effort { points, budget, .. } = *self.effort;
+        tally(
+            self.core,
+            &self.core.statement,
+            conditions,
+            &self.seed,
+            points,
+            budget,
+        )
+    }
+
+    /// A proof under conditions, at points of the domain.
+    fn proof(&self, conditions: &[Formula]) -> Result<Net, String> {
+        let read: Option<Vec<core::Statement>> =
+            conditions.iter().map(|c| self.read(&c.text)).collect();
+        let Some(read) = read else {
+            return Ok(Net::uncovered("a condition that cannot be read back"));
+        };
+        let tally = self.tally(&read);
+        if let Some(point) = tally.failing {
+            return Err(format!("it is false at {point}"));
+        }
+        let instances = self.instances(&read)?;
+        let conditions: Vec<Sides> = conditions
+            .iter()
+            .zip(&read)
+            .map(|(formula, condition)| self.sides(formula, condition))
+            .collect();
+        let enough = tally.holding >= self.effort.points || (tally.single && tally.holding > 0);
+        let unneeded = conditions.iter().find(|sides| !sides.seen_needed());
+        let why = match (enough, unneeded) {
+            (true, None) => None,
+            (true, Some(sides)) => Some(format!(
+                "no point was found at which the condition {} is needed",
+                sides.condition
+            )),
+            (false, _) => Some(why_few(&tally)),
+        };
+        Ok(Net {
+            netted: why.is_none(),
+            tried: tally.attempts,
+            decided: tally.holding,
+            instances,
+            why,
+            conditions,
+            correction: None,
+        })
+    }
+
+    /// The statement where a condition fails.
+    fn sides(&self, formula: &Formula, condition: &core::Statement) -> Sides {
+        let (core, effort) = (self.core, self.effort);
+        let found = beyond(
+            core,
+            &core.statement,
+            condition,
+            &self.seed,
+            BEYOND,
+            effort.budget,
+        );
+        let found = found.unwrap_or_default();
+        Sides {
+            condition: formula.text.clone(),
+            tried: found.attempts,
+            holding: found.holding,
+            failing: found.failing,
+            undefined: found.undefined,
+            needed_at: found.needed_at.map(|point| point.to_string()),
+        }
+    }
+
+    /// How many small instances are identities.
+    fn instances(&self, conditions: &[core::Statement]) -> Result<u64, String> {
+        let work = Work::new(self.effort.polynomials);
+        let mut confirmed = 0;
+        if work.left() == 0 {
+            return Ok(confirmed);
+        }
+        for instance in instances(self.core) {
+            match identity(self.core, &self.core.statement, &instance, &work) {
+                Identity::Holds => confirmed += 1,
+                // An identity may fail where a condition on integers fails.
+                Identity::Differs { terms } if conditions.is_empty() => {
+                    let place = match instance.to_string() {
+                        none if none.is_empty() => String::new(),
+                        some => format!(" at {some}"),
+                    };
+                    return Err(format!("its sides differ by {terms} terms{place}"));
+                }
+                Identity::Differs { .. } | Identity::Outside | Identity::Undefined(_) => {}
+                Identity::Open(_) if work.left() == 0 => break,
+                Identity::Open(_) => {}
+            }
+        }
+        Ok(confirmed)
+    }
+
+    /// A refutation at its witness, and its correction at points of the domain.
+    fn refutation(&self, outcome: &Outcome) -> Result<Net, String> {
+        let mut net = self.witness(outcome)?;
+        let Some(correction) = &outcome.correction else {
+            return Ok(net);
+        };
+        let Some(corrected) = self.corrected(&correction.statement) else {
+            net.netted = false;
+            net.why = Some("the correction cannot be read back".to_owned());
+            return Ok(net);
+        };
+        let case = Case {
+            core: &corrected,
+            seed: self.seed.clone(),
+            ..*self
+        };
+        let found = case
+            .proof(&correction.conditions)
+            .map_err(|found| format!("the correction is wrong: {found}"))?;
+        if !found.netted {
+            net.netted = false;
+            net.why = found.why.as_ref().map(|why| format!("the correction: {why}"));
+        }
+        net.correction = Some(Box::new(found));
+        Ok(net)
+    }
+
+    fn witness(&self, outcome: &Outcome) -> Result<Net, String> {
+        let Some(witness) = &outcome.witness else {
+            return Ok(self.elsewhere("it names no point"));
+        };
+        let numbers = witness
+            .at
+            .iter()
+            .map(|(name, value)| (name.as_str(), value.as_str()));
+        Ok(match check_witness(self.core, &self.core.statement, numbers) {
+            Witness::Refutes => Net::refuted(1),
+            Witness::Outside(Outside::Hypothesis {
+                judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),
+                ..
+            }) => self.elsewhere(&judgement.to_string()),
+            Witness::Outside(why) => {
+                return Err(format!("its witness is outside of the domain: {why}"));
+            }
+            Witness::Stands(judgement @ (Judgement::True | Judgement::Undefined(_))) => {
+                return Err(format!("the statement is {judgement} at its witness"));
+            }
+            Witness::Stands(judgement) => self.elsewhere(&judgement.to_string()),
+            Witness::Unreadable(why) => self.elsewhere(&why.to_string()),
+        })
+    }
+
+    /// A refutation whose witness cannot be put in, because it does not name every number or speaks of functions:
+    /// another point at which the statement is false.
+    fn elsewhere(&self, why: &str) -> Net {
+        let tally = self.tally(&[]);
+        match tally.failing {
+            Some(_) => Net::refuted(tally.attempts),
+            None => Net {
                 tried: tally.attempts,
-                decided: tally.holding,
-                why: match tally.holding >= WANTED {
-                    true => None,
-                    false => Some(tally.why_open.unwrap_or_else(|| {
-                        match (tally.exhausted, tally.found) {
-                            (true, _) => "the budget is spent".to_owned(),
-                            (false, 0) => "no point of the domain was drawn".to_owned(),
-                            (false, _) => "it is undefined at most points".to_owned(),
-                        }
-                    })),
-                },
-            })
+                ..Net::uncovered(why)
+            },
         }
     }
-}
 
-/// A refutation at its witness, and its correction at points of the domain.
-fn refutation(outcome: &Outcome, claim: &Claim, core: &core::Claim) -> Result<Net, String> {
-    if reads_solutions(core) {
-        return Ok(Net::uncovered(
-            "coefficients of what the given equations determine",
-        ));
-    }
-    let Some(witness) = &outcome.witness else {
-        return Ok(Net::uncovered("a refutation without a point"));
-    };
-    let numbers = witness
-        .at
-        .iter()
-        .map(|(name, value)| (name.as_str(), value.as_str()));
-    let net = match check_witness(core, &core.statement, numbers) {
-        Witness::Refutes => Net {
-            tried: 1,
-            decided: 1,
-            why: None,
-        },
-        Witness::Outside(Outside::Hypothesis {
-            judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),
-            ..
-        }) => elsewhere(outcome, core, &judgement.to_string()),
-        Witness::Outside(why) => {
-            return Err(format!("its witness is outside of the domain: {why}"));
+    /// A domain that is said to be empty.
+    fn nowhere(&self) -> Result<Net, String> {
+        let tally = self.tally(&[]);
+        match tally.found {
+            0 => Ok(Net {
+                tried: tally.attempts,
+                ..Net::uncovered("that no point of the domain was drawn is no proof that there is none")
+            }),
+            _ => Err("its domain has points".to_owned()),
         }
-        Witness::Stands(judgement @ (Judgement::True | Judgement::Undefined(_))) => {
-            return Err(format!("the statement is {judgement} at its witness"));
-        }
-        Witness::Stands(judgement) => elsewhere(outcome, core, &judgement.to_string()),
-        Witness::Unreadable(why) => elsewhere(outcome, core, &why.to_string()),
-    };
-    let Some(correction) = &outcome.correction else {
-        return Ok(net);
-    };
-    let corrected = claim.statement.as_ref().and_then(|printed| {
-        let expr = parse(&correction.statement.text).ok()?;
-        let origin = printed.origin.clone();
-        core::Claim::new(claim, &Written { expr, origin }).ok()
-    });
-    match corrected {
-        Some(corrected) if !reads_solutions(&corrected) => {
-            proof(outcome, claim, &corrected, &[])
-                .map_err(|found| format!("the correction is wrong: {found}"))?;
-            Ok(net)
-        }
-        _ => Ok(net),
+    }
+
+    /// A formula of the outcome, read back in the place of the statement.
+    fn corrected(&self, formula: &Formula) -> Option<core::Claim> {
+        let source = Source {
+            name: self.seed.clone(),
+            text: formula.text.clone(),
+        };
+        let origin = Origin::range(&std::sync::Arc::new(source), 0, formula.text.len());
+        let expr = parse(&formula.text).ok()?;
+        core::Claim::new(self.claim, &Written { expr, origin }).ok()
+    }
+
+    fn read(&self, text: &str) -> Option<core::Statement> {
+        let formula = Formula {
+            text: text.to_owned(),
+            ..Formula::default()
+        };
+        self.corrected(&formula).map(|core| core.statement)
     }
 }
 
-/// A refutation whose witness cannot be put in, because it does not name every number or speaks of functions: another
-/// point at which the statement is false.
-fn elsewhere(outcome: &Outcome, core: &core::Claim, why: &str) -> Net {
-    let tally = tally(core, &core.statement, &[], &outcome.id, WANTED, BUDGET);
-    match tally.failing {
-        Some(_) => Net {
-            tried: tally.attempts,
-            decided: 1,
-            why: None,
-        },
-        None => Net {
-            tried: tally.attempts,
-            decided: 0,
-            why: Some(why.to_owned()),
-        },
-    }
-}
-
-/// A domain that is said to be empty.
-fn nowhere(outcome: &Outcome, core: &core::Claim) -> Result<Net, String> {
-    let tally = tally(core, &core.statement, &[], &outcome.id, WANTED, BUDGET);
-    match tally.found {
-        0 => Ok(Net {
-            tried: tally.attempts,
-            decided: 0,
-            why: Some("no point of the domain was drawn".to_owned()),
-        }),
-        _ => Err("its domain has points".to_owned()),
-    }
-}
-
-/// The conditions of a verdict, read back.
-fn conditions(outcome: &Outcome) -> Vec<Option<Written>> {
-    let source = |text: &str| torse_language::derivation::Source {
-        name: outcome.id.clone(),
-        text: text.to_owned(),
-    };
-    outcome
-        .conditions
-        .iter()
-        .map(|condition| {
-            let expr = parse(&condition.text).ok()?;
-            let length = condition.text.len();
-            let origin = torse_language::derivation::Origin::range(
-                &std::sync::Arc::new(source(&condition.text)),
-                0,
-                length,
-            );
-            Some(Written { expr, origin })
-        })
-        .collect()
-}
-
-/// Whether the statement asks for coefficients while `given` determines unknowns: then forms are read with the
-/// solutions put in, which has no counterpart at a point.
-fn reads_solutions(core: &core::Claim) -> bool {
-    !core.unknowns.is_empty()
-        && core
-            .statement
-            .terms()
-            .into_iter()
-            .any(|term| term.applies(core::BuiltIn::Coefficients))
-}
-
-/// Whether a verdict rests on more than its own evidence: the statement was decided at enough points, or its witness
-/// was put in.
-#[must_use]
-pub fn is_netted(outcome: &Outcome) -> bool {
-    outcome
-        .net
-        .as_ref()
-        .is_some_and(|net| match outcome.evidence {
-            Some(Evidence::Witness) => net.decided > 0,
-            _ => net.decided >= WANTED,
-        })
+/// Why a statement was not decided at more points.
+fn why_few(tally: &Tally) -> String {
+    let open = tally.why_open.clone();
+    open.unwrap_or_else(|| {
+        let why = match (tally.exhausted, tally.found) {
+            (true, _) => "the budget is spent",
+            (false, 0) => "no point of the domain was drawn",
+            (false, _) if tally.undefined > tally.holding => "it is undefined at most points",
+            (false, _) => "few points of the domain were drawn",
+        };
+        why.to_owned()
+    })
 }

@@ -13,6 +13,8 @@ use torse_prove::evidence::{Evidence, Witness};
 pub struct Correction {
     /// The corrected statement.
     pub statement: Formula,
+    /// The conditions under which it is true, as those of a verdict.
+    pub conditions: Vec<Formula>,
     /// What was changed, in words, one entry an edit ("the factor 4 added", "k replaced by l").
     pub edits: Vec<String>,
     /// Whether no other repair with as few edits was found.
@@ -83,12 +85,21 @@ pub struct DataChange {
 /// What the semantics, an evaluator that shares nothing with the prover, found of a verdict.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Net {
+    /// Whether the verdict is netted: a proof was decided at as many points as are wanted, each of its conditions is
+    /// needed at a point at which it fails, a refutation fails at a point, and its correction is netted.
+    pub netted: bool,
     /// Points that were drawn.
     pub tried: u64,
     /// Points of the domain at which the statement was decided as the verdict says.
     pub decided: u64,
-    /// Why there are no more of them, where there should be.
+    /// Small instances that are identities; they are looked for by `torse recheck` alone.
+    pub instances: u64,
+    /// Why it is not netted.
     pub why: Option<String>,
+    /// The statement where its conditions fail.
+    pub conditions: Vec<Sides>,
+    /// The correction of a refuted statement, judged like a proof.
+    pub correction: Option<Box<Net>>,
 }
 
 impl Net {
@@ -96,10 +107,60 @@ impl Net {
     #[must_use]
     pub fn uncovered(why: &str) -> Self {
         Self {
+            netted: false,
             tried: 0,
             decided: 0,
+            instances: 0,
             why: Some(why.to_owned()),
+            conditions: vec![],
+            correction: None,
         }
+    }
+
+    /// A point at which the statement is false, after so many.
+    #[must_use]
+    pub fn refuted(tried: u64) -> Self {
+        Self {
+            netted: true,
+            tried,
+            decided: 1,
+            instances: 0,
+            why: None,
+            conditions: vec![],
+            correction: None,
+        }
+    }
+}
+
+/// A statement at points of its domain at which a condition fails. The other side are the decided points of the [`Net`]:
+/// all conditions are true there.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Sides {
+    /// The condition.
+    pub condition: String,
+    /// Points that were drawn.
+    pub tried: u64,
+    /// Points at which the condition fails and the statement is true all the same.
+    pub holding: u64,
+    /// Those at which the statement is false.
+    pub failing: u64,
+    /// Those at which it is undefined.
+    pub undefined: u64,
+    /// A point at which the statement is false without the condition, or undefined.
+    pub needed_at: Option<String>,
+}
+
+impl Sides {
+    /// Whether the statement is false, or undefined, somewhere without the condition.
+    #[must_use]
+    pub fn seen_needed(&self) -> bool {
+        self.needed_at.is_some()
+    }
+
+    /// Whether the statement was judged without the condition and was true every time.
+    #[must_use]
+    pub fn is_suspicious(&self) -> bool {
+        self.holding > 0 && !self.seen_needed()
     }
 }
 

@@ -1,4 +1,4 @@
-//! The naive evaluator agrees with the engine, and does not agree with wrong outcomes.
+//! The semantics agrees with the prover, and does not agree with wrong outcomes.
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
@@ -6,7 +6,7 @@ use std::path::Path;
 use torse_language::derivation::{Claim, Paper, load};
 use torse_language::notation::Formula;
 use torse_language::words::Verdict;
-use torse_prove::evidence::Evidence;
+use torse_prove::evidence::{Evidence, Witness};
 use torse_verdicts::engine;
 use torse_verdicts::outcome::{Correction, Outcome};
 use torse_verdicts::recheck::{Recheck, claim as recheck};
@@ -41,7 +41,30 @@ fn with(outcome: &Outcome, verdict: Verdict, evidence: Evidence) -> Outcome {
     }
 }
 
-const TRUE: [&str; 9] = [
+/// A refutation at this point.
+fn refuted(outcome: &Outcome, at: &[(&str, &str)]) -> Outcome {
+    let numbers = at.iter().map(|(n, v)| ((*n).to_owned(), (*v).to_owned()));
+    Outcome {
+        witness: Some(Witness {
+            at: numbers.collect(),
+            left: String::new(),
+            right: String::new(),
+            left_decimal: String::new(),
+            right_decimal: String::new(),
+        }),
+        ..with(outcome, Verdict::False, Evidence::Witness)
+    }
+}
+
+#[track_caller]
+fn is_contradicted(claim: &Claim, outcome: &Outcome) -> String {
+    match recheck(claim, outcome) {
+        Recheck::Contradicted { found } => found,
+        other => panic!("{}: {other:?}", outcome.id),
+    }
+}
+
+const TRUE: [&str; 10] = [
     "unity",
     "symmetry",
     "tangent",
@@ -51,10 +74,11 @@ const TRUE: [&str; 9] = [
     "inverse",
     "angles",
     "solution-at",
+    "inequality",
 ];
 
 #[test]
-fn identities_that_the_engine_proves_are_confirmed() {
+fn what_the_prover_proves_is_netted() {
     let paper = paper();
     for name in TRUE {
         let outcome = decided(&paper, name);
@@ -63,64 +87,53 @@ fn identities_that_the_engine_proves_are_confirmed() {
             "{name}: {outcome:?}"
         );
         let result = recheck(named(&paper, name), &outcome);
-        assert!(
-            matches!(result, Recheck::Confirmed { .. }),
-            "{name}: {result:?}"
-        );
+        assert!(matches!(result, Recheck::Netted(_)), "{name}: {result:?}");
     }
 }
 
 #[test]
-fn a_true_identity_called_false_is_contradicted() {
+fn identities_are_decided_exactly_at_small_degrees() {
     let paper = paper();
-    let template = decided(&paper, "unity");
-    for name in TRUE {
-        let result = recheck(
-            named(&paper, name),
-            &with(&template, Verdict::False, Evidence::Witness),
-        );
-        assert!(
-            matches!(result, Recheck::Contradicted { .. }),
-            "{name}: {result:?}"
-        );
+    let Recheck::Netted(net) = recheck(named(&paper, "unity"), &decided(&paper, "unity")) else {
+        panic!("the partition of unity is not netted");
+    };
+    assert_eq!(net.instances, 3, "k = 2, 3 and 4: {net:?}");
+}
+
+#[test]
+fn a_false_statement_called_true_is_contradicted_at_a_degree_at_which_it_fails() {
+    let paper = paper();
+    for name in ["false-tangent", "false-late"] {
+        let right = decided(&paper, name);
+        assert_eq!(right.verdict, Verdict::False, "{right:?}");
+        let wrong = with(&right, Verdict::Holds, Evidence::Induction);
+        let found = is_contradicted(named(&paper, name), &wrong);
+        assert!(found.contains("k = "), "{found}");
     }
 }
 
 #[test]
-fn a_false_identity_called_true_is_contradicted_at_its_first_failing_instance() {
+fn a_true_statement_called_false_is_contradicted_at_its_witness() {
     let paper = paper();
-    let template = decided(&paper, "unity");
-    for (name, expected) in [("false-tangent", "k = 2"), ("false-late", "k = 4")] {
-        let wrong = with(&template, Verdict::Holds, Evidence::Induction);
-        let Recheck::Contradicted { instance, .. } = recheck(named(&paper, name), &wrong) else {
-            panic!("{name} is not contradicted");
-        };
-        assert_eq!(instance, expected);
-        let right = with(&template, Verdict::False, Evidence::Witness);
-        let result = recheck(named(&paper, name), &right);
-        assert_eq!(
-            result,
-            Recheck::Confirmed {
-                instances: vec![expected.to_owned()]
-            }
-        );
-    }
+    let claim = named(&paper, "inequality");
+    let outcome = decided(&paper, "inequality");
+    let found = is_contradicted(claim, &refuted(&outcome, &[("x", "1/2"), ("mu", "1/2")]));
+    assert!(found.contains("true at its witness"), "{found}");
+    let found = is_contradicted(claim, &refuted(&outcome, &[("x", "7"), ("mu", "1/2")]));
+    assert!(found.contains("outside of the domain"), "{found}");
 }
 
 #[test]
-fn a_correction_is_replayed_too() {
+fn a_correction_is_judged_like_a_proof() {
     let paper = paper();
-    let refuted = with(
-        &decided(&paper, "unity"),
-        Verdict::Misprint,
-        Evidence::Witness,
-    );
+    let refuted = decided(&paper, "false-tangent");
     let corrected = |text: &str| Outcome {
         correction: Some(Correction {
             statement: Formula {
                 text: text.to_owned(),
                 ..Formula::default()
             },
+            conditions: vec![],
             edits: vec![],
             unique: true,
         }),
@@ -128,30 +141,11 @@ fn a_correction_is_replayed_too() {
     };
     let claim = named(&paper, "false-tangent");
     let right = corrected("G'(0) == 1/2*(2*(k - 2) + pi*(1 + mu))*(R[1] - R[0])");
-    assert!(matches!(recheck(claim, &right), Recheck::Confirmed { .. }));
-    let wrong = corrected("G'(0) == 1/2*(2*(k - 2) + pi*(2 + mu))*(R[1] - R[0])");
-    assert!(matches!(
-        recheck(claim, &wrong),
-        Recheck::Contradicted { .. }
-    ));
-}
-
-#[test]
-fn degrees_take_their_smallest_values_in_different_orders() {
-    let paper = paper();
-    let outcome = decided(&paper, "join");
-    let Recheck::Confirmed { instances } = recheck(named(&paper, "join"), &outcome) else {
-        panic!("the join is not confirmed");
+    let Recheck::Netted(net) = recheck(claim, &right) else {
+        panic!("the correction is not netted");
     };
-    assert_eq!(instances, ["m = 3, n = 3", "m = 4, n = 5", "m = 5, n = 4"]);
-}
-
-#[test]
-fn what_rests_on_no_identity_is_not_replayed() {
-    let paper = paper();
-    let result = recheck(named(&paper, "inequality"), &decided(&paper, "inequality"));
-    assert!(
-        matches!(result, Recheck::NotReplayable { .. }),
-        "{result:?}"
-    );
+    assert!(net.correction.unwrap().decided >= 20);
+    let wrong = corrected("G'(0) == 1/2*(2*(k - 2) + pi*(2 + mu))*(R[1] - R[0])");
+    let found = is_contradicted(claim, &wrong);
+    assert!(found.starts_with("the correction is wrong"), "{found}");
 }

@@ -57,18 +57,20 @@ fn an_unknown_basis_or_order_is_a_usage_error_that_names_what_there_is() {
 }
 
 #[test]
-fn outcomes_are_replayed_and_counted() {
+fn verdicts_are_judged_again_and_counted() {
     let claims = [
         claim("right", "(x + 1)^2 == x^2 + 2*x + 1", ""),
         claim("wrong", "x^2 == x", ""),
         claim("range", "x >= 0", ""),
+        claim("nowhere", "x == 2", "assume = ['x > 3']"),
+        claim("open", "", ""),
     ];
     let folder = mini(&claims.concat());
     let ran = on(folder.path(), &["recheck", "--verbose"]);
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     assert!(
         ran.out
-            .contains("2 confirmed, 0 contradicted, 1 not of a kind"),
+            .contains("3 netted, 0 contradicted, 1 decided and not netted, 0 without"),
         "{}",
         ran.out
     );

@@ -1,7 +1,7 @@
 //! The net: statements that are true stand, statements that are false are caught.
 
 use crate::support::{claim, is_caught, is_empty, netted, stands};
-use torse_semantics::{Judgement, Outside, Witness, check_witness, excepting};
+use torse_semantics::{Beyond, Judgement, Outside, Witness, beyond, check_witness};
 
 #[test]
 fn multiples_of_assumptions_below_one() {
@@ -97,14 +97,37 @@ fn replaced_symbols_keep_their_ranges() {
     is_caught("assume = ['m >= 2']", "sum(j, 1, m, j) <= 3");
 }
 
+/// The statement where the condition fails.
+fn where_fails(fields: &str, states: &str, condition: &str) -> Beyond {
+    let (claim, condition) = (claim(fields, states), claim(fields, condition));
+    beyond(&claim, &claim.statement, &condition.statement, "t/c", 10, 4_000_000)
+        .expect("a comparison")
+}
+
 #[test]
-fn conditions_are_tried_on_both_sides() {
-    let claim = claim("", "y/y == 1");
-    let condition = crate::support::claim("", "y != 0");
+fn a_condition_is_needed_where_the_statement_is_undefined_or_false_without_it() {
     stands("", "y/y == 1");
-    let outside = excepting(&claim, &condition.statement).expect("a comparison");
-    let tally = netted(&outside);
-    assert!(tally.undefined > 0 && tally.decided() == 0, "{tally:?}");
+    let divisor = where_fails("", "y/y == 1", "y != 0");
+    assert_eq!((divisor.undefined, divisor.judged()), (10, 10), "{divisor:?}");
+    assert_eq!(divisor.needed_at.map(|p| p.to_string()).as_deref(), Some("y = 0"));
+
+    let factor = where_fails("", "(a - b)*y*y > 0 or a <= b", "y != 0");
+    assert!(factor.failing > 0 && factor.holding > 0, "{factor:?}");
+    let point = factor.needed_at.expect("a point").to_string();
+    assert!(point.contains("y = 0"), "{point}");
+}
+
+#[test]
+fn a_condition_that_is_not_needed_leaves_the_statement_true_where_it_fails() {
+    let beyond = where_fails("", "y*a == a*y", "y != 0");
+    assert_eq!((beyond.holding, beyond.needed_at), (10, None));
+}
+
+#[test]
+fn a_point_at_which_a_condition_nearly_fails_satisfies_it() {
+    // Where y is the root of two the quotient is undefined; no rational number is.
+    let beyond = where_fails("", "(y^2 - 2)/(y^2 - 2) == 1", "y^2 - 2 != 0");
+    assert_eq!((beyond.judged(), beyond.needed_at), (0, None));
 }
 
 #[test]

@@ -11,6 +11,7 @@ use super::residue::{of_fraction, of_rational, plus, power, solved, times, to_ra
 use super::subject::Subject;
 use super::target::other_side;
 use super::terms::{Atoms, Powers, Terms, product};
+use crate::condition::nonzero;
 use crate::outcome::Correction;
 use num_traits::Zero;
 use std::collections::BTreeMap;
@@ -20,6 +21,7 @@ use torse_language::derivation::{Claim, Written};
 use torse_language::notation;
 use torse_language::syntax::{Expr, Node};
 use torse_prove::case::Case;
+use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::value::Value;
@@ -262,9 +264,9 @@ fn proved(
         expr: expr.clone(),
         origin: statement.origin.clone(),
     };
-    if !decide_statement(claim, &trial).ok()?.is_proven() {
+    let Decision::Proven { conditions, .. } = decide_statement(claim, &trial).ok()? else {
         return None;
-    }
+    };
     let derived = match &shape.definition {
         None => "the right side derived anew in the printed terms".to_owned(),
         Some(name) => format!(
@@ -274,6 +276,7 @@ fn proved(
     };
     Some(Correction {
         statement: notation::formula(&expr),
+        conditions: conditions.iter().map(nonzero).collect(),
         edits: vec![derived],
         unique,
     })

@@ -18,6 +18,7 @@ pub mod target;
 mod terms;
 pub mod throughout;
 
+use crate::condition::nonzero;
 use crate::outcome::Correction;
 use edits::Edit;
 use std::cmp::Reverse;
@@ -28,6 +29,7 @@ use torse_algebra::planted::{Planted, planted};
 use torse_language::derivation::{Claim, Written};
 use torse_language::notation;
 use torse_language::syntax::{Expr, Node};
+use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 
 /// The most candidates evaluated with one edit.
@@ -115,10 +117,11 @@ fn proved(
             expr: expr.clone(),
             origin: statement.origin.clone(),
         };
-        let proved = decide_statement(claim, &trial).is_ok_and(|d| d.is_proven());
-        if !proved && !planted(Planted::CorrectionUnproved) {
-            continue;
-        }
+        let conditions = match decide_statement(claim, &trial) {
+            Ok(Decision::Proven { conditions, .. }) => conditions,
+            _ if planted(Planted::CorrectionUnproved) => vec![],
+            _ => continue,
+        };
         if let Some(first) = &mut found {
             first.unique = false;
             return found;
@@ -129,6 +132,7 @@ fn proved(
         }
         found = Some(Correction {
             statement: notation::formula(&expr),
+            conditions: conditions.iter().map(nonzero).collect(),
             edits,
             unique: true,
         });

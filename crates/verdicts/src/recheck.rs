@@ -1,0 +1,56 @@
+//! Verdicts judged once more, thoroughly.
+//!
+//! The [`net`](crate::net) under a verdict is cast while it is decided, with little work. Here it is cast again: with
+//! more work, at more and other points, and equations at fixed small integers as identities of quotients of polynomials,
+//! which decides them exactly there. Every kind of verdict is looked at: equations, order relations, `agrees`,
+//! properties of a basis, conditions on both sides, corrections, refutations at their witness, empty domains.
+//!
+//! That proves no statement again, but an error of the prover would have to be made here once more, in other words, to
+//! pass.
+
+use crate::net::{self, Effort};
+use crate::outcome::{Net, Outcome};
+use torse_language::derivation::Claim;
+
+/// What a verdict has to pass here.
+pub const THOROUGH: Effort = Effort {
+    points: 60,
+    budget: 6_000_000,
+    polynomials: 1_000_000,
+    seed: "again ",
+};
+
+/// What judging a verdict again gave.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Recheck {
+    /// The semantics agrees at as many points as are wanted.
+    Netted(Net),
+    /// It agrees at fewer, or at none; the net says why.
+    Decided(Net),
+    /// It does not agree.
+    Contradicted {
+        /// What was found.
+        found: String,
+    },
+    /// There is no verdict on a statement.
+    Nothing,
+}
+
+/// Judges the verdict of a claim again.
+#[must_use]
+pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
+    if let Some(found) = &outcome.contradiction {
+        return Recheck::Contradicted {
+            found: found.clone(),
+        };
+    }
+    let Some(statement) = &claim.statement else {
+        return Recheck::Nothing;
+    };
+    match net::judged(outcome, claim, statement, &THOROUGH) {
+        None => Recheck::Nothing,
+        Some(Ok(net)) if net.netted => Recheck::Netted(net),
+        Some(Ok(net)) => Recheck::Decided(net),
+        Some(Err(found)) => Recheck::Contradicted { found },
+    }
+}
