@@ -1,6 +1,7 @@
 //! The long run of random claims: `cargo run --release -p torse-tests --example random -- 100000 [SEED] [KIND]`.
 //!
-//! Prints the table kind, claims, wrong, open, and every wrong answer as a derivation file.
+//! Prints the table kind, claims, wrong, open, and how many the semantics decides by itself; and every wrong answer as a
+//! derivation file.
 
 use std::process::ExitCode;
 use torse_tests::random::Kind;
@@ -20,8 +21,8 @@ fn main() -> ExitCode {
     let each = total.div_ceil(u64::try_from(kinds.len().max(1)).unwrap_or(1));
     let mut failed = false;
     let mut table = format!(
-        "{:<12} {:>8} {:>6} {:>6}\n",
-        "kind", "claims", "wrong", "open"
+        "{:<12} {:>8} {:>6} {:>6} {:>10}\n",
+        "kind", "claims", "wrong", "open", "seconded"
     );
     for kind in kinds {
         let tally = judge::run(kind, seed, 0, each);
@@ -35,11 +36,12 @@ fn main() -> ExitCode {
         }
         failed |= !tally.wrong.is_empty();
         table.push_str(&format!(
-            "{:<12} {:>8} {:>6} {:>6}\n",
+            "{:<12} {:>8} {:>6} {:>6} {:>10}\n",
             kind.word(),
             tally.claims,
             tally.wrong.len(),
-            tally.open
+            tally.open,
+            tally.seconded
         ));
     }
     print!("{table}");

@@ -1,11 +1,12 @@
 //! The plan of the house: which room may use which.
 //!
 //! Read off the manifests and the sources of all rooms. A room may use what the table gives it, and what those
-//! rooms may use in turn; everything else runs against the direction in which data travels.
+//! rooms may use in turn; everything else runs against the direction in which data travels. Inside of a room no files
+//! may import one another in a circle, save that a file names what it is a part of.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -157,4 +158,288 @@ fn an_import_against_the_direction_is_seen() {
     );
     let manifest = "[dependencies]\ntorse-verdicts.workspace = true\n";
     assert_eq!(forbidden("prove", manifest, "torse-"), ["verdicts"]);
+}
+
+/// Circles of files that are known and not yet mended: each is the list of the modules that reach one another.
+const CIRCLES: [&str; 5] = [
+    "algebra: polynomial::dense, polynomial::multiply",
+    "figures: flat::plot, picture, space::view",
+    "geometry: curve, curve::measure, surface::ruled, surface::tensor",
+    "prove: case, decide::sign",
+    "prove: formula::expression, formula::points",
+];
+
+/// The names of Rust source without comments, strings and tests, and what stands between them.
+fn tokens(text: &str) -> Vec<String> {
+    let text = text.split("#[cfg(test)]").next().unwrap_or("");
+    let mut found: Vec<String> = vec![];
+    for line in text.lines() {
+        let code = line.split("//").next().unwrap_or("");
+        let mut word = String::new();
+        for c in code.chars().chain([' ']) {
+            if c.is_alphanumeric() || c == '_' {
+                word.push(c);
+                continue;
+            }
+            if !word.is_empty() {
+                found.push(std::mem::take(&mut word));
+            }
+            if !c.is_whitespace() {
+                found.push(c.to_string());
+            }
+        }
+    }
+    found
+}
+
+/// All paths of a tree such as `a::{b, c::d}`, of which the part before is known; returns where it ends.
+fn paths(
+    tokens: &[String],
+    mut at: usize,
+    before: &[String],
+    found: &mut Vec<Vec<String>>,
+) -> usize {
+    let mut path = before.to_vec();
+    loop {
+        match tokens.get(at).map(String::as_str) {
+            Some("{") => {
+                at += 1;
+                while tokens.get(at).is_some_and(|t| t != "}") {
+                    at = paths(tokens, at, &path, found);
+                    // `as` and the comma.
+                    while tokens.get(at).is_some_and(|t| t != "," && t != "}") {
+                        at += 1;
+                    }
+                    at += usize::from(tokens.get(at).is_some_and(|t| t == ","));
+                }
+                return at + 1;
+            }
+            Some(word) if word.starts_with(|c: char| c.is_alphabetic() || c == '_') => {
+                path.push(word.to_owned());
+                at += 1;
+            }
+            _ => break,
+        }
+        let colons = [tokens.get(at), tokens.get(at + 1)];
+        if colons.iter().any(|t| t.is_none_or(|t| t != ":")) {
+            break;
+        }
+        at += 2;
+    }
+    found.push(path);
+    at
+}
+
+/// The modules of a room, by their paths, with what they name of it: paths from its root, and those that they make
+/// public under another path.
+struct Modules {
+    named: BTreeMap<Vec<String>, Vec<Vec<String>>>,
+    public: BTreeMap<Vec<String>, Vec<String>>,
+}
+
+impl Modules {
+    /// Reads the files of a folder: a path relative to it, and the text.
+    fn new(files: &[(String, String)]) -> Self {
+        let module = |file: &str| -> Vec<String> {
+            let path = file.trim_end_matches(".rs").trim_end_matches("/mod");
+            let parts = path
+                .split('/')
+                .filter(|part| !["lib", "main", "mod"].contains(part));
+            parts.map(str::to_owned).collect()
+        };
+        let known: BTreeSet<Vec<String>> = files.iter().map(|(file, _)| module(file)).collect();
+        let (mut named, mut public) = (BTreeMap::new(), BTreeMap::new());
+        for (file, text) in files {
+            let own = module(file);
+            let tokens = tokens(text);
+            let mut all = vec![];
+            for (at, token) in tokens.iter().enumerate() {
+                let follows = at > 0 && tokens[at - 1] == ":";
+                let first = |at: usize| tokens.get(at).is_some_and(|t| t == ":");
+                // A child in `pub use child::Item` is named without `self`.
+                let uses = at > 0 && tokens[at - 1] == "use";
+                let child = || known.contains(&[own.clone(), vec![token.clone()]].concat());
+                if follows
+                    || !(["crate", "super", "self"].contains(&token.as_str()) && first(at + 1)
+                        || uses && child())
+                {
+                    continue;
+                }
+                let mut found = vec![];
+                paths(&tokens, at, &[], &mut found);
+                let found = found.into_iter().map(|path| absolute(&own, &path));
+                let start = tokens[..at].iter().rposition(|t| t == ";" || t == "}");
+                let is_public =
+                    uses && tokens[start.map_or(0, |s| s + 1)..at].contains(&"pub".to_owned());
+                for path in found {
+                    if let (true, Some(name)) = (is_public, path.last()) {
+                        public.insert([own.clone(), vec![name.clone()]].concat(), path.clone());
+                    }
+                    all.push(path);
+                }
+            }
+            named.insert(own, all);
+        }
+        Self { named, public }
+    }
+
+    /// The module in which something is that a path names.
+    fn home(&self, path: &[String]) -> Option<&Vec<String>> {
+        let mut path = path.to_vec();
+        // Made public elsewhere, perhaps more than once.
+        for _ in 0..4 {
+            let beginning = (1..=path.len()).rev().find_map(|end| {
+                let (start, rest) = path.split_at(end);
+                // A module and a function may share a name.
+                let other = self
+                    .public
+                    .get(start)
+                    .filter(|_| !self.named.contains_key(start))?;
+                Some([other.clone(), rest.to_vec()].concat())
+            });
+            match beginning {
+                Some(other) => path = other,
+                None => break,
+            }
+        }
+        let ends = (0..=path.len()).rev();
+        ends.filter_map(|end| self.named.get_key_value(path.get(..end)?))
+            .map(|(module, _)| module)
+            .next()
+    }
+
+    /// What each module imports, its own parts and what it is a part of left out.
+    fn imports(&self) -> BTreeMap<&Vec<String>, BTreeSet<&Vec<String>>> {
+        let of = |(own, paths): (&'_ Vec<String>, &'_ Vec<Vec<String>>)| {
+            let homes = paths.iter().filter_map(|path| self.home(path));
+            homes.filter(|home| !own.starts_with(home)).collect()
+        };
+        self.named
+            .iter()
+            .map(|entry| (entry.0, of(entry)))
+            .collect()
+    }
+
+    /// The circles of modules that import one another, as text.
+    fn circles(&self) -> Vec<String> {
+        let imports = self.imports();
+        let reach = |from: &Vec<String>| {
+            let mut seen: BTreeSet<&Vec<String>> = BTreeSet::new();
+            let mut pending: Vec<&Vec<String>> = imports[from].iter().copied().collect();
+            while let Some(next) = pending.pop() {
+                if seen.insert(next) {
+                    pending.extend(&imports[next]);
+                }
+            }
+            seen
+        };
+        let reached: BTreeMap<&Vec<String>, BTreeSet<&Vec<String>>> = self
+            .named
+            .keys()
+            .map(|module| (module, reach(module)))
+            .collect();
+        let circle = |module: &&Vec<String>| -> Vec<String> {
+            let mutual = reached[*module]
+                .iter()
+                .filter(|other| reached[**other].contains(*module));
+            mutual.map(|other| other.join("::")).collect()
+        };
+        let circles: BTreeSet<Vec<String>> = self.named.keys().map(|m| circle(&m)).collect();
+        circles
+            .into_iter()
+            .filter(|c| !c.is_empty())
+            .map(|c| c.join(", "))
+            .collect()
+    }
+}
+
+/// A path from the root of the room, of one that begins with `crate`, `self`, `super` or a child.
+fn absolute(own: &[String], path: &[String]) -> Vec<String> {
+    let mut base = own.to_vec();
+    let mut rest = path;
+    while let Some((first, others)) = rest.split_first() {
+        match first.as_str() {
+            "crate" => base.clear(),
+            "super" => {
+                base.pop();
+            }
+            "self" => {}
+            _ => break,
+        }
+        rest = others;
+    }
+    [base, rest.to_vec()].concat()
+}
+
+/// The sources of a room with their paths below `src`.
+fn room(name: &str) -> Vec<(String, String)> {
+    let folder = crates().join(name).join("src");
+    let mut files = vec![];
+    sources(&folder, &mut files);
+    let read = |file: &PathBuf| {
+        let path = file
+            .strip_prefix(&folder)
+            .unwrap()
+            .to_str()
+            .unwrap()
+            .replace('\\', "/");
+        (path, fs::read_to_string(file).unwrap())
+    };
+    files.iter().map(read).collect()
+}
+
+#[test]
+fn no_files_of_a_room_import_one_another_in_a_circle() {
+    let circles: Vec<String> = built()
+        .iter()
+        .flat_map(|name| {
+            let circles = Modules::new(&room(name)).circles();
+            circles
+                .into_iter()
+                .map(move |circle| format!("{name}: {circle}"))
+        })
+        .collect();
+    assert_eq!(circles, CIRCLES);
+}
+
+#[test]
+fn a_circle_of_files_is_seen_through_what_is_made_public_elsewhere() {
+    let files = |texts: &[(&str, &str)]| -> Vec<(String, String)> {
+        let owned = texts
+            .iter()
+            .map(|(a, b)| ((*a).to_owned(), (*b).to_owned()));
+        owned.collect()
+    };
+    let circles = |texts: &[(&str, &str)]| Modules::new(&files(texts)).circles();
+    let lib = (
+        "lib.rs",
+        "mod a;\nmod b;\npub use a::inner::{self, Thing as Other};",
+    );
+    let a = ("a/mod.rs", "pub mod inner;");
+    let inner = (
+        "a/inner.rs",
+        "use crate::b::{Left, Right};\npub struct Thing;",
+    );
+    assert_eq!(
+        circles(&[lib, a, inner, ("b.rs", "// use crate::a::inner;")]),
+        [""; 0]
+    );
+    for wrong in [
+        "use crate::{x, a::inner::Thing};",
+        "fn f() -> super::a::inner::Thing {}",
+    ] {
+        assert_eq!(circles(&[lib, a, inner, ("b.rs", wrong)]), ["a::inner, b"]);
+    }
+    // What a file is a part of, and its own parts, are no circle.
+    let parent = ("c/mod.rs", "mod d;\nuse d::Part;\npub struct Whole;");
+    assert_eq!(
+        circles(&[
+            ("lib.rs", "mod c;"),
+            parent,
+            ("c/d.rs", "use super::Whole;")
+        ]),
+        [""; 0]
+    );
+    let tests = "use crate::x;\n#[cfg(test)]\nmod tests { use crate::a::inner::Thing; }";
+    assert_eq!(circles(&[lib, a, inner, ("b.rs", tests)]), [""; 0]);
 }

@@ -58,7 +58,7 @@ impl Replay {
             if let Some(count) = counts.get_mut(place) {
                 *count += 1;
             }
-        if self.verbose || matches!(result, Recheck::Contradicted { .. }) {
+            if self.verbose || matches!(result, Recheck::Contradicted { .. }) {
                 rows.add_row([id.as_str(), word, detail.as_str()]);
             }
         }

@@ -12,7 +12,7 @@ use crate::value::Value;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use torse_language::core::{Family, Node, Points, Term};
+use torse_language::core::{BuiltIn, Claim, Family, Node, Points, Term};
 use torse_language::syntax::Operator;
 
 /// How deep terms may be nested, not counting chains of one operator.
@@ -33,7 +33,7 @@ pub(crate) struct Scope<'s, N> {
     /// How many binders enclose the term.
     depth: usize,
     /// How many infinitesimals there are.
-    level: usize,
+    pub(crate) level: usize,
     /// Whether a declared symbol is bound, so that closed terms have other values here.
     symbols: bool,
 }
@@ -81,6 +81,13 @@ impl<N: Clone> Scope<'_, N> {
         self.inner(Binding::Variable(variable, value))
     }
 
+    /// A declared symbol has another value, one infinitesimal further in.
+    pub(crate) fn changed<'t>(&'t self, name: Name, value: Series<N>) -> Scope<'t, N> {
+        let mut inner = self.inner(Binding::Symbol(name, value));
+        inner.level = self.level + 1;
+        inner
+    }
+
     fn variable(&self, number: u32) -> Option<&Value<N>> {
         match &self.binding {
             Binding::Variable(own, value) if *own == number => Some(value),
@@ -111,7 +118,10 @@ struct Row<N> {
 pub struct Evaluator<'a, A: Arithmetic> {
     pub(crate) arithmetic: &'a A,
     values: &'a dyn Fn(&Name) -> Option<A::Number>,
+    pub(crate) claim: Option<&'a Claim>,
+    /// The values of closed terms, by their addresses.
     closed: RefCell<BTreeMap<usize, Value<A::Number>>>,
+    is_closed: RefCell<BTreeMap<usize, bool>>,
     rows: RefCell<Vec<Row<A::Number>>>,
 }
 
@@ -124,8 +134,20 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         Self {
             arithmetic,
             values,
+            claim: None,
             closed: RefCell::default(),
+            is_closed: RefCell::default(),
             rows: RefCell::default(),
+        }
+    }
+
+    /// The same, where the unknowns of the claim's given equations are functions of the other symbols: that matters to
+    /// `coefficients` alone.
+    #[must_use]
+    pub fn of(self, claim: &'a Claim) -> Self {
+        Self {
+            claim: Some(claim),
+            ..self
         }
     }
 
@@ -140,26 +162,6 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
     /// The number of this name at the point.
     pub(crate) fn point_value(&self, name: &Name) -> Result<A::Number, Gap> {
         (self.values)(name).ok_or_else(|| no_value(&name.to_string()))
-    }
-
-    /// The value, the first derivative and half the second derivative of a term by a declared symbol.
-    ///
-    /// # Errors
-    /// As [`Evaluator::value`].
-    pub(crate) fn expansion(
-        &self,
-        term: &Term,
-        name: &Name,
-        scope: &Sc<'_, A>,
-    ) -> Result<[Value<A::Number>; 3], Gap> {
-        let a = self.arithmetic;
-        let own = self.symbol(name.clone(), scope)?;
-        let level = scope.level + 1;
-        let mut inner = scope.inner(Binding::Symbol(name.clone(), own.shifted(level, 2, a)));
-        inner.level = level;
-        let value = self.term(term, &inner)?;
-        let part = |order| value.each(&|s| Ok(s.coefficient(level, order, a)));
-        Ok([part(0)?, part(1)?, part(2)?])
     }
 
     pub(crate) fn number(&self, term: &Term, scope: &Sc<'_, A>) -> Result<Series<A::Number>, Gap> {
@@ -239,24 +241,53 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                 body,
                 at,
             } => self.derivative(variable.number(), order, body, at, &inside),
-            Node::Apply(function, arguments) => self.apply(*function, arguments, &inside),
+            Node::Apply(function, arguments) => {
+                // What is costly and depends on no variable of a binder has one value at the point.
+                let costly = matches!(
+                    function,
+                    BuiltIn::Inverse
+                        | BuiltIn::Solve
+                        | BuiltIn::Determinant
+                        | BuiltIn::Coefficients
+                );
+                if !costly || scope.symbols || !self.is_closed(term) {
+                    return self.apply(*function, arguments, &inside);
+                }
+                self.once(term, || self.apply(*function, arguments, &inside))
+            }
             Node::Opened { closed, body, .. } => {
                 if !closed || scope.symbols {
                     return self.term(body, &inside);
                 }
                 // A closed body has one value at the point, wherever it stands.
-                let key = Arc::as_ptr(&body.node).addr();
-                if let Some(known) = self.closed.borrow().get(&key) {
-                    return Ok(known.clone());
-                }
-                let value = self.term(body, &inside)?;
-                self.closed.borrow_mut().insert(key, value.clone());
-                Ok(value)
+                self.once(body, || self.term(body, &inside))
             }
         }
     }
 
-    fn symbol(&self, name: Name, scope: &Sc<'_, A>) -> Result<Series<A::Number>, Gap> {
+    /// The value of a closed term, evaluated when it is asked for first.
+    fn once(&self, term: &Term, evaluate: impl FnOnce() -> Outcome<A>) -> Outcome<A> {
+        let key = Arc::as_ptr(&term.node).addr();
+        if let Some(known) = self.closed.borrow().get(&key) {
+            return Ok(known.clone());
+        }
+        let value = evaluate()?;
+        self.closed.borrow_mut().insert(key, value.clone());
+        Ok(value)
+    }
+
+    /// Whether a term depends on no variable of an enclosing binder.
+    fn is_closed(&self, term: &Term) -> bool {
+        let key = Arc::as_ptr(&term.node).addr();
+        if let Some(known) = self.is_closed.borrow().get(&key) {
+            return *known;
+        }
+        let closed = term.is_closed();
+        self.is_closed.borrow_mut().insert(key, closed);
+        closed
+    }
+
+    pub(crate) fn symbol(&self, name: Name, scope: &Sc<'_, A>) -> Result<Series<A::Number>, Gap> {
         if let Some(bound) = scope.symbol(&name) {
             return Ok(bound.clone());
         }

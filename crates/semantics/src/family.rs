@@ -14,7 +14,7 @@ use crate::domain::set;
 use crate::domain::stream::Stream;
 use crate::evaluate::{Evaluator, Scope};
 use crate::gap::{Gap, Unknown};
-use crate::judge::Judgement;
+use crate::judgement::Judgement;
 use crate::linear;
 use crate::name::Name;
 use crate::real::{Real, Reals};

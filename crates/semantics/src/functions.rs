@@ -4,11 +4,9 @@ use crate::arithmetic::Arithmetic;
 use crate::evaluate::{Evaluator, Outcome, Sc};
 use crate::gap::{Gap, Undefined, Unknown};
 use crate::linear;
-use crate::name::Name;
 use crate::series::Series;
 use crate::value::{Value, dot, transposed};
-use std::sync::Arc;
-use torse_language::core::{BuiltIn, Node, Term};
+use torse_language::core::{BuiltIn, Term};
 use torse_numbers::rational::integer;
 
 /// The largest argument of a factorial and lower argument of a binomial coefficient.
@@ -121,69 +119,5 @@ impl<A: Arithmetic> Evaluator<'_, A> {
             return Ok(Value::vector(solution.into_iter().flatten().collect()));
         }
         Ok(Value::matrix(linear::solution(&matrix, &right.rows()?, a)?))
-    }
-
-    /// One row for each form, one column for each unknown: the derivatives, if the second ones are zero.
-    fn coefficients(&self, forms: &Term, unknowns: &Term, scope: &Sc<'_, A>) -> Outcome<A> {
-        let names = self.names(unknowns, scope)?;
-        let mut columns = vec![];
-        for name in &names {
-            let [_, first, second] = self.expansion(forms, name, scope)?;
-            let curved = second
-                .numbers()
-                .into_iter()
-                .map(|x| x.is_zero(self.arithmetic));
-            for flat in curved {
-                match flat {
-                    Some(true) => {}
-                    Some(false) => return Err(Undefined::NotLinear.into()),
-                    None => return Err(Unknown::Precision.into()),
-                }
-            }
-            columns.push(first.numbers().into_iter().cloned().collect::<Vec<_>>());
-        }
-        Ok(Value::matrix(transposed(&columns)))
-    }
-
-    /// The numbers of a point that a list of symbols, coordinates and members consists of.
-    pub(crate) fn names(&self, term: &Term, scope: &Sc<'_, A>) -> Result<Vec<Name>, Gap> {
-        let not_covered = || {
-            Gap::from(Unknown::NotCovered {
-                what: "a formula where a symbol is needed",
-            })
-        };
-        Ok(match &*term.node {
-            Node::List(items) => {
-                let names = items.iter().map(|item| self.names(item, scope));
-                names.collect::<Result<Vec<_>, _>>()?.concat()
-            }
-            Node::Opened { body, .. } => self.names(body, scope)?,
-            Node::Symbol(name) | Node::Vector(name, None) => vec![Name::Symbol(Arc::clone(name))],
-            Node::Vector(name, Some(dimension)) => (1..=*dimension)
-                .map(|c| Name::Coordinate(Arc::clone(name), c))
-                .collect(),
-            Node::Member(points, indices) => {
-                let indices: Vec<i64> = indices
-                    .iter()
-                    .map(|i| self.integer(i, "an index", scope))
-                    .collect::<Result<_, _>>()?;
-                let member = |c| Name::Member(Arc::clone(&points.name), indices.clone(), c);
-                match points.dimension {
-                    None | Some(1) => vec![member(None)],
-                    Some(d) => (1..=d).map(|c| member(Some(c))).collect(),
-                }
-            }
-            Node::Entry(of, indices) => {
-                let all = self.names(of, scope)?;
-                let [index] = indices.as_slice() else {
-                    return Err(not_covered());
-                };
-                let index = self.integer(index, "an index", scope)?;
-                let position = usize::try_from(index - 1).ok();
-                let name = position.and_then(|p| all.get(p).cloned());
-                vec![name.ok_or_else(not_covered)?]
-            }
-            _ => return Err(not_covered()),
-        })
     }
 }

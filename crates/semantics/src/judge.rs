@@ -8,12 +8,12 @@
 use crate::arithmetic::Arithmetic;
 use crate::evaluate::Evaluator;
 use crate::family;
-use crate::gap::{Gap, Undefined, Unknown, Work};
+use crate::gap::{Gap, Unknown, Work};
+use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::real::{Real, Reals};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
-use std::fmt;
 use torse_language::core::{Claim, Printed, Statement, Term};
 use torse_language::syntax::{Connective, Relation};
 use torse_numbers::{Ball, Integer, Rational};
@@ -24,75 +24,6 @@ const PRECISIONS: [usize; 2] = [320, 1280];
 const AGREEMENT_BITS: usize = 128;
 /// At a point that satisfies its hypotheses only nearly, different numbers differ by at least two to the minus this.
 const SLACK_BITS: usize = 64;
-
-/// What a statement is at a point.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Judgement {
-    /// True.
-    True,
-    /// False, and all parts are defined.
-    False,
-    /// Some part is undefined: the claim says nothing about this point.
-    Undefined(Undefined),
-    /// All parts are defined, but the enclosures do not tell whether it is true.
-    Undecided,
-    /// Whether all parts are defined, or their values, is not known.
-    Unknown(Unknown),
-}
-
-impl fmt::Display for Judgement {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::True => write!(f, "true"),
-            Self::False => write!(f, "false"),
-            Self::Undefined(why) => write!(f, "undefined: {why}"),
-            Self::Undecided => write!(f, "undecided"),
-            Self::Unknown(why) => write!(f, "not known: {why}"),
-        }
-    }
-}
-
-impl Judgement {
-    fn of(truth: Option<bool>) -> Self {
-        match truth {
-            Some(true) => Self::True,
-            Some(false) => Self::False,
-            None => Self::Undecided,
-        }
-    }
-
-    /// Whether the statement is settled here.
-    #[must_use]
-    pub fn decided(&self) -> Option<bool> {
-        match self {
-            Self::True => Some(true),
-            Self::False => Some(false),
-            Self::Undefined(_) | Self::Undecided | Self::Unknown(_) => None,
-        }
-    }
-
-    /// What two parts make together; undefined or unknown if one of them is.
-    fn joined(
-        self,
-        other: Self,
-        join: impl Fn(Option<bool>, Option<bool>) -> Option<bool>,
-    ) -> Self {
-        match (self, other) {
-            (Self::Undefined(why), _) | (_, Self::Undefined(why)) => Self::Undefined(why),
-            (Self::Unknown(why), _) | (_, Self::Unknown(why)) => Self::Unknown(why),
-            (a, b) => Self::of(join(a.decided(), b.decided())),
-        }
-    }
-}
-
-impl From<Gap> for Judgement {
-    fn from(gap: Gap) -> Self {
-        match gap {
-            Gap::Undefined(why) => Self::Undefined(why),
-            Gap::Unknown(why) => Self::Unknown(why),
-        }
-    }
-}
 
 /// A point at which statements of a claim are judged.
 pub(crate) struct Judge<'a> {
@@ -120,7 +51,8 @@ impl Judge<'_> {
                 bits,
                 work: self.work,
             };
-            last = self.statement(statement, &Evaluator::new(&reals, self.values));
+            let at = Evaluator::new(&reals, self.values).of(self.claim);
+            last = self.statement(statement, &at);
             if !matches!(
                 last,
                 Judgement::Undecided | Judgement::Unknown(Unknown::Precision)

@@ -58,13 +58,16 @@
 #![warn(missing_docs)]
 
 mod arithmetic;
+mod coefficients;
 mod domain;
 mod evaluate;
 mod family;
 mod functions;
 mod gap;
+mod gradient;
 mod instance;
 mod judge;
+mod judgement;
 mod linear;
 mod name;
 mod net;
@@ -79,7 +82,7 @@ pub use domain::point::{Outside, Point};
 pub use evaluate::Evaluator;
 pub use gap::{Gap, Undefined, Unknown, Work};
 pub use instance::{Identity, Instance, identity, instances};
-pub use judge::Judgement;
+pub use judgement::Judgement;
 pub use name::Name;
 pub use net::{Beyond, Tally, beyond, check, judge, tally};
 pub use polynomial::{Polynomials, Quotient};

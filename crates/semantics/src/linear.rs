@@ -1,7 +1,7 @@
 //! Determinants, inverses and linear systems.
 //!
 //! Elimination needs a pivot that is certainly not zero. Where none is known the determinant is expanded, which
-//! divides by nothing, and the rest follows by Cramer's rule from determinants.
+//! divides by nothing, and solutions follow by Cramer's rule from determinants.
 
 use crate::arithmetic::Arithmetic;
 use crate::gap::{Gap, Undefined, Unknown};
@@ -99,15 +99,82 @@ fn without<T: Clone>(row: &[T], column: usize) -> Vec<T> {
     kept.map(|(_, x)| x.clone()).collect()
 }
 
-/// The X with `matrix * X = right`: Cramer's rule, column by column.
+/// The X with `matrix * X = right`: by elimination, or by Cramer's rule where no pivot is known.
 ///
 /// # Errors
 /// [`Undefined::ZeroDivisor`] for a singular matrix, [`Gap::Unknown`] where that is not known.
 pub fn solution<A: Arithmetic>(matrix: &Rows<A>, right: &Rows<A>, a: &A) -> Result<Rows<A>, Gap> {
-    let size = matrix.len();
-    if right.len() != size {
+    if right.len() != matrix.len() {
         return Err(Gap::shape("the right side to the matrix"));
     }
+    check_size(matrix.len(), MAX_SIZE)?;
+    if matrix.iter().any(|row| row.len() != matrix.len()) {
+        return Err(Gap::shape("a matrix that is not square"));
+    }
+    match eliminated(matrix, right, a)? {
+        Some(solution) => Ok(solution),
+        None => by_determinants(matrix, right, a),
+    }
+}
+
+/// Gauss and Jordan; `None` where no pivot is certainly not zero.
+fn eliminated<A: Arithmetic>(
+    matrix: &Rows<A>,
+    right: &Rows<A>,
+    a: &A,
+) -> Result<Option<Rows<A>>, Gap> {
+    let size = matrix.len();
+    let mut rest: Rows<A> = matrix
+        .iter()
+        .zip(right)
+        .map(|(row, values)| row.iter().chain(values).cloned().collect())
+        .collect();
+    let mut done: Rows<A> = vec![];
+    for column in 0..size {
+        let unit = |row: &Vec<_>| row.get(column).is_some_and(|x| is_unit(x, a));
+        let Some(pivot) = rest.iter().position(unit) else {
+            return Ok(None);
+        };
+        let row = rest.remove(pivot);
+        let Some(leading) = row.get(column) else {
+            return Ok(None);
+        };
+        // What stands before the column is zero already.
+        let lead: Vec<_> = row
+            .iter()
+            .enumerate()
+            .map(|(place, x)| {
+                if place < column {
+                    Ok(x.clone())
+                } else {
+                    x.over(leading, a)
+                }
+            })
+            .collect::<Result<_, _>>()?;
+        for row in rest.iter_mut().chain(&mut done) {
+            let Some(factor) = row.get(column).cloned() else {
+                continue;
+            };
+            if factor.is_zero(a) == Some(true) {
+                continue;
+            }
+            for (x, y) in row.iter_mut().zip(&lead).skip(column) {
+                *x = x.minus(&factor.times(y, a)?, a)?;
+            }
+        }
+        done.push(lead);
+    }
+    let values = |row: &Vec<Series<A::Number>>| row.iter().skip(size).cloned().collect();
+    Ok(Some(done.iter().map(values).collect()))
+}
+
+/// Cramer's rule, column by column.
+fn by_determinants<A: Arithmetic>(
+    matrix: &Rows<A>,
+    right: &Rows<A>,
+    a: &A,
+) -> Result<Rows<A>, Gap> {
+    let size = matrix.len();
     let whole = determinant(matrix, a)?;
     if whole.is_zero(a) == Some(true) {
         return Err(Undefined::ZeroDivisor.into());

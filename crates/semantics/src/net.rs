@@ -5,8 +5,10 @@
 
 use crate::domain::draft::Draft;
 use crate::domain::point::{Outside, Point, check_hypotheses, check_sets, drawn};
+use crate::domain::stream::Stream;
 use crate::gap::Work;
-use crate::judge::{Judge, Judgement, address};
+use crate::judge::{Judge, address};
+use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::real::Real;
 use std::collections::BTreeMap;
@@ -17,6 +19,11 @@ use torse_language::syntax::Relation;
 /// Attempts for each wanted point, and at least.
 const ATTEMPTS_PER_POINT: u64 = 12;
 const LEAST_ATTEMPTS: u64 = 60;
+/// No further points are drawn if the statement is decided at none of the first so many.
+const HOPELESS: u64 = 40;
+/// Every how many-th point lies at the edges of the declared sets: where a statement holds, and where a condition fails.
+const EDGES: u64 = 6;
+const EDGES_BEYOND: u64 = 2;
 /// The work of one judgement of a point that the caller names.
 const POINT_WORK: u64 = 2_000_000;
 
@@ -108,7 +115,8 @@ pub fn tally(
     let mut tally = Tally::default();
     tally.attempts = survey.walk(statement, conditions, &denied, &mut |seen| {
         tally.count(seen);
-        !tally.single && tally.decided() < wanted && tally.failing.is_none()
+        let hopeless = tally.holding == 0 && tally.found >= HOPELESS;
+        !(tally.single || hopeless) && tally.decided() < wanted && tally.failing.is_none()
     });
     tally.exhausted = survey.work.left() == 0;
     tally
@@ -155,13 +163,21 @@ pub fn beyond(
     budget: u64,
 ) -> Option<Beyond> {
     let changed = excepting(claim, condition)?;
-    let survey = Survey::new(&changed, seed, wanted, budget);
+    let survey = Survey {
+        edges: EDGES_BEYOND,
+        ..Survey::new(&changed, seed, wanted, budget)
+    };
     // Whether something is denied is a matter of the whole domain.
     let denied = Survey::new(claim, seed, wanted, budget).settled(statement);
     let mut beyond = Beyond::default();
     let mut undefined_at = None;
     beyond.attempts = survey.walk(statement, &[], &denied, &mut |seen| {
-        let Seen::Judged { judgement, draft, near: false } = seen else {
+        let Seen::Judged {
+            judgement,
+            draft,
+            near: false,
+        } = seen
+        else {
             return true;
         };
         let point = || Point {
@@ -200,7 +216,12 @@ enum Seen<'s, 'a> {
 
 impl Tally {
     fn count(&mut self, seen: Seen<'_, '_>) {
-        let Seen::Judged { judgement, draft, near } = seen else {
+        let Seen::Judged {
+            judgement,
+            draft,
+            near,
+        } = seen
+        else {
             self.excepted += 1;
             return;
         };
@@ -231,6 +252,8 @@ struct Survey<'a> {
     /// The work of one point.
     share: u64,
     work: Work,
+    /// Every how many-th point lies at the edges of the declared sets.
+    edges: u64,
 }
 
 impl<'a> Survey<'a> {
@@ -241,6 +264,7 @@ impl<'a> Survey<'a> {
             attempts: LEAST_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted),
             share: (budget / wanted.max(1)).saturating_mul(2),
             work: Work::new(budget),
+            edges: EDGES,
         }
     }
 
@@ -276,7 +300,12 @@ impl<'a> Survey<'a> {
         work: &Work,
         each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
     ) -> bool {
-        let Some((draft, near)) = drawn(self.claim, self.seed, attempt, work) else {
+        let stream = Stream::new(self.seed, attempt);
+        let stream = match (attempt + 1) % self.edges {
+            0 => stream.at_edges(),
+            _ => stream,
+        };
+        let Some((draft, near)) = drawn(self.claim, stream, work) else {
             return true;
         };
         let judge = Judge {
@@ -319,7 +348,13 @@ impl<'a> Survey<'a> {
         for p in inner.into_iter().rev() {
             let mut found = false;
             self.walk(p, &[], &denied, &mut |seen| {
-                found = matches!(seen, Seen::Judged { judgement: Judgement::False, .. });
+                found = matches!(
+                    seen,
+                    Seen::Judged {
+                        judgement: Judgement::False,
+                        ..
+                    }
+                );
                 !found
             });
             if found {

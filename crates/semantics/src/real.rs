@@ -144,6 +144,11 @@ impl Reals<'_> {
     }
 }
 
+/// Whether a number is known to be this integer.
+fn is_exactly(a: &Real, n: i64) -> bool {
+    a.as_rational().is_some_and(|q| *q == integer(n))
+}
+
 /// `sin(pi t)` where it is rational and t is rational.
 fn rational_sine(t: &Rational) -> Option<Rational> {
     let sixths = t * integer(6);
@@ -186,6 +191,13 @@ impl Arithmetic for Reals<'_> {
     }
 
     fn plus(&self, a: &Real, b: &Real) -> Result<Real, Gap> {
+        // Nothing is done where a side is zero, or a factor one.
+        if is_exactly(a, 0) {
+            return Ok(b.clone());
+        }
+        if is_exactly(b, 0) {
+            return Ok(a.clone());
+        }
         self.work.spend(1)?;
         Ok(match (a, b) {
             (
@@ -210,6 +222,15 @@ impl Arithmetic for Reals<'_> {
     }
 
     fn times(&self, a: &Real, b: &Real) -> Result<Real, Gap> {
+        if is_exactly(a, 0) || is_exactly(b, 0) {
+            return Ok(Rational::zero().into());
+        }
+        if is_exactly(a, 1) {
+            return Ok(b.clone());
+        }
+        if is_exactly(b, 1) {
+            return Ok(a.clone());
+        }
         self.work.spend(1)?;
         for (a, b) in [(a, b), (b, a)] {
             if let (Some(q), Real::Exact { rational, turns }) = (a.as_rational(), b) {
@@ -218,10 +239,6 @@ impl Arithmetic for Reals<'_> {
                     false => q * turns,
                 };
                 return Ok(self.exact(q * rational, turns));
-            }
-            // Zero times anything is exactly zero.
-            if a.sign() == Some(Ordering::Equal) {
-                return Ok(Rational::zero().into());
             }
         }
         if self.bit_length(a).unwrap_or(0) + self.bit_length(b).unwrap_or(0) > MAX_SIZE_BITS {

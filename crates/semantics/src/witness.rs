@@ -3,7 +3,7 @@
 use crate::domain::point::{Outside, Point};
 use crate::evaluate::Evaluator;
 use crate::gap::Work;
-use crate::judge::Judgement;
+use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::net::{Numbers, check};
 use crate::real::{Real, Reals};

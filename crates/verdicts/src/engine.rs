@@ -1,7 +1,7 @@
 //! Running claims: from a loaded paper to outcomes.
 
-use crate::net;
 use crate::condition::nonzero;
+use crate::net;
 use crate::outcome::{Outcome, PaperOutcome};
 use crate::repair;
 use rayon::prelude::*;
@@ -254,6 +254,7 @@ fn readable(value: &Fraction) -> Option<Formula> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::Arc;
     use torse_language::derivation::{LoadError, Source, paper};
 
     #[test]

@@ -7,7 +7,8 @@
 
 use crate::repair::alphabet::alphabet;
 use crate::repair::canonical::canonical;
-use crate::repair::edits::{placed, single};
+use crate::repair::edit::placed;
+use crate::repair::edits::single;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_language::derivation::{Claim, Written};

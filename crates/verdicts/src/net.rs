@@ -41,7 +41,7 @@ pub struct Effort {
 /// What every verdict has to pass before it is shown.
 pub const ALWAYS: Effort = Effort {
     points: 20,
-    budget: 300_000,
+    budget: 500_000,
     polynomials: 0,
     seed: "",
 };
@@ -237,13 +237,19 @@ impl Case<'_> {
             .map_err(|found| format!("the correction is wrong: {found}"))?;
         if !found.netted {
             net.netted = false;
-            net.why = found.why.as_ref().map(|why| format!("the correction: {why}"));
+            net.why = found
+                .why
+                .as_ref()
+                .map(|why| format!("the correction: {why}"));
         }
         net.correction = Some(Box::new(found));
         Ok(net)
     }
 
     fn witness(&self, outcome: &Outcome) -> Result<Net, String> {
+        if let core::Statement::Not(denied) = &self.core.statement {
+            return self.denial(denied);
+        }
         let Some(witness) = &outcome.witness else {
             return Ok(self.elsewhere("it names no point"));
         };
@@ -251,21 +257,36 @@ impl Case<'_> {
             .at
             .iter()
             .map(|(name, value)| (name.as_str(), value.as_str()));
-        Ok(match check_witness(self.core, &self.core.statement, numbers) {
-            Witness::Refutes => Net::refuted(1),
-            Witness::Outside(Outside::Hypothesis {
-                judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),
-                ..
-            }) => self.elsewhere(&judgement.to_string()),
-            Witness::Outside(why) => {
-                return Err(format!("its witness is outside of the domain: {why}"));
-            }
-            Witness::Stands(judgement @ (Judgement::True | Judgement::Undefined(_))) => {
-                return Err(format!("the statement is {judgement} at its witness"));
-            }
-            Witness::Stands(judgement) => self.elsewhere(&judgement.to_string()),
-            Witness::Unreadable(why) => self.elsewhere(&why.to_string()),
-        })
+        Ok(
+            match check_witness(self.core, &self.core.statement, numbers) {
+                Witness::Refutes => Net::refuted(1),
+                Witness::Outside(Outside::Hypothesis {
+                    judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),
+                    ..
+                }) => self.elsewhere(&judgement.to_string()),
+                Witness::Outside(why) => {
+                    return Err(format!("its witness is outside of the domain: {why}"));
+                }
+                Witness::Stands(judgement @ (Judgement::True | Judgement::Undefined(_))) => {
+                    return Err(format!("the statement is {judgement} at its witness"));
+                }
+                Witness::Stands(judgement) => self.elsewhere(&judgement.to_string()),
+                Witness::Unreadable(why) => self.elsewhere(&why.to_string()),
+            },
+        )
+    }
+
+    /// That `not p` is false says that p is true at every point: a proof.
+    fn denial(&self, denied: &core::Statement) -> Result<Net, String> {
+        let mut core = self.core.clone();
+        core.statement = denied.clone();
+        let case = Case {
+            core: &core,
+            seed: self.seed.clone(),
+            ..*self
+        };
+        let found = case.proof(&[]);
+        found.map_err(|found| format!("what it denies fails somewhere: {found}"))
     }
 
     /// A refutation whose witness cannot be put in, because it does not name every number or speaks of functions:
@@ -287,7 +308,9 @@ impl Case<'_> {
         match tally.found {
             0 => Ok(Net {
                 tried: tally.attempts,
-                ..Net::uncovered("that no point of the domain was drawn is no proof that there is none")
+                ..Net::uncovered(
+                    "that no point of the domain was drawn is no proof that there is none",
+                )
             }),
             _ => Err("its domain has points".to_owned()),
         }

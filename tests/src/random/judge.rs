@@ -1,11 +1,16 @@
 //! What the engine says, against what is true.
+//!
+//! There are three judges: the construction of the claim, which knows whether it is true, the engine, and the semantics,
+//! which is asked at points of its own. No two of them may contradict each other.
 
 use super::Kind;
 use super::claim::{Claim, Truth};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use torse_language::derivation::{LoadError, Paper, Source, paper};
+use torse_language::core;
+use torse_language::derivation::{self, LoadError, Paper, Source, paper};
 use torse_language::words::Verdict;
+use torse_semantics::{Tally as Points, tally};
 use torse_verdicts::Outcome;
 use torse_verdicts::engine::decide_claim;
 
@@ -67,6 +72,48 @@ pub fn outcome(claim: &Claim) -> Result<Outcome, String> {
         .unwrap_or_else(|| Err("no claim".to_owned()))
 }
 
+/// The points at which the semantics is asked, and its work.
+const POINTS: u64 = 20;
+const BUDGET: u64 = 200_000;
+
+/// What the semantics finds of a claim: at points of another stream than those under the engine's verdicts.
+///
+/// # Errors
+/// The message where the claim makes no sense.
+pub fn semantics(claim: &Claim) -> Result<Points, String> {
+    let paper = paper_of(&[claim]).map_err(|error| format!("{error:?}"))?;
+    let written: &derivation::Claim = paper.claims.first().ok_or("no claim")?;
+    let statement = written.statement.as_ref().ok_or("no statement")?;
+    let core = core::Claim::new(written, statement).map_err(|fault| format!("{fault:?}"))?;
+    let seed = format!("second judge {}", claim.id());
+    Ok(tally(&core, &core.statement, &[], &seed, POINTS, BUDGET))
+}
+
+/// What contradicts the construction of a claim, if anything.
+#[must_use]
+pub fn contradiction(claim: &Claim, points: &Points) -> Option<String> {
+    match (&claim.truth, &points.failing) {
+        (Truth::Vacuous, _) if points.found > 0 => Some("its domain has points".to_owned()),
+        (Truth::Holds | Truth::Conditional, Some(point)) => {
+            Some(format!("the semantics finds it false at {point}"))
+        }
+        (Truth::Holds, None) if points.undefined > 0 => {
+            Some("the semantics finds it undefined somewhere".to_owned())
+        }
+        _ => None,
+    }
+}
+
+/// Whether the semantics alone says what the construction says: false where it is false, true at all points else.
+#[must_use]
+pub fn seconded(claim: &Claim, points: &Points) -> bool {
+    match claim.truth {
+        Truth::Fails(_) => points.failing.is_some(),
+        Truth::Vacuous => points.found == 0,
+        Truth::Holds | Truth::Conditional => points.single || points.holding >= POINTS,
+    }
+}
+
 /// Compares an answer, and a correction where there is one, with the truth.
 #[must_use]
 pub fn judge(claim: &Claim, answer: &Result<Outcome, String>) -> Judgement {
@@ -74,6 +121,9 @@ pub fn judge(claim: &Claim, answer: &Result<Outcome, String>) -> Judgement {
         Ok(outcome) => outcome,
         Err(message) => return Judgement::Wrong(format!("error: {message}")),
     };
+    if let Some(found) = &outcome.contradiction {
+        return Judgement::Wrong(format!("internal contradiction: {found}"));
+    }
     let wrong = || {
         let witness = outcome.witness.as_ref().map(|w| &w.at);
         let correction = outcome.correction.as_ref().map(|c| &c.statement.text);
@@ -112,8 +162,10 @@ pub struct Tally {
     pub wrong: Vec<String>,
     /// How many were not decided.
     pub open: u64,
-    /// One of those that were not decided.
+    /// Those that were not decided.
     pub undecided: Vec<String>,
+    /// How many the semantics decides by itself as they were made.
+    pub seconded: u64,
 }
 
 /// Claims `first..first + count` of a kind.
@@ -125,22 +177,27 @@ pub fn run(kind: Kind, seed: u64, first: u64, count: u64) -> Tally {
         wrong: vec![],
         open: 0,
         undecided: vec![],
+        seconded: 0,
     };
     for number in first..first + count {
         let claim = kind.claim(seed, number);
+        let text = || format!("{}truth: {:?}\n", claim.file(), claim.truth);
+        match semantics(&claim) {
+            Err(message) => tally.wrong.push(format!("{}error: {message}\n", text())),
+            Ok(points) => {
+                if let Some(how) = contradiction(&claim, &points) {
+                    tally.wrong.push(format!("{}{how}\n", text()));
+                }
+                tally.seconded += u64::from(seconded(&claim, &points));
+            }
+        }
         match judge(&claim, &outcome(&claim)) {
             Judgement::Right => (),
             Judgement::Open => {
                 tally.open += 1;
-                tally
-                    .undecided
-                    .push(format!("{}truth: {:?}\n", claim.file(), claim.truth));
+                tally.undecided.push(text());
             }
-            Judgement::Wrong(how) => tally.wrong.push(format!(
-                "{}truth: {:?}\nanswer: {how}\n",
-                claim.file(),
-                claim.truth
-            )),
+            Judgement::Wrong(how) => tally.wrong.push(format!("{}answer: {how}\n", text())),
         }
     }
     tally

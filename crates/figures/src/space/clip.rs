@@ -1,6 +1,6 @@
 //! Cutting solids to a box, before anything is projected.
 
-use crate::space::mesh::Corner;
+use crate::space::corner::Corner;
 use crate::space::vector::{V3, lerp};
 
 /// An interval per axis.

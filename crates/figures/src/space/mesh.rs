@@ -4,33 +4,13 @@ use crate::colour::{Colour, Line};
 use crate::ink::scene::Rect;
 use crate::space::camera::Projection;
 use crate::space::clip::{BoxBounds, clip_curve, clip_triangle, contains};
+use crate::space::corner::Corner;
 use crate::space::dash::dashes;
 use crate::space::grid::Grid;
 use crate::space::raster::{Material, Mesh, Segment, Triangle, Vertex};
 use crate::space::shade::Finish;
 use crate::space::vector::{V3, add, cross, lerp, sub, times, unit};
 use crate::space::view::{Border, Paint, Solid, Surface, View};
-
-/// A vertex of a surface in space, with what varies over the surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Corner {
-    pub at: V3,
-    pub normal: V3,
-    /// Parameters in 0..=1.
-    pub uv: [f64; 2],
-    pub value: f64,
-}
-
-impl Corner {
-    pub(crate) fn lerp(&self, other: &Corner, t: f64) -> Corner {
-        Corner {
-            at: lerp(self.at, other.at, t),
-            normal: lerp(self.normal, other.normal, t),
-            uv: [0, 1].map(|k| self.uv[k] + t * (other.uv[k] - self.uv[k])),
-            value: self.value + t * (other.value - self.value),
-        }
-    }
-}
 
 /// Radius of a marked point and of a vertex of a control net, in pixels.
 const POINT: f64 = 3.4;

@@ -3,6 +3,7 @@
 mod axes;
 mod camera;
 mod clip;
+mod corner;
 mod dash;
 mod draw;
 mod grid;

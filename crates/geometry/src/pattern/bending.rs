@@ -14,9 +14,9 @@
 //! A designed surface is taken as the middle of the sheet: its radius is `r + t/2`, and a strip across the rulings is
 //! `beta (K - 1/2) t` longer or shorter on the neutral axis than on the pattern.
 
+use super::error::positive;
 use super::error::{PatternError, PatternResult};
 use super::flat::FlatPattern;
-use super::unroll::positive;
 
 /// A sheet to bend: thickness and K-factor.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,10 +1,11 @@
 //! Several patches on one sheet: neighbours attached along a common ruling, or parts side by side.
 
+use super::error::positive;
 use super::error::{PatternError, PatternResult};
 use super::flat::FlatPattern;
 use super::piece::Piece;
 use super::placement::Placement;
-use super::unroll::{check_simple, positive};
+use super::unroll::check_simple;
 use crate::vector::{norm, sub};
 
 impl FlatPattern {

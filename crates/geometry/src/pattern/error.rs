@@ -104,3 +104,12 @@ pub enum PatternError {
         needed: usize,
     },
 }
+
+/// Refuses a demand that is not positive, or not finite.
+pub(super) fn positive(name: &'static str, value: f64) -> PatternResult<()> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    let range = "(0, infinity)";
+    Err(PatternError::OutOfRange { name, value, range })
+}

@@ -116,7 +116,7 @@ impl FlatPattern {
         curve: impl Fn(f64) -> [f64; 2],
         chord: f64,
     ) -> PatternResult<Vec<[f64; 2]>> {
-        super::unroll::positive("chord tolerance", chord)?;
+        super::error::positive("chord tolerance", chord)?;
         let at = |t: f64| {
             let [x, v] = curve(t);
             let outside = || super::PatternError::OutOfRange {

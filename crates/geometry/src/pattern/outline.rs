@@ -64,7 +64,7 @@ impl Outline {
     /// # Errors
     /// [`PatternError::OutOfRange`](super::PatternError::OutOfRange) unless `chord > 0`.
     pub fn polygon(&self, chord: f64) -> PatternResult<Vec<[f64; 2]>> {
-        super::unroll::positive("chord tolerance", chord)?;
+        super::error::positive("chord tolerance", chord)?;
         let mut points = Vec::with_capacity(self.segments.len());
         for segment in &self.segments {
             // The sagitta of a part falls with the square of its share.

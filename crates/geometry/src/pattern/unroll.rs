@@ -2,7 +2,7 @@
 
 use super::crossing::crossing;
 use super::development::Development;
-use super::error::{PatternError, PatternResult};
+use super::error::{PatternError, PatternResult, positive};
 use super::fit::fit;
 use super::flat::FlatPattern;
 use super::piece::Piece;
@@ -132,14 +132,6 @@ pub(super) fn check_simple(flat: &FlatPattern, tolerance: f64) -> PatternResult<
         None => Ok(()),
         Some((segments, at)) => Err(PatternError::CrossesItself { at, segments }),
     }
-}
-
-pub(super) fn positive(name: &'static str, value: f64) -> PatternResult<()> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    let range = "(0, infinity)";
-    Err(PatternError::OutOfRange { name, value, range })
 }
 
 /// Unrolls a patch within `tolerance` (a length), showing `rulings` rulings: [`Unrolling`] with what is usual

@@ -89,13 +89,18 @@ impl Claim {
             .map(|w| elaborator.term(&w.expr).map_err(|f| f.within(&w.origin)))
             .collect::<Result<Vec<_>, _>>()?;
         let statement = within(statement)?;
-        let mut all = Self {
-            symbols: BTreeMap::new(),
+        let mut names: Vec<Arc<str>> = vec![];
+        let mut add = |name: &Arc<str>| names.push(Arc::clone(name));
+        for hypothesis in &hypotheses {
+            hypothesis.statement.declared_names(&mut add);
+        }
+        unknowns.iter().for_each(|t| t.declared_names(&mut add));
+        statement.declared_names(&mut add);
+        Ok(Self {
+            symbols: elaborator.symbols_of(names),
             hypotheses,
             unknowns,
             statement,
-        };
-        all.symbols = elaborator.symbols_of(&all);
-        Ok(all)
+        })
     }
 }

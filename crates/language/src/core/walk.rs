@@ -49,6 +49,33 @@ impl Term {
         false
     }
 
+    /// Whether no variable of an enclosing binder occurs. Shared parts are visited once.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        let mut seen = std::collections::BTreeSet::new();
+        let (mut used, mut bound) = (vec![], std::collections::BTreeSet::new());
+        let mut pending = vec![self];
+        while let Some(term) = pending.pop() {
+            if !seen.insert(Arc::as_ptr(&term.node).addr()) {
+                continue;
+            }
+            match &*term.node {
+                Node::Variable(variable) => used.push(variable.number()),
+                Node::Sum { index, .. } => {
+                    bound.insert(index.number());
+                }
+                Node::Let { variable, .. } | Node::Derivative { variable, .. } => {
+                    bound.insert(variable.number());
+                }
+                Node::Basis { family, .. } if !family.closed => return false,
+                _ => {}
+            }
+            pending.extend(term.parts());
+        }
+        // No two binders have the same variable.
+        used.iter().all(|variable| bound.contains(variable))
+    }
+
     /// Calls `found` with the name of every declared symbol that occurs, those of the seeds and steps of basis families
     /// included. Shared parts are visited once.
     pub fn declared_names(&self, found: &mut impl FnMut(&Arc<str>)) {

@@ -7,6 +7,7 @@ use super::error::{DerivationError, LoadError};
 use super::schema::{ClaimEntry, PaperHead};
 use super::source::{Origin, Source};
 use super::table::{Errors, entry, list, nothing_else, sections};
+use super::written::{Written, written};
 use super::{folder, table};
 use crate::derivation::Figure;
 use crate::derivation::declarations::{Declarations, Definition};
@@ -16,15 +17,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
 use toml::Spanned;
-
-/// A parsed formula and where it was written.
-#[derive(Debug, Clone)]
-pub struct Written {
-    /// The formula.
-    pub expr: Expr,
-    /// Its origin.
-    pub origin: Origin,
-}
 
 /// A claim, parsed but not decided.
 #[derive(Debug, Clone)]
@@ -472,23 +464,6 @@ fn whole(text: &Spanned<String>) -> crate::syntax::Place {
 fn wrong(origin: &Origin, message: String) -> LoadError {
     let place = crate::syntax::Place { start: 0, end: 1 };
     LoadError::Derivation(Box::new(DerivationError::at(origin, place, message)))
-}
-
-/// Parses a text of a file.
-pub fn written(source: &Arc<Source>, text: &Spanned<String>) -> Result<Written, LoadError> {
-    Ok(parsed(source, text)?)
-}
-
-/// Parses a text of a file that is being evaluated.
-pub fn parsed(
-    source: &Arc<Source>,
-    text: &Spanned<String>,
-) -> Result<Written, Box<DerivationError>> {
-    let origin = Origin::of(source, text);
-    match parse(text.get_ref()) {
-        Ok(expr) => Ok(Written { expr, origin }),
-        Err(error) => Err(Box::new(DerivationError::syntax(&origin, &error))),
-    }
 }
 
 /// Parses definitions: the key is a name or a head `F(z, mu)`. Those that are wrong are marked as such.

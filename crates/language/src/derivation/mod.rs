@@ -11,9 +11,11 @@ mod load;
 pub mod schema;
 mod source;
 mod table;
+mod written;
 
 pub use error::{DerivationError, LoadError};
 pub use figure::Figure;
 pub use folder::MAX_BYTES;
-pub use load::{Claim, Loaded, Paper, Written, load, load_all, paper, parsed, written};
+pub use load::{Claim, Loaded, Paper, load, load_all, paper};
 pub use source::{Origin, Source};
+pub use written::{Written, parsed, written};

@@ -5,7 +5,7 @@ use super::stream::Stream;
 use crate::name::Name;
 use crate::real::Real;
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use torse_language::core::{Claim, Set};
 use torse_numbers::Affine;
 use torse_numbers::rational::integer;
@@ -20,16 +20,18 @@ pub(crate) struct Draft<'a> {
     claim: &'a Claim,
     stream: Stream,
     values: RefCell<BTreeMap<Name, Real>>,
+    rounded: RefCell<BTreeSet<Name>>,
     /// Whether a declared range turned out to be empty.
     pub empty: Cell<bool>,
 }
 
 impl<'a> Draft<'a> {
-    pub fn new(claim: &'a Claim, seed: &str, attempt: u64) -> Self {
+    pub fn new(claim: &'a Claim, stream: Stream) -> Self {
         Self {
             claim,
-            stream: Stream::new(seed, attempt),
+            stream,
             values: RefCell::default(),
+            rounded: RefCell::default(),
             empty: Cell::new(false),
         }
     }
@@ -96,9 +98,14 @@ impl<'a> Draft<'a> {
         self.values.borrow_mut().insert(name.clone(), value);
     }
 
-    /// The names drawn so far.
-    pub fn names(&self) -> Vec<Name> {
-        self.values.borrow().keys().cloned().collect()
+    /// Remembers that a number satisfies the equations nearly.
+    pub fn round(&self, name: &Name) {
+        self.rounded.borrow_mut().insert(name.clone());
+    }
+
+    /// The numbers that satisfy the equations nearly.
+    pub fn rounded(&self) -> BTreeSet<Name> {
+        self.rounded.borrow().clone()
     }
 
     /// All numbers drawn so far.

@@ -3,8 +3,10 @@
 use super::draft::Draft;
 use super::set;
 use super::solve::{Solved, solve};
+use super::stream::Stream;
 use crate::gap::Work;
-use crate::judge::{Judge, Judgement};
+use crate::judge::Judge;
+use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::real::Real;
 use std::collections::BTreeMap;
@@ -112,11 +114,10 @@ pub(crate) fn check_hypotheses(judge: &Judge<'_>) -> Result<(), Outside> {
 /// A point of the domain, to be completed by what a statement asks for; `None` if this attempt found none.
 pub(crate) fn drawn<'a>(
     claim: &'a Claim,
-    seed: &str,
-    attempt: u64,
+    stream: Stream,
     work: &Work,
 ) -> Option<(Draft<'a>, bool)> {
-    let draft = Draft::new(claim, seed, attempt);
+    let draft = Draft::new(claim, stream);
     let solved = solve(claim, &draft, work)?;
     let near = solved == Solved::Nearly;
     let denied = BTreeMap::new();
@@ -127,6 +128,8 @@ pub(crate) fn drawn<'a>(
         denied: &denied,
         work,
     };
+    // The sets first: they cost nothing.
+    check_sets(claim, &draft.values()).ok()?;
     check_hypotheses(&judge).ok()?;
     check_sets(claim, &draft.values()).ok()?;
     (!draft.empty.get()).then_some((draft, near))

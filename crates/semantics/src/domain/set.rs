@@ -65,6 +65,9 @@ pub(crate) fn between(set: Option<&Set>, share: &Rational) -> Real {
 
 /// A rational number without a bound: small, and often an integer.
 pub(crate) fn anywhere(stream: &Stream, label: &str) -> Rational {
+    if stream.edges && stream.below(&format!("{label} zero"), 2) == 0 {
+        return integer(0);
+    }
     let denominator = match stream.below(&format!("{label}/"), 8) {
         0..=2 => 1,
         3 | 4 => 2,
@@ -89,7 +92,8 @@ pub(crate) fn in_interval(interval: &Interval, stream: &Stream, label: &str) -> 
         .flatten()
         .filter(|end| end.closed)
         .collect();
-    if stream.below(&format!("{label} end"), 8) == 0
+    let often = if stream.edges { 2 } else { 8 };
+    if stream.below(&format!("{label} end"), often) == 0
         && let Some(end) = usize::try_from(stream.below(&format!("{label} which"), 2))
             .ok()
             .and_then(|which| ends.get(which))

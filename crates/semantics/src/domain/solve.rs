@@ -8,10 +8,14 @@
 use super::draft::Draft;
 use crate::arithmetic::Arithmetic;
 use crate::evaluate::{Evaluator, Scope};
-use crate::gap::{Gap, Work};
+use crate::gap::Work;
+use crate::gradient::{Gradient, Gradients};
 use crate::name::Name;
 use crate::real::{Real, Reals};
-use std::collections::BTreeMap;
+use num_traits::{Signed, Zero};
+use std::cell::RefCell;
+use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet};
 use torse_language::core::{Claim, Set, Statement, Term};
 use torse_language::syntax::{Connective, Relation};
 use torse_numbers::{Integer, Rational};
@@ -20,6 +24,10 @@ use torse_numbers::{Integer, Rational};
 const BITS: usize = 640;
 /// An equation holds nearly if its sides differ by at most two to the minus this.
 const NEAR_BITS: usize = 400;
+/// A rounded number is taken for a simple rational one if they differ by at most two to the minus this, and the
+/// denominator has at most so many bits.
+const SNAP_BITS: usize = 380;
+const SIMPLE_BITS: usize = 64;
 /// Rounds with exact numbers, and all rounds.
 const EXACT_ROUNDS: usize = 5;
 const ROUNDS: usize = 16;
@@ -73,23 +81,26 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
     if equations.is_empty() {
         return Some(Solved::Exactly);
     }
+    let unknowns = unknowns(claim, draft, work)?;
     let mut rounded = false;
     for round in 0..ROUNDS {
+        // The unknowns alone mostly suffice.
+        let some = expanded(&equations, draft, &|name| unknowns.contains(name), work)?;
+        if let Some(solved) = solved(&some.gaps, rounded) {
+            return match solved {
+                Solved::Exactly => Some(solved),
+                Solved::Nearly => Some(snapped(&equations, draft, work).unwrap_or(solved)),
+            };
+        }
         let reals = Reals { bits: BITS, work };
-        let values = |name: &Name| draft.value(name);
-        let at = Evaluator::new(&reals, &values);
-        let gaps = gaps(&equations, &at).ok()?;
-        if gaps.iter().all(|g| reals.is_zero(g) == Some(true)) {
-            return Some(if rounded {
-                Solved::Nearly
-            } else {
-                Solved::Exactly
-            });
-        }
-        if gaps.iter().all(is_near) {
-            return Some(Solved::Nearly);
-        }
-        let changes = step(claim, &equations, &gaps, &at, draft)?;
+        let few = columns(claim, &some, draft, &unknowns);
+        let changes = match eliminated(few, &some.gaps, &reals) {
+            Some(changes) => changes,
+            None => {
+                let all = expanded(&equations, draft, &|_| true, work)?;
+                eliminated(columns(claim, &all, draft, &unknowns), &all.gaps, &reals)?
+            }
+        };
         for (name, change) in changes {
             let moved = reals.plus(&draft.value(&name)?, &change).ok()?;
             let exact = matches!(moved, Real::Exact { .. }) && round < EXACT_ROUNDS;
@@ -97,6 +108,7 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
             let value = if exact {
                 moved
             } else {
+                draft.round(&name);
                 moved.ball(BITS).midpoint().into()
             };
             draft.set(&name, value);
@@ -105,20 +117,128 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
     None
 }
 
+/// The numbers that the unknowns of the claim consist of.
+fn unknowns(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<BTreeSet<Name>> {
+    let reals = Reals { bits: BITS, work };
+    let values = |name: &Name| draft.value(name);
+    let at = Evaluator::new(&reals, &values);
+    let names = claim
+        .unknowns
+        .iter()
+        .map(|unknown| at.names(unknown, &Scope::outermost()));
+    let names: Vec<Vec<Name>> = names.collect::<Result<_, _>>().ok()?;
+    Some(names.into_iter().flatten().collect())
+}
+
+/// How the equations hold, if they do.
+fn solved(gaps: &[Gradient], rounded: bool) -> Option<Solved> {
+    if gaps.iter().all(|g| g.value.sign() == Some(Ordering::Equal)) {
+        return Some(if rounded {
+            Solved::Nearly
+        } else {
+            Solved::Exactly
+        });
+    }
+    gaps.iter()
+        .all(|gap| is_near(&gap.value))
+        .then_some(Solved::Nearly)
+}
+
+/// Rounded numbers that are nearly simple rational ones are made so, if all equations hold exactly then.
+fn snapped(equations: &[(&Term, &Term)], draft: &Draft<'_>, work: &Work) -> Option<Solved> {
+    let before = draft.values();
+    for name in draft.rounded() {
+        if let Some(simple) = before
+            .get(&name)
+            .and_then(Real::as_rational)
+            .and_then(simple)
+        {
+            draft.set(&name, simple.into());
+        }
+    }
+    let exact = expanded(equations, draft, &|_| false, work).is_some_and(|found| {
+        let mut gaps = found.gaps.iter();
+        gaps.all(|gap| gap.value.sign() == Some(Ordering::Equal))
+    });
+    if exact {
+        return Some(Solved::Exactly);
+    }
+    for (name, value) in before {
+        draft.set(&name, value);
+    }
+    None
+}
+
+/// The rational number with a small denominator that agrees with a number to many digits, if there is one: a convergent
+/// of its continued fraction.
+fn simple(q: &Rational) -> Option<Rational> {
+    let close = Rational::new(1.into(), Integer::ONE << SNAP_BITS);
+    let largest = Integer::ONE << SIMPLE_BITS;
+    let (mut rest, mut before, mut last) = (
+        q.clone(),
+        (Integer::ZERO, Integer::ONE),
+        (Integer::ONE, Integer::ZERO),
+    );
+    loop {
+        let whole = rest.floor();
+        let digit = whole.to_integer();
+        let next = (&digit * &last.0 + &before.0, &digit * &last.1 + &before.1);
+        if next.1 > largest {
+            return None;
+        }
+        let convergent = Rational::new(next.0.clone(), next.1.clone());
+        if (&convergent - q).abs() <= close {
+            return Some(convergent);
+        }
+        rest = (rest - whole).recip();
+        (before, last) = (last, next);
+    }
+}
+
 fn is_near(gap: &Real) -> bool {
     let bound = Rational::new(1.into(), Integer::ONE << NEAR_BITS);
     gap.ball(BITS).abs().upper() <= bound
 }
 
-/// Left minus right of every entry of every equation.
-fn gaps(equations: &[(&Term, &Term)], at: &Evaluator<'_, Reals<'_>>) -> Result<Vec<Real>, Gap> {
-    let mut all = vec![];
+/// Left minus right of every entry of every equation, to first order.
+struct Expanded {
+    gaps: Vec<Gradient>,
+    /// Numbers that cannot be moved a little.
+    discrete: BTreeSet<Name>,
+}
+
+/// Expands the equations at the draft by the numbers that `moves` chooses; `None` where a term has no value.
+fn expanded(
+    equations: &[(&Term, &Term)],
+    draft: &Draft<'_>,
+    moves: &dyn Fn(&Name) -> bool,
+    work: &Work,
+) -> Option<Expanded> {
+    let gradients = Gradients {
+        reals: Reals { bits: BITS, work },
+        discrete: RefCell::default(),
+    };
+    let values = |name: &Name| {
+        let value = draft.value(name)?;
+        Some(match moves(name) {
+            true => Gradient::of(name.clone(), value),
+            false => value.into(),
+        })
+    };
+    let at = Evaluator::new(&gradients, &values);
+    let mut gaps = vec![];
     for (left, right) in equations {
-        for (x, y) in at.value(left)?.pairs(&at.value(right)?, at.arithmetic)? {
-            all.extend(x.minus(&y, at.arithmetic)?.as_number().cloned());
+        let pairs = at
+            .value(left)
+            .ok()?
+            .pairs(&at.value(right).ok()?, &gradients)
+            .ok()?;
+        for (x, y) in pairs {
+            gaps.extend(x.minus(&y, &gradients).ok()?.as_number().cloned());
         }
     }
-    Ok(all)
+    let discrete = gradients.discrete.take();
+    Some(Expanded { gaps, discrete })
 }
 
 /// A number that may be changed, with the first derivatives of all gaps by it.
@@ -130,55 +250,32 @@ struct Column {
     rank: (bool, bool, bool, bool, i64),
 }
 
-/// The changes that make the first-order expansion of all gaps zero.
-fn step(
-    claim: &Claim,
-    equations: &[(&Term, &Term)],
-    gaps: &[Real],
-    at: &Evaluator<'_, Reals<'_>>,
-    draft: &Draft<'_>,
-) -> Option<BTreeMap<Name, Real>> {
-    let a = at.arithmetic;
-    let mut unknowns = vec![];
-    for unknown in &claim.unknowns {
-        unknowns.extend(at.names(unknown, &Scope::outermost()).ok()?);
-    }
-    // The unknowns alone mostly suffice.
-    let few = columns(claim, equations, gaps, at, draft, &unknowns, &unknowns);
-    eliminated(few, gaps, a).or_else(|| {
-        let all = draft.names();
-        let all = all.get(..MAX_CANDIDATES.min(all.len())).unwrap_or(&[]);
-        eliminated(
-            columns(claim, equations, gaps, at, draft, &unknowns, all),
-            gaps,
-            a,
-        )
-    })
-}
-
-/// The columns of these names, best candidates for a change first.
+/// The numbers that the gaps change with, best candidates for a change first.
 fn columns(
     claim: &Claim,
-    equations: &[(&Term, &Term)],
-    gaps: &[Real],
-    at: &Evaluator<'_, Reals<'_>>,
+    expanded: &Expanded,
     draft: &Draft<'_>,
-    unknowns: &[Name],
-    names: &[Name],
+    unknowns: &BTreeSet<Name>,
 ) -> Vec<Column> {
-    let a = at.arithmetic;
+    let changing = expanded.gaps.iter().flat_map(|gap| gap.rates.keys());
+    let names: BTreeSet<&Name> = changing
+        .filter(|name| !expanded.discrete.contains(*name))
+        .collect();
     let mut columns = vec![];
-    for name in names {
-        let Ok((rates, curved)) = rates(equations, name, at) else {
-            continue;
+    for name in names.into_iter().take(MAX_CANDIDATES) {
+        let rate = |gap: &Gradient| {
+            let rate = gap.rates.get(name).cloned();
+            rate.unwrap_or_else(|| Rational::zero().into())
         };
-        if rates.len() != gaps.len() || rates.iter().all(|r| a.is_zero(r) != Some(false)) {
+        let rates: Vec<Real> = expanded.gaps.iter().map(rate).collect();
+        let moves = |rate: &Real| !matches!(rate.sign(), None | Some(Ordering::Equal));
+        if !rates.iter().any(moves) {
             continue;
         }
         let set = claim.symbols.get(name.declared());
         let rank = (
             !unknowns.contains(name),
-            curved,
+            expanded.gaps.iter().any(|gap| gap.curved.contains(name)),
             matches!(set, Some(Set::Integer { .. })),
             matches!(set, Some(Set::Real(i)) if i.lower.is_some() || i.upper.is_some()),
             draft.stream().below(&format!("{name} rank"), 1000),
@@ -194,14 +291,20 @@ fn columns(
 }
 
 /// Eliminates: what the columns have to be changed by; `None` if they cannot make all gaps zero.
-fn eliminated(columns: Vec<Column>, gaps: &[Real], a: &Reals<'_>) -> Option<BTreeMap<Name, Real>> {
+fn eliminated(
+    columns: Vec<Column>,
+    gaps: &[Gradient],
+    a: &Reals<'_>,
+) -> Option<BTreeMap<Name, Real>> {
     // Rows: the rates of all columns, then minus the gap.
     let mut rows: Vec<Vec<Real>> = gaps
         .iter()
         .enumerate()
         .map(|(r, gap)| {
             let rates = columns.iter().filter_map(|c| c.rates.get(r).cloned());
-            rates.chain(std::iter::once(a.negated(gap))).collect()
+            rates
+                .chain(std::iter::once(a.negated(&gap.value)))
+                .collect()
         })
         .collect();
     let mut pivots = vec![];
@@ -245,25 +348,4 @@ fn eliminated(columns: Vec<Column>, gaps: &[Real], a: &Reals<'_>) -> Option<BTre
         changes.insert(column.name.clone(), change);
     }
     Some(changes)
-}
-
-/// The first derivatives of all gaps by a number, and whether a second one is not zero.
-fn rates(
-    equations: &[(&Term, &Term)],
-    name: &Name,
-    at: &Evaluator<'_, Reals<'_>>,
-) -> Result<(Vec<Real>, bool), Gap> {
-    let a = at.arithmetic;
-    let (mut rates, mut curved) = (vec![], false);
-    for (left, right) in equations {
-        let [_, left, left_second] = at.expansion(left, name, &Scope::outermost())?;
-        let [_, right, right_second] = at.expansion(right, name, &Scope::outermost())?;
-        for (x, y) in left.pairs(&right, a)? {
-            rates.extend(x.minus(&y, a)?.as_number().cloned());
-        }
-        for (x, y) in left_second.pairs(&right_second, a)? {
-            curved |= x.minus(&y, a)?.is_zero(a) != Some(true);
-        }
-    }
-    Ok((rates, curved))
 }

@@ -6,6 +6,8 @@ pub(crate) struct Stream {
     start: u64,
     /// The number of the attempt.
     pub attempt: u64,
+    /// Whether numbers are mostly taken from the edges of their sets: closed ends, and zero.
+    pub edges: bool,
 }
 
 /// The hash of Fowler, Noll and Vo (FNV-1a, 64 bits).
@@ -27,6 +29,15 @@ impl Stream {
         Self {
             start: hashed(seeded, &attempt.to_le_bytes()),
             attempt,
+            edges: false,
+        }
+    }
+
+    /// The same choices, of which many are at the edges of the declared sets: there conditions fail.
+    pub fn at_edges(self) -> Self {
+        Self {
+            edges: true,
+            ..self
         }
     }
 

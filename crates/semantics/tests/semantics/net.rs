@@ -100,16 +100,30 @@ fn replaced_symbols_keep_their_ranges() {
 /// The statement where the condition fails.
 fn where_fails(fields: &str, states: &str, condition: &str) -> Beyond {
     let (claim, condition) = (claim(fields, states), claim(fields, condition));
-    beyond(&claim, &claim.statement, &condition.statement, "t/c", 10, 4_000_000)
-        .expect("a comparison")
+    beyond(
+        &claim,
+        &claim.statement,
+        &condition.statement,
+        "t/c",
+        10,
+        4_000_000,
+    )
+    .expect("a comparison")
 }
 
 #[test]
 fn a_condition_is_needed_where_the_statement_is_undefined_or_false_without_it() {
     stands("", "y/y == 1");
     let divisor = where_fails("", "y/y == 1", "y != 0");
-    assert_eq!((divisor.undefined, divisor.judged()), (10, 10), "{divisor:?}");
-    assert_eq!(divisor.needed_at.map(|p| p.to_string()).as_deref(), Some("y = 0"));
+    assert_eq!(
+        (divisor.undefined, divisor.judged()),
+        (10, 10),
+        "{divisor:?}"
+    );
+    assert_eq!(
+        divisor.needed_at.map(|p| p.to_string()).as_deref(),
+        Some("y = 0")
+    );
 
     let factor = where_fails("", "(a - b)*y*y > 0 or a <= b", "y != 0");
     assert!(factor.failing > 0 && factor.holding > 0, "{factor:?}");

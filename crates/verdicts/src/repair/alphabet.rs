@@ -1,6 +1,5 @@
 //! What the edits of a claim may put in: the names that occur in it, through definitions.
 
-use super::edits::Alphabet;
 use std::collections::BTreeSet;
 use torse_language::derivation::Claim;
 use torse_language::derivation::declarations::SymbolKind;
@@ -8,6 +7,32 @@ use torse_language::syntax::{Expr, Node};
 
 /// The most names of a kind that edits may put in.
 const MAX_NAMES: usize = 16;
+
+/// The names that an edit may put in.
+#[derive(Debug, Clone, Default)]
+pub struct Alphabet {
+    /// Numbers and vectors that occur in the claim.
+    pub names: Vec<String>,
+    /// Families of points or scalars that occur in the claim.
+    pub families: Vec<String>,
+    /// Members of these families with indices as they occur in the formula, for a zero.
+    pub members: Vec<Expr>,
+    /// Neighbouring names in the arguments of some call of the claim, such as two shape parameters.
+    pub pairs: Vec<[String; 2]>,
+    /// Basis families: name, lowest degree, number of arguments.
+    pub bases: Vec<(String, u8, usize)>,
+}
+
+impl Alphabet {
+    /// Without the numbers and vectors: what a second edit may put in.
+    #[must_use]
+    pub fn without_names(&self) -> Self {
+        Self {
+            names: vec![],
+            ..self.clone()
+        }
+    }
+}
 
 /// Numbers, vectors and families that occur in the claim, through definitions; those of the formula
 /// itself first.

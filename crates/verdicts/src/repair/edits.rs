@@ -3,46 +3,13 @@
 //! A sign, a coefficient, an exponent, an index shifted by one, one name for another, a missing or extra
 //! factor or term, a prime more or less, a bracket moved.
 
+use super::alphabet::Alphabet;
+use super::edit::{Edit, text};
 use super::throughout;
 use std::sync::Arc;
 use torse_algebra::Rational;
 use torse_algebra::rational::{integer, ratio};
 use torse_language::syntax::{Expr, Node, Operator};
-
-/// A changed formula and what was changed, in words.
-#[derive(Debug, Clone)]
-pub struct Edit {
-    /// The formula after the edit.
-    pub expr: Expr,
-    /// The change in words.
-    pub change: String,
-}
-
-/// The names that an edit may put in.
-#[derive(Debug, Clone, Default)]
-pub struct Alphabet {
-    /// Numbers and vectors that occur in the claim.
-    pub names: Vec<String>,
-    /// Families of points or scalars that occur in the claim.
-    pub families: Vec<String>,
-    /// Members of these families with indices as they occur in the formula, for a zero.
-    pub members: Vec<Expr>,
-    /// Neighbouring names in the arguments of some call of the claim, such as two shape parameters.
-    pub pairs: Vec<[String; 2]>,
-    /// Basis families: name, lowest degree, number of arguments.
-    pub bases: Vec<(String, u8, usize)>,
-}
-
-impl Alphabet {
-    /// Without the numbers and vectors: what a second edit may put in.
-    #[must_use]
-    pub fn without_names(&self) -> Self {
-        Self {
-            names: vec![],
-            ..self.clone()
-        }
-    }
-}
 
 /// All formulas one edit away.
 #[must_use]
@@ -51,18 +18,6 @@ pub fn single(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     result.extend(local(expr, alphabet));
     result.extend(scaled(expr, alphabet));
     inside(expr, alphabet, &mut result);
-    result
-}
-
-/// The formula with the part at `path` replaced.
-pub(crate) fn placed(expr: &Expr, path: &[usize], by: Expr) -> Expr {
-    let Some((first, rest)) = path.split_first() else {
-        return by;
-    };
-    let mut result = expr.clone();
-    if let Some(part) = result.parts_mut().into_iter().nth(*first) {
-        *part = placed(part, rest, by);
-    }
     result
 }
 
@@ -104,10 +59,6 @@ fn inside(expr: &Expr, alphabet: &Alphabet, into: &mut Vec<Edit>) {
             }
         }
     }
-}
-
-pub(super) fn text(expr: &Expr) -> String {
-    torse_language::notation::text(expr)
 }
 
 /// Edits at the top of a formula.

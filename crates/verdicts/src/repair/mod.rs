@@ -9,6 +9,7 @@ pub(crate) mod alphabet;
 pub mod ansatz;
 pub mod canonical;
 pub mod data;
+pub mod edit;
 pub mod edits;
 mod rates;
 mod residue;
@@ -20,7 +21,7 @@ pub mod throughout;
 
 use crate::condition::nonzero;
 use crate::outcome::Correction;
-use edits::Edit;
+use edit::Edit;
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use subject::Subject;

@@ -4,7 +4,7 @@
 //! derivation file gives it a name that begins with `printed`, and a side that is this name, or a call
 //! of it, stands for the body: the body is edited, and every call of it in the statement with it.
 
-use super::edits::placed;
+use super::edit::placed;
 use std::collections::BTreeMap;
 use torse_language::derivation::{Claim, Written};
 use torse_language::syntax::{Connective, Expr, Node, Relation};

@@ -1,6 +1,7 @@
 //! Edits that change every occurrence at once: one slip of copying, repeated.
 
-use super::edits::{Alphabet, Edit, placed, text};
+use super::alphabet::Alphabet;
+use super::edit::{Edit, placed, text};
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_language::syntax::{Expr, Node, Operator};

@@ -130,19 +130,9 @@ impl<'a> Elaborator<'a> {
         self.family_of(name, basis, &Scope::default())
     }
 
-    /// The declared symbols that occur in a claim, and those in whose terms their sets are declared.
+    /// The declared symbols of these names, and those in whose terms their sets are declared.
     #[must_use]
-    pub fn symbols_of(&self, claim: &super::Claim) -> BTreeMap<Arc<str>, Set> {
-        let mut names: Vec<Arc<str>> = vec![];
-        let mut add = |name: &Arc<str>| names.push(Arc::clone(name));
-        for hypothesis in &claim.hypotheses {
-            hypothesis.statement.declared_names(&mut add);
-        }
-        claim
-            .unknowns
-            .iter()
-            .for_each(|t| t.declared_names(&mut add));
-        claim.statement.declared_names(&mut add);
+    pub fn symbols_of(&self, mut names: Vec<Arc<str>>) -> BTreeMap<Arc<str>, Set> {
         let mut all: BTreeMap<Arc<str>, Set> = BTreeMap::new();
         while let Some(name) = names.pop() {
             if all.contains_key(&name) {

@@ -1,0 +1,249 @@
+//! `coefficients`: the derivatives of forms by symbols, and what these are where equations determine unknowns.
+//!
+//! In a claim with `given` equations G(v, U) = 0 the unknowns U are functions of the other symbols, and a form F(v, U) is
+//! read with them put in. Its coefficient of v is dF/dv along the solutions, by the theorem on implicit functions:
+//! `F_v + F_U a` with `G_U a = -G_v`.
+
+use crate::arithmetic::Arithmetic;
+use crate::evaluate::{Evaluator, Outcome, Sc};
+use crate::gap::{Gap, Undefined, Unknown};
+use crate::name::Name;
+use crate::series::Series;
+use crate::value::{Value, transposed};
+use std::sync::Arc;
+use torse_language::core::{Node, Source, Statement, Term};
+use torse_language::syntax::{Connective, Relation};
+
+type Row<A> = Vec<Series<<A as Arithmetic>::Number>>;
+
+impl<A: Arithmetic> Evaluator<'_, A> {
+    /// One row for each form, one column for each symbol.
+    ///
+    /// Without equations a form has to be linear: its second derivatives are zero. Along solutions that is not asked, as
+    /// they mostly satisfy the equations nearly.
+    pub(crate) fn coefficients(
+        &self,
+        forms: &Term,
+        symbols: &Term,
+        scope: &Sc<'_, A>,
+    ) -> Outcome<A> {
+        let names = self.names(symbols, scope)?;
+        let columns = match self.solved() {
+            Some((equations, unknowns)) => {
+                self.along(forms, &names, &equations, unknowns, scope)?
+            }
+            None => {
+                let columns = names.iter().map(|name| self.linear(forms, name, scope));
+                columns.collect::<Result<_, _>>()?
+            }
+        };
+        Ok(Value::matrix(transposed(&columns)))
+    }
+
+    /// The derivatives of linear forms.
+    fn linear(&self, forms: &Term, name: &Name, scope: &Sc<'_, A>) -> Result<Row<A>, Gap> {
+        let a = self.arithmetic;
+        let own = self.symbol(name.clone(), scope)?;
+        let level = scope.level + 1;
+        let inner = scope.changed(name.clone(), own.shifted(level, 2, a));
+        let values = self.entries(&[forms], &inner)?;
+        for value in &values {
+            match value.coefficient(level, 2, a).is_zero(a) {
+                Some(true) => {}
+                Some(false) => return Err(Undefined::NotLinear.into()),
+                None => return Err(Unknown::Precision.into()),
+            }
+        }
+        Ok(values.iter().map(|v| v.coefficient(level, 1, a)).collect())
+    }
+
+    /// The sides of the given equations, and their unknowns.
+    fn solved(&self) -> Option<(Vec<&Term>, &[Term])> {
+        let claim = self.claim.filter(|claim| !claim.unknowns.is_empty())?;
+        let given = claim
+            .hypotheses
+            .iter()
+            .filter(|h| h.source == Source::Given);
+        let mut pending: Vec<&Statement> = given.map(|hypothesis| &hypothesis.statement).collect();
+        let mut sides = vec![];
+        while let Some(statement) = pending.pop() {
+            match statement {
+                Statement::Join(Connective::And, a, b) => pending.extend([&**a, &**b]),
+                Statement::Compare {
+                    relation: Relation::Equal,
+                    left,
+                    right,
+                } => sides.extend([left, right]),
+                _ => {}
+            }
+        }
+        Some((sides, &claim.unknowns))
+    }
+
+    /// The derivatives of forms along the solutions of equations, given by their sides in turn.
+    fn along(
+        &self,
+        forms: &Term,
+        names: &[Name],
+        sides: &[&Term],
+        unknowns: &[Term],
+        scope: &Sc<'_, A>,
+    ) -> Result<Vec<Row<A>>, Gap> {
+        let mut free = vec![];
+        for unknown in unknowns {
+            free.extend(self.names(unknown, scope)?);
+        }
+        if names.iter().any(|name| free.contains(name)) {
+            let what = "a coefficient of an unknown of the given equations";
+            return Err(Unknown::NotCovered { what }.into());
+        }
+        let rates = |name: &Name| self.rates(forms, sides, name, scope);
+        let own: Vec<(Row<A>, Row<A>)> = names.iter().map(rates).collect::<Result<_, _>>()?;
+        let moved: Vec<(Row<A>, Row<A>)> = free.iter().map(rates).collect::<Result<_, _>>()?;
+        let a = self.arithmetic;
+        let rows: Vec<Row<A>> = moved.iter().map(|(_, gaps)| gaps.clone()).collect();
+        let right: Vec<Row<A>> = own.iter().map(|(_, gaps)| gaps.clone()).collect();
+        let changes = self.eliminated(&rows, &right)?;
+        let mut columns = vec![];
+        for ((column, _), changes) in own.into_iter().zip(changes) {
+            let mut column = column;
+            for ((by_unknown, _), change) in moved.iter().zip(&changes) {
+                for (entry, rate) in column.iter_mut().zip(by_unknown) {
+                    *entry = entry.plus(&rate.times(change, a)?, a)?;
+                }
+            }
+            columns.push(column);
+        }
+        Ok(columns)
+    }
+
+    /// The first derivatives by one number: of forms, and of left minus right of the equations.
+    fn rates(
+        &self,
+        forms: &Term,
+        sides: &[&Term],
+        name: &Name,
+        scope: &Sc<'_, A>,
+    ) -> Result<(Row<A>, Row<A>), Gap> {
+        let a = self.arithmetic;
+        let level = scope.level + 1;
+        let own = self.symbol(name.clone(), scope)?;
+        let inner = scope.changed(name.clone(), own.shifted(level, 1, a));
+        let first = |values: Row<A>| -> Row<A> {
+            values.iter().map(|v| v.coefficient(level, 1, a)).collect()
+        };
+        let forms = first(self.entries(&[forms], &inner)?);
+        let mut gaps = vec![];
+        for pair in sides.chunks(2) {
+            gaps.extend(first(self.entries(pair, &inner)?));
+        }
+        Ok((forms, gaps))
+    }
+
+    /// The numbers of a term, or of the difference of two.
+    fn entries(&self, terms: &[&Term], scope: &Sc<'_, A>) -> Result<Row<A>, Gap> {
+        let a = self.arithmetic;
+        match terms {
+            [one] => Ok(self
+                .term(one, scope)?
+                .numbers()
+                .into_iter()
+                .cloned()
+                .collect()),
+            [left, right] => {
+                let pairs = self
+                    .term(left, scope)?
+                    .pairs(&self.term(right, scope)?, a)?;
+                pairs.into_iter().map(|(x, y)| x.minus(&y, a)).collect()
+            }
+            _ => Ok(vec![]),
+        }
+    }
+
+    /// For each right side the x with `sum of x[k] columns[k] = -right`.
+    fn eliminated(&self, columns: &[Row<A>], right: &[Row<A>]) -> Result<Vec<Row<A>>, Gap> {
+        let a = self.arithmetic;
+        let height = columns.first().map_or(0, Vec::len);
+        let all = || columns.iter().chain(right);
+        let mut rows: Vec<Row<A>> = (0..height)
+            .map(|r| all().filter_map(|column| column.get(r).cloned()).collect())
+            .collect();
+        let mut done = vec![];
+        for place in 0..columns.len() {
+            let is_unit = |row: &Row<A>| row.get(place).and_then(|x| x.is_zero(a)) == Some(false);
+            let Some(pivot) = rows.iter().position(is_unit) else {
+                let what = "an unknown that the given equations do not determine";
+                return Err(Unknown::NotCovered { what }.into());
+            };
+            let lead = rows.swap_remove(pivot);
+            let Some(leading) = lead.get(place).cloned() else {
+                continue;
+            };
+            let lead: Row<A> = lead
+                .iter()
+                .map(|x| x.over(&leading, a))
+                .collect::<Result<_, _>>()?;
+            for row in rows.iter_mut().chain(&mut done) {
+                let Some(factor) = row.get(place).cloned() else {
+                    continue;
+                };
+                if factor.is_zero(a) == Some(true) {
+                    continue;
+                }
+                for (entry, other) in row.iter_mut().zip(&lead) {
+                    *entry = entry.minus(&factor.times(other, a)?, a)?;
+                }
+            }
+            done.push(lead);
+        }
+        let solution = |column: usize| -> Row<A> {
+            let values = done
+                .iter()
+                .filter_map(|row| row.get(columns.len() + column));
+            values.map(|x| x.negated(a)).collect()
+        };
+        Ok((0..right.len()).map(solution).collect())
+    }
+
+    /// The numbers of a point that a list of symbols, coordinates and members consists of.
+    pub(crate) fn names(&self, term: &Term, scope: &Sc<'_, A>) -> Result<Vec<Name>, Gap> {
+        let not_covered = || {
+            Gap::from(Unknown::NotCovered {
+                what: "a formula where a symbol is needed",
+            })
+        };
+        Ok(match &*term.node {
+            Node::List(items) => {
+                let names = items.iter().map(|item| self.names(item, scope));
+                names.collect::<Result<Vec<_>, _>>()?.concat()
+            }
+            Node::Opened { body, .. } => self.names(body, scope)?,
+            Node::Symbol(name) | Node::Vector(name, None) => vec![Name::Symbol(Arc::clone(name))],
+            Node::Vector(name, Some(dimension)) => (1..=*dimension)
+                .map(|c| Name::Coordinate(Arc::clone(name), c))
+                .collect(),
+            Node::Member(points, indices) => {
+                let indices: Vec<i64> = indices
+                    .iter()
+                    .map(|i| self.integer(i, "an index", scope))
+                    .collect::<Result<_, _>>()?;
+                let member = |c| Name::Member(Arc::clone(&points.name), indices.clone(), c);
+                match points.dimension {
+                    None | Some(1) => vec![member(None)],
+                    Some(d) => (1..=d).map(|c| member(Some(c))).collect(),
+                }
+            }
+            Node::Entry(of, indices) => {
+                let all = self.names(of, scope)?;
+                let [index] = indices.as_slice() else {
+                    return Err(not_covered());
+                };
+                let index = self.integer(index, "an index", scope)?;
+                let position = usize::try_from(index - 1).ok();
+                let name = position.and_then(|p| all.get(p).cloned());
+                vec![name.ok_or_else(not_covered)?]
+            }
+            _ => return Err(not_covered()),
+        })
+    }
+}
