@@ -145,6 +145,51 @@ fn the_verdicts_are_these() {
     insta::assert_json_snapshot!(lines);
 }
 
+#[test]
+fn every_decided_statement_is_netted_or_says_why_not() {
+    let decided = |verdict| {
+        use Verdict::{Conditional, False, Holds, Misprint, Vacuous};
+        matches!(verdict, Holds | Conditional | Misprint | False | Vacuous)
+    };
+    let (mut count, mut netted) = (0, 0);
+    let mut lines = BTreeMap::new();
+    for claim in PAPERS.iter().flat_map(|p| &p.claims) {
+        let Some(net) = &claim.net else {
+            assert!(!decided(claim.verdict), "{} has no net", claim.id);
+            continue;
+        };
+        count += 1;
+        match &net.why {
+            None => {
+                assert!(net.netted, "{}", claim.id);
+                netted += 1;
+            }
+            Some(why) => {
+                assert!(!net.netted, "{}", claim.id);
+                let points = format!("{} of {} points", net.decided, net.tried);
+                lines.insert(claim.id.clone(), format!("{why} ({points})"));
+            }
+        }
+    }
+    assert!(netted * 10 >= count * 8, "{netted} of {count}");
+    insta::assert_json_snapshot!(lines);
+}
+
+#[test]
+fn no_condition_of_the_papers_was_seen_to_be_superfluous() {
+    for claim in PAPERS.iter().flat_map(|p| &p.claims) {
+        let correction = claim.net.iter().filter_map(|net| net.correction.as_deref());
+        for sides in claim
+            .net
+            .iter()
+            .chain(correction)
+            .flat_map(|net| &net.conditions)
+        {
+            assert!(!sides.is_suspicious(), "{}: {sides:?}", claim.id);
+        }
+    }
+}
+
 /// The rows of the status table of the README, from the computed verdicts.
 fn status_table() -> String {
     const ORDER: [(Verdict, &str); 11] = [

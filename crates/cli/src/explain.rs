@@ -167,7 +167,7 @@ fn edits(correction: &Correction) -> impl Iterator<Item = String> {
         true => "no other repair with as few edits was found",
         false => "other repairs with as few edits exist",
     };
-    correction.edits.iter().cloned().chain([unique.to_owned()])
+    correction.in_words().into_iter().chain([unique.to_owned()])
 }
 
 /// The claims that rest on the explained one, as rows of the note.

@@ -13,9 +13,13 @@ use torse_verdicts::outcome::{Net, Outcome};
 /// The verdicts of `outcomes` as pretty-printed JSON, ending in a newline.
 ///
 /// The fields of a claim are `id`, `kind`, `verdict`, `evidence`, `printed`, `parsed`, `corrected`,
-/// `condition` (several are joined by ` and `), `witness` (`at`, an object from names to exact values,
-/// `left`, `right`, `left_decimal`, `right_decimal`), `note`, `net` (`tried` and `decided` points, and `why` there are no
-/// more) and `contradiction`.
+/// `corrected_condition` and `condition` (several are joined by ` and `), `witness` (`at`, an object from names to exact values,
+/// `left`, `right`, `left_decimal`, `right_decimal`), `note`, `net` and `contradiction`.
+///
+/// `net` says what was tried: whether the verdict is `netted`, the points that were `tried` and those at which it was
+/// `decided`, the `instances` that are identities, `why` it is not netted, and for each of the `conditions` what the
+/// statement is where it fails: the points `tried`, how many are `holding`, `failing` and `undefined`, and a point at
+/// which the condition is needed, `needed_at`. The net of a `correction` has the same fields.
 ///
 /// # Errors
 ///
@@ -51,6 +55,7 @@ struct Entry<'a> {
     printed: &'a str,
     parsed: Option<&'a str>,
     corrected: Option<&'a str>,
+    corrected_condition: Option<String>,
     condition: Option<String>,
     witness: Option<WitnessEntry<'a>>,
     note: Option<&'a str>,
@@ -60,7 +65,11 @@ struct Entry<'a> {
 
 impl<'a> From<&'a Outcome> for Entry<'a> {
     fn from(outcome: &'a Outcome) -> Self {
-        let conditions: Vec<&str> = outcome.conditions.iter().map(text).collect();
+        let joined = |conditions: &[Formula]| {
+            let texts: Vec<&str> = conditions.iter().map(text).collect();
+            (!texts.is_empty()).then(|| texts.join(" and "))
+        };
+        let correction = outcome.correction.as_ref();
         Entry {
             id: &outcome.id,
             kind: words::kind(outcome.kind).key,
@@ -68,11 +77,9 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
             evidence: outcome.evidence.map(|of| words::evidence(of).key),
             printed: &outcome.printed,
             parsed: outcome.parsed.as_ref().map(text),
-            corrected: outcome
-                .correction
-                .as_ref()
-                .map(|repair| text(&repair.statement)),
-            condition: (!conditions.is_empty()).then(|| conditions.join(" and ")),
+            corrected: correction.map(|repair| text(&repair.statement)),
+            corrected_condition: correction.and_then(|repair| joined(&repair.conditions)),
+            condition: joined(&outcome.conditions),
             witness: outcome.witness.as_ref().map(WitnessEntry::from),
             note: outcome.note.as_deref(),
             net: outcome.net.as_ref(),

@@ -134,7 +134,7 @@ pub struct CorrectionView {
     pub statement: FormulaView,
     /// From the statement as understood to the corrected one, in plain notation.
     pub marked: Vec<Stretch>,
-    /// What was changed, one entry an edit.
+    /// What was changed, and the conditions, one entry each.
     pub edits: Vec<String>,
     /// Whether no other repair with as few edits was found.
     pub unique: bool,
@@ -356,7 +356,7 @@ impl<'a> Builder<'a> {
         CorrectionView {
             marked: edit::stretches(&before, &visible(&repair.statement.text)),
             statement: self.formula(&repair.statement),
-            edits: repair.edits.iter().map(|edit| visible(edit)).collect(),
+            edits: repair.in_words().iter().map(|line| visible(line)).collect(),
             unique: repair.unique,
         }
     }

@@ -40,6 +40,7 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
       "printed": "det H = 0 for every n",
       "parsed": "det(H) == 0",
       "corrected": null,
+      "corrected_condition": null,
       "condition": null,
       "witness": {
         "at": {
@@ -62,6 +63,7 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
       "printed": "Q¹_1 = Q_m + (1/α₁)(Q_m − Q_{m−1})",
       "parsed": "Q1 == Q[m] + ...",
       "corrected": null,
+      "corrected_condition": null,
       "condition": "alpha_1 != 0 and mu + nu + 2 != 0",
       "witness": null,
       "note": null,

@@ -97,7 +97,9 @@ impl<A: Arithmetic> Evaluator<'_, A> {
             let what = "a coefficient of an unknown of the given equations";
             return Err(Unknown::NotCovered { what }.into());
         }
-        let rates = |name: &Name| self.rates(forms, sides, name, scope);
+        // In the equations themselves nothing is put in.
+        let plain = Evaluator::new(self.arithmetic, self.values);
+        let rates = |name: &Name| self.rates(forms, sides, &plain, name, scope);
         let own: Vec<(Row<A>, Row<A>)> = names.iter().map(rates).collect::<Result<_, _>>()?;
         let moved: Vec<(Row<A>, Row<A>)> = free.iter().map(rates).collect::<Result<_, _>>()?;
         let a = self.arithmetic;
@@ -122,6 +124,7 @@ impl<A: Arithmetic> Evaluator<'_, A> {
         &self,
         forms: &Term,
         sides: &[&Term],
+        plain: &Self,
         name: &Name,
         scope: &Sc<'_, A>,
     ) -> Result<(Row<A>, Row<A>), Gap> {
@@ -135,7 +138,7 @@ impl<A: Arithmetic> Evaluator<'_, A> {
         let forms = first(self.entries(&[forms], &inner)?);
         let mut gaps = vec![];
         for pair in sides.chunks(2) {
-            gaps.extend(first(self.entries(pair, &inner)?));
+            gaps.extend(first(plain.entries(pair, &inner)?));
         }
         Ok((forms, gaps))
     }

@@ -10,7 +10,7 @@ use crate::name::Name;
 use crate::series::Series;
 use crate::value::Value;
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_language::core::{BuiltIn, Claim, Family, Node, Points, Term};
 use torse_language::syntax::Operator;
@@ -95,6 +95,13 @@ impl<N: Clone> Scope<'_, N> {
         }
     }
 
+    /// Whether one of these declared symbols has another value than at the point.
+    fn changes(&self, names: &BTreeSet<Arc<str>>) -> bool {
+        let own =
+            matches!(&self.binding, Binding::Symbol(name, _) if names.contains(name.declared()));
+        own || self.outer.is_some_and(|outer| outer.changes(names))
+    }
+
     fn symbol(&self, name: &Name) -> Option<&Series<N>> {
         if !self.symbols {
             return None;
@@ -117,11 +124,13 @@ struct Row<N> {
 /// Evaluates terms at one point.
 pub struct Evaluator<'a, A: Arithmetic> {
     pub(crate) arithmetic: &'a A,
-    values: &'a dyn Fn(&Name) -> Option<A::Number>,
+    pub(crate) values: &'a dyn Fn(&Name) -> Option<A::Number>,
     pub(crate) claim: Option<&'a Claim>,
     /// The values of closed terms, by their addresses.
     closed: RefCell<BTreeMap<usize, Value<A::Number>>>,
     is_closed: RefCell<BTreeMap<usize, bool>>,
+    /// The declared symbols of closed terms.
+    names: RefCell<BTreeMap<usize, BTreeSet<Arc<str>>>>,
     rows: RefCell<Vec<Row<A::Number>>>,
 }
 
@@ -137,6 +146,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             claim: None,
             closed: RefCell::default(),
             is_closed: RefCell::default(),
+            names: RefCell::default(),
             rows: RefCell::default(),
         }
     }
@@ -144,11 +154,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
     /// The same, where the unknowns of the claim's given equations are functions of the other symbols: that matters to
     /// `coefficients` alone.
     #[must_use]
-    pub fn of(self, claim: &'a Claim) -> Self {
-        Self {
-            claim: Some(claim),
-            ..self
-        }
+    pub fn of(self, claim: Option<&'a Claim>) -> Self {
+        Self { claim, ..self }
     }
 
     /// The value of a closed term.
@@ -250,30 +257,55 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                         | BuiltIn::Determinant
                         | BuiltIn::Coefficients
                 );
-                if !costly || scope.symbols || !self.is_closed(term) {
-                    return self.apply(*function, arguments, &inside);
+                if costly && self.is_closed(term) {
+                    self.once(term, scope, || self.apply(*function, arguments, &inside))
+                } else {
+                    self.apply(*function, arguments, &inside)
                 }
-                self.once(term, || self.apply(*function, arguments, &inside))
             }
             Node::Opened { closed, body, .. } => {
-                if !closed || scope.symbols {
-                    return self.term(body, &inside);
+                if *closed {
+                    // A closed body has one value at the point, wherever it stands.
+                    self.once(body, scope, || self.term(body, &inside))
+                } else {
+                    self.term(body, &inside)
                 }
-                // A closed body has one value at the point, wherever it stands.
-                self.once(body, || self.term(body, &inside))
             }
         }
     }
 
-    /// The value of a closed term, evaluated when it is asked for first.
-    fn once(&self, term: &Term, evaluate: impl FnOnce() -> Outcome<A>) -> Outcome<A> {
+    /// The value of a closed term: evaluated when it is asked for first, and where a declared symbol that occurs in it
+    /// has another value.
+    fn once(
+        &self,
+        term: &Term,
+        scope: &Sc<'_, A>,
+        evaluate: impl FnOnce() -> Outcome<A>,
+    ) -> Outcome<A> {
         let key = Arc::as_ptr(&term.node).addr();
+        if scope.symbols && self.occurs_changed(term, scope) {
+            return evaluate();
+        }
         if let Some(known) = self.closed.borrow().get(&key) {
             return Ok(known.clone());
         }
         let value = evaluate()?;
         self.closed.borrow_mut().insert(key, value.clone());
         Ok(value)
+    }
+
+    /// Whether a symbol occurs in a term that has another value here than at the point.
+    fn occurs_changed(&self, term: &Term, scope: &Sc<'_, A>) -> bool {
+        let key = Arc::as_ptr(&term.node).addr();
+        let mut all = self.names.borrow_mut();
+        let names = all.entry(key).or_insert_with(|| {
+            let mut names = BTreeSet::new();
+            term.declared_names(&mut |name| {
+                names.insert(Arc::clone(name));
+            });
+            names
+        });
+        scope.changes(names)
     }
 
     /// Whether a term depends on no variable of an enclosing binder.

@@ -43,15 +43,24 @@ pub(crate) fn address(statement: &Statement) -> usize {
 }
 
 impl Judge<'_> {
-    /// Judges, with more precision where that is needed.
+    /// Judges a statement about the domain, with more precision where that is needed.
     pub fn judge(&self, statement: &Statement) -> Judgement {
+        self.judged(statement, Some(self.claim))
+    }
+
+    /// Judges a hypothesis: what it says of coefficients is not read with the solutions of the hypotheses put in.
+    pub fn hypothesis(&self, statement: &Statement) -> Judgement {
+        self.judged(statement, None)
+    }
+
+    fn judged(&self, statement: &Statement, solved: Option<&Claim>) -> Judgement {
         let mut last = Judgement::Undecided;
         for bits in PRECISIONS {
             let reals = Reals {
                 bits,
                 work: self.work,
             };
-            let at = Evaluator::new(&reals, self.values).of(self.claim);
+            let at = Evaluator::new(&reals, self.values).of(solved);
             last = self.statement(statement, &at);
             if !matches!(
                 last,

@@ -21,6 +21,16 @@ pub struct Correction {
     pub unique: bool,
 }
 
+impl Correction {
+    /// What was changed and under which conditions the statement is true then, a line each.
+    #[must_use]
+    pub fn in_words(&self) -> Vec<String> {
+        let conditions = self.conditions.iter();
+        let conditions = conditions.map(|condition| format!("true if `{}`", condition.text));
+        self.edits.iter().cloned().chain(conditions).collect()
+    }
+}
+
 /// A change of printed data that explains a printed value: the value is wrong for the data as printed and
 /// right for the changed ones.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

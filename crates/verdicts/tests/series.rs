@@ -36,15 +36,8 @@ step = ['1 - x', 'x']
 "#;
 
 fn all_hold_by_induction(name: &str, statements: &[&str]) {
-    let claims: Vec<String> = statements
-        .iter()
-        .map(|s| format!("states = \"{s}\""))
-        .collect();
-    let claims: Vec<&str> = claims.iter().map(String::as_str).collect();
-    for (outcome, statement) in common::outcomes(name, CURVES, &claims)
-        .iter()
-        .zip(statements)
-    {
+    let found = common::stated(name, CURVES, statements);
+    for (outcome, statement) in found.iter().zip(statements) {
         let found = (outcome.verdict, outcome.evidence);
         assert_eq!(
             found,
@@ -101,14 +94,14 @@ fn the_index_as_a_factor_is_a_derivation() {
 
 #[test]
 fn wrong_equations_between_products_are_refuted_at_small_degrees() {
-    let claims = [
-        "states = 'C(x)*S(y) == C(x)*S(x)'",
-        "states = 'sum(j, 0, n, B[j,n](x)*R[n-j]) == S(x)'",
-        "states = 'sum(j, 0, n, j^2*B[j,n](x)) == n^2*x^2'",
-        "states = 'T(x, y) == T(y, x)'",
-        "states = 'i*B[i,m](x) == m*x*B[i,m-1](x)'",
+    let wrong = [
+        "C(x)*S(y) == C(x)*S(x)",
+        "sum(j, 0, n, B[j,n](x)*R[n-j]) == S(x)",
+        "sum(j, 0, n, j^2*B[j,n](x)) == n^2*x^2",
+        "T(x, y) == T(y, x)",
+        "i*B[i,m](x) == m*x*B[i,m-1](x)",
     ];
-    for outcome in common::outcomes("wrong-products", CURVES, &claims) {
+    for outcome in common::stated("wrong-products", CURVES, &wrong) {
         assert_eq!(outcome.verdict, Verdict::False, "{outcome:?}");
     }
 }

@@ -63,7 +63,6 @@ fn verdicts_are_judged_again_and_counted() {
         claim("wrong", "x^2 == x", ""),
         claim("range", "x >= 0", ""),
         claim("nowhere", "x == 2", "assume = ['x > 3']"),
-        claim("open", "", ""),
     ];
     let folder = mini(&claims.concat());
     let ran = on(folder.path(), &["recheck", "--verbose"]);

@@ -126,6 +126,7 @@ fn basis() -> Vec<Outcome> {
                 "D(f[0,k], x, 2)(0) == pi^2/4*(2*mu + 2*(k-2)*(1+mu) + (k-2)*(k-3))",
                 "f''_(0,k)(0) = pi^2/4 (2 mu + 2 (k-2)(1 + mu) + (k-2)(k-3))",
             ),
+            conditions: vec![],
             edits: vec![
                 "the factor 2 added before μ".to_owned(),
                 "k replaced by k − 2".to_owned(),

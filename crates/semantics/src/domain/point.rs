@@ -103,7 +103,7 @@ fn whole(value: &Real) -> Option<i64> {
 /// Whether every hypothesis is true.
 pub(crate) fn check_hypotheses(judge: &Judge<'_>) -> Result<(), Outside> {
     for (number, hypothesis) in judge.claim.hypotheses.iter().enumerate() {
-        let judgement = judge.judge(&hypothesis.statement);
+        let judgement = judge.hypothesis(&hypothesis.statement);
         if judgement != Judgement::True {
             return Err(Outside::Hypothesis { number, judgement });
         }

@@ -145,6 +145,50 @@ fn a_point_at_which_a_condition_nearly_fails_satisfies_it() {
 }
 
 #[test]
+fn a_condition_with_pi_fails_at_simple_numbers() {
+    let beyond = where_fails("", "(y - 1)/(y - 1) == 1", "pi^2*(y - 1) != 0");
+    assert_eq!(beyond.undefined, 10, "{beyond:?}");
+    assert_eq!(
+        beyond.needed_at.map(|p| p.to_string()).as_deref(),
+        Some("y = 1")
+    );
+}
+
+#[test]
+fn coefficients_are_read_along_the_solutions_of_given_equations() {
+    let solved = "given = ['2*r + b == a*s']\nsolve_for = ['r']";
+    stands(solved, "coefficients([r, r + s], [s])[1,1] == a/2");
+    stands(
+        solved,
+        "coefficients([r, r + s], [s, b]) == [[a/2, -1/2], [a/2 + 1, -1/2]]",
+    );
+    is_caught(solved, "coefficients([r], [s])[1,1] == 0");
+    // Two unknowns, a conjunction, and an equation that speaks of coefficients itself.
+    let two =
+        "let = { both = 'r + s == a and r - s == b' }\ngiven = ['both']\nsolve_for = ['r', 's']";
+    stands(two, "coefficients([r*c], [a, b]) == [[c/2, c/2]]");
+    let inner = "given = ['coefficients([3*r], [r])[1,1]*s == a']\nsolve_for = ['s']";
+    stands(inner, "s == a/3 and coefficients([s], [a])[1,1] == 1/3");
+}
+
+#[test]
+fn a_statement_without_symbols_has_one_point() {
+    let tally = netted(&claim("", "1 + 1 == 2"));
+    assert_eq!((tally.attempts, tally.holding, tally.single), (1, 1, true));
+    let tally = netted(&claim("", "1 + 1 == 3"));
+    assert!(tally.failing.is_some());
+    let tally = netted(&claim("", "y == y"));
+    assert_eq!((tally.holding, tally.single), (20, false));
+}
+
+#[test]
+fn some_points_lie_at_the_edges() {
+    // Few numbers drawn between ends, or from all, are ends or zero.
+    is_caught("", "a*a > 0");
+    is_caught("", "y != 0 or a != 0");
+}
+
+#[test]
 fn a_condition_excepts_points() {
     let c = claim("", "y > 0");
     let condition = claim("", "y > 0").statement;

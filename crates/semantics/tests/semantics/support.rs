@@ -1,8 +1,10 @@
 //! Claims from a few lines of text.
 
-use std::sync::Arc;
+#[path = "../../../../tests/support/claims.rs"]
+mod claims;
+
+use claims::paper_of;
 use torse_language::core;
-use torse_language::derivation::{self, Source};
 use torse_semantics::{Judgement, Tally, judge, read, tally};
 
 /// Symbols and bases that every claim of the tests may use.
@@ -51,33 +53,13 @@ parameters = ["mu"]
 degree = 2
 seeds = ['(1 - x)^2 + mu*x', '2*x*(1 - x)', 'x^2']
 step = ['1 - x', 'x']
-
-[[claim]]
-id = "t/c"
-at = "here"
-kind = "property"
-printed = "here"
 "#;
 
 /// A claim with these further fields (TOML) and this statement.
 pub fn claim(fields: &str, states: &str) -> core::Claim {
-    let head = r#"
-        [paper]
-        id = "t"
-        title = "t"
-        authors = "t"
-        venue = "t"
-        claims = ["c.toml"]
-    "#;
-    let claims = format!("{SHARED}{fields}\nstates = '''{states}'''\n");
-    let paper = derivation::paper(|name| {
-        let text = if name == "paper.toml" { head } else { &claims };
-        Ok(Arc::new(Source {
-            name: name.to_owned(),
-            text: text.to_owned(),
-        }))
-    })
-    .unwrap_or_else(|error| panic!("{error:?} in {claims}"));
+    let lines = format!("{fields}\nstates = '''{states}'''");
+    let paper =
+        paper_of("t", SHARED, &[&lines]).unwrap_or_else(|error| panic!("{error:?} in {lines}"));
     let claim = paper.claims.first().expect("one claim");
     let statement = claim.statement.as_ref().expect("a statement");
     core::Claim::new(claim, statement)
