@@ -11,7 +11,6 @@
     reason = "helpers of tests"
 )]
 
-#[allow(dead_code, reason = "shared with tests that use all of it")]
 mod common;
 
 use torse_language::derivation::Claim;
