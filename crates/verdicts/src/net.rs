@@ -13,7 +13,7 @@
 //!
 //! **Corrections** are proofs, with conditions of their own, and judged like proofs.
 
-use crate::outcome::{Net, Outcome, Sides};
+use crate::outcome::{BEYOND, Net, Outcome, Sides};
 use torse_language::core;
 use torse_language::derivation::{Claim, Origin, Source, Written};
 use torse_language::notation::Formula;
@@ -45,9 +45,6 @@ pub const ALWAYS: Effort = Effort {
     polynomials: 0,
     seed: "",
 };
-
-/// How many points beyond a condition are wanted.
-const BEYOND: u64 = 10;
 
 /// Judges the verdict of a claim that has a statement. A contradiction makes it undecided.
 pub fn cast(outcome: &mut Outcome, claim: &Claim, statement: &Written) {

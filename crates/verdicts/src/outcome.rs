@@ -142,6 +142,9 @@ impl Net {
     }
 }
 
+/// How many points are wanted at which a condition fails.
+pub const BEYOND: u64 = 10;
+
 /// A statement at points of its domain at which a condition fails. The other side are the decided points of the [`Net`]:
 /// all conditions are true there.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -167,10 +170,11 @@ impl Sides {
         self.needed_at.is_some()
     }
 
-    /// Whether the statement was judged without the condition and was true every time.
+    /// Whether the statement was judged without the condition as often as is wanted, and was true every time. A few
+    /// points, at which everything else is zero as well, say nothing.
     #[must_use]
     pub fn is_suspicious(&self) -> bool {
-        self.holding > 0 && !self.seen_needed()
+        self.holding >= BEYOND && !self.seen_needed()
     }
 }
 
