@@ -1,6 +1,6 @@
 //! Verdicts judged once more, thoroughly.
 //!
-//! The [net](crate::net) under a verdict is cast while it is decided, with little work. Here it is cast again: with
+//! The [`net`] under a verdict is cast while it is decided, with little work. Here it is cast again: with
 //! more work, at more and other points, and equations at fixed small integers as identities of quotients of polynomials,
 //! which decides them exactly there. Every kind of verdict is looked at: equations, order relations, `agrees`,
 //! properties of a basis, conditions on both sides, corrections, refutations at their witness, empty domains.
