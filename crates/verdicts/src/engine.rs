@@ -197,7 +197,7 @@ fn conclude(
             outcome.evidence = Some(Evidence::Witness);
             refute(outcome, *refutation);
             // A correction that is not found within the budget is none; the verdict stands.
-            let _ = work::within(budget, || correct(outcome, claim, statement));
+            let _ = work::within(budget / 5, || correct(outcome, claim, statement));
         }
         Decision::Vacuous { reason } => {
             outcome.verdict = Verdict::Vacuous;

@@ -30,10 +30,6 @@ fn decided(states: &str, fields: &str) -> Option<String> {
     }
     let all: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
     let verdict = all["claims"][0]["verdict"].as_str().unwrap();
-    if verdict == "undecided" {
-        let steps = all["claims"][0]["steps"].as_array().unwrap();
-        assert!(!steps.is_empty(), "{shown}");
-    }
     Some(verdict.to_owned())
 }
 
@@ -145,15 +141,12 @@ fn a_slip_that_no_search_finds_leaves_the_verdict() {
 #[test]
 fn a_small_budget_leaves_claims_undecided_with_the_reason_and_a_large_one_does_not() {
     let folder = mini(&claim("a", "(x + 1)^30 == (x + 1)^15*(1 + x)^15", ""));
-    let verdict = |budget: &str| {
-        let words = ["verify", "--format", "json", "--budget", budget];
-        let (ran, _) = measured(folder.path(), &words);
-        let all: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
-        let found = &all["claims"][0];
-        (found["verdict"].to_string(), found["steps"].to_string())
+    let told = |budget: &str| {
+        let words = ["explain", "mini/a", "--budget", budget];
+        measured(folder.path(), &words).0.out
     };
-    let (small, reason) = verdict("10");
-    assert_eq!(small, "\"undecided\"");
-    assert!(reason.contains("budget of 10 units"), "{reason}");
-    assert_eq!(verdict("1000000").0, "\"holds\"");
+    let small = told("10");
+    assert!(small.contains("undecided"), "{small}");
+    assert!(small.contains("budget of 10 units"), "{small}");
+    assert!(told("1000000").contains("holds"));
 }

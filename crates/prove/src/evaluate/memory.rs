@@ -15,11 +15,16 @@ use torse_language::core::{Node, Term};
 /// The most values of one term that are kept.
 const MAX_KEPT: usize = 24;
 
-/// Values by terms, in and outside of angles.
+/// The free variables of a term; the term is kept, so that no other one gets its address.
+type Free = (Term, Rc<BTreeSet<u32>>);
+/// The value of a term where its free variables have these values.
+type Remembered = (Vec<Fraction>, Value);
+
+/// Free variables by the address of a term, values by that and by whether it stands in an angle.
 #[derive(Default)]
 pub(super) struct Memory {
-    free: RefCell<BTreeMap<usize, (Term, Rc<BTreeSet<u32>>)>>,
-    values: RefCell<BTreeMap<(usize, bool), Vec<(Vec<Fraction>, Value)>>>,
+    free: RefCell<BTreeMap<usize, Free>>,
+    values: RefCell<BTreeMap<(usize, bool), Vec<Remembered>>>,
 }
 
 impl Memory {
@@ -30,7 +35,6 @@ impl Memory {
 
     /// The numbers of the variables that a term takes from outside.
     fn free(&self, term: &Term) -> Rc<BTreeSet<u32>> {
-        // The term is kept, so that no other one gets its address.
         let address = Arc::as_ptr(&term.node).addr();
         if let Some((_, known)) = self.free.borrow().get(&address) {
             return Rc::clone(known);
@@ -113,7 +117,7 @@ impl Evaluator<'_> {
             return evaluate();
         };
         let key = (Arc::as_ptr(&term.node).addr(), self.in_angle.get());
-        let same = |(own, _): &&(Vec<Fraction>, Value)| {
+        let same = |(own, _): &&Remembered| {
             own.len() == values.len() && own.iter().zip(&values).all(|(x, y)| x.is_identical(y))
         };
         if let Some(known) = self.memory.values.borrow().get(&key)
