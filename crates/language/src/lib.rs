@@ -9,5 +9,6 @@ pub mod core;
 pub mod derivation;
 pub mod fault;
 pub mod notation;
+pub mod similar;
 pub mod syntax;
 pub mod words;

@@ -32,6 +32,9 @@ impl ExactForm for Sheet {
             Construction::Connecting(_) => Err(ExchangeError::NotRational {
                 why: "the rulings between two free rails follow roots of an equation",
             }),
+            Construction::Part(_) => Err(ExchangeError::NotRational {
+                why: "parts of patches are approximated",
+            }),
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::error::Result;
 use crate::pattern::{FlatPattern, PatternResult, unroll};
 use crate::planes::Plane;
 use crate::scalars::{Over, exact_ball};
-use crate::surface::{Partials, Principal, Rails, RuledSurface, Surface, partials_between};
+use crate::surface::{Part, Partials, Principal, Rails, RuledSurface, Surface, partials_between};
 use torse_algebra::{Ball, Jet};
 
 /// What part of each ruling of an envelope belongs to a sheet.
@@ -89,6 +89,8 @@ pub enum Construction<S = f64> {
     Tangent(Box<TangentPatch<Shape<S>, S>>),
     /// A developable that touches two rails.
     Connecting(Box<ConnectingPatch<Rail<S>, Rail<S>>>),
+    /// The rulings of another sheet in a parameter interval.
+    Part(Box<Part<Sheet<S>, S>>),
 }
 
 impl<S> Sheet<S> {
@@ -163,6 +165,25 @@ impl Sheet {
     pub fn cone_cut(cone: &HermiteCone<f64>, plane: Plane<f64>) -> Result<Self> {
         let image = oblique_image(cone, &plane)?;
         Ok(Self::ruled(Rail::hermite(&cone.q)?, image.into()))
+    }
+
+    /// The rulings from `from` to `to`, with a parameter of their own in [0, 1].
+    ///
+    /// # Errors
+    /// As [`Part::new`].
+    ///
+    /// ```
+    /// use torse_geometry::prelude::*;
+    /// let arc = |z: f64| Rail::ellipse_arc([0.0, 0.0, z], [2.0, 0.0, z], [0.0, 2.0, z]);
+    /// let half = Sheet::ruled(arc(0.0)?, arc(3.0)?).part(0.0, 0.5)?;
+    /// let area = half.inspect(32)?.area;
+    /// assert!((area - 1.5 * std::f64::consts::PI).abs() < 1e-9);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn part(&self, from: f64, to: f64) -> Result<Self> {
+        let part = Part::new(self.clone(), from, to)?;
+        let construction = Construction::Part(Box::new(part));
+        Ok(Self { construction })
     }
 
     /// The ends of the ruling at `u`.
@@ -256,11 +277,16 @@ impl Rails<f64> for Sheet {
             Construction::Envelope(patch) => patch.rail_jets(x, order),
             Construction::Tangent(patch) => patch.rail_jets(x, order),
             Construction::Connecting(patch) => patch.rail_jets(x, order),
+            Construction::Part(part) => part.rail_jets(x, order),
         }
     }
 
     fn is_developable_by_construction(&self) -> bool {
-        !matches!(self.construction, Construction::Ruled(_))
+        match &self.construction {
+            Construction::Ruled(_) => false,
+            Construction::Part(part) => part.is_developable_by_construction(),
+            _ => true,
+        }
     }
 }
 
@@ -271,11 +297,16 @@ impl Rails<Ball> for Sheet<Ball> {
             Construction::Envelope(patch) => patch.rail_jets(x, order),
             Construction::Tangent(patch) => patch.rail_jets(x, order),
             Construction::Connecting(patch) => patch.rail_jets(x, order),
+            Construction::Part(part) => part.rail_jets(x, order),
         }
     }
 
     fn is_developable_by_construction(&self) -> bool {
-        !matches!(self.construction, Construction::Ruled(_))
+        match &self.construction {
+            Construction::Ruled(_) => false,
+            Construction::Part(part) => part.is_developable_by_construction(),
+            _ => true,
+        }
     }
 }
 
@@ -296,6 +327,7 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for Sheet<S> {
             Construction::Connecting(patch) => {
                 Construction::Connecting(Box::new(patch.over(convert)?))
             }
+            Construction::Part(part) => Construction::Part(Box::new(part.over(convert)?)),
         };
         Ok(Sheet { construction })
     }

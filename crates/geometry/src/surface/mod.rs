@@ -2,12 +2,14 @@
 //! gbt-surfaces Sect. 3 as constructors.
 
 mod engineering;
+mod part;
 mod partials;
 mod principal;
 mod rotation;
 mod ruled;
 mod tensor;
 
+pub use part::Part;
 pub use partials::{Forms, Partials};
 pub use principal::Principal;
 pub use rotation::{Half, RotationSurface, rotation_parameter};

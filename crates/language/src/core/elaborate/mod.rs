@@ -11,6 +11,7 @@ mod families;
 use super::{Family, Node, Points, Set, Statement, Term, Variable};
 use crate::derivation::declarations::{Declarations, Definition, SymbolKind};
 use crate::fault::{Fault, Problem};
+use crate::similar::similar;
 use crate::syntax::{self, Connective, Expr, Place};
 use binders::{Local, Scope};
 use built_in::NAMES;
@@ -435,11 +436,7 @@ impl<'a> Elaborator<'a> {
             .names()
             .chain(scope.locals.keys().map(String::as_str))
             .chain(NAMES);
-        let similar = candidates
-            .map(|candidate| (edit_distance(name, candidate), candidate))
-            .filter(|(distance, candidate)| *distance <= 1 + candidate.len() / 4)
-            .min()
-            .map(|(_, candidate)| candidate.to_owned());
+        let similar = similar(name, candidates).map(str::to_owned);
         Fault::at(
             place,
             Problem::UnknownName {
@@ -448,28 +445,6 @@ impl<'a> Elaborator<'a> {
             },
         )
     }
-}
-
-/// The Levenshtein distance, for suggestions.
-fn edit_distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = i;
-        let mut left = i + 1;
-        for (y, slot) in b.iter().zip(row.iter_mut().skip(1)) {
-            let cost = (diagonal + usize::from(x != *y))
-                .min(left + 1)
-                .min(*slot + 1);
-            diagonal = *slot;
-            *slot = cost;
-            left = cost;
-        }
-        if let Some(first) = row.first_mut() {
-            *first = i + 1;
-        }
-    }
-    row.last().copied().unwrap_or(0)
 }
 
 fn wrong(place: Place, what: &'static str, wanted: &'static str) -> Fault {

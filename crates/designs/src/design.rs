@@ -1,0 +1,220 @@
+//! What a design file says: patches, chains of them, and what is demanded.
+
+use crate::Unit;
+use torse_geometry::pattern::Sheet as Metal;
+use torse_geometry::prelude::{Planes, Rail, Sheet};
+
+/// A design: everything in millimetres and radians.
+#[derive(Debug, Clone)]
+pub struct Design {
+    /// The name of the file without its ending.
+    pub name: String,
+    /// The title; the name where none is given.
+    pub title: String,
+    /// The unit that the file is written in.
+    pub unit: Unit,
+    /// What it is made of, if that is said.
+    pub metal: Option<Material>,
+    /// What is demanded.
+    pub tolerances: Tolerances,
+    /// How it is looked at.
+    pub view: View,
+    /// The patches in the order of the file.
+    pub patches: Vec<Patch>,
+    /// The chains in the order of the file.
+    pub chains: Vec<Chain>,
+}
+
+/// Sheet metal, or what else is bent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Material {
+    /// Thickness and K-factor.
+    pub sheet: Metal,
+    /// The least inside radius, as a multiple of the thickness.
+    pub least_radius: f64,
+}
+
+/// What is demanded of a design; lengths in millimetres, angles in degrees as in the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerances {
+    /// The largest distance of the cut outline from the exact development.
+    pub outline: f64,
+    /// The strain up to which a patch counts as developable when it is unrolled.
+    pub strain: f64,
+    /// The largest angle between the tangent planes at the ends of a ruling.
+    pub twist: f64,
+    /// The least distance of the edge of regression from the patch.
+    pub clearance: f64,
+    /// The largest distance of corresponding ends of rulings at a joint.
+    pub gap: f64,
+    /// The largest angle between the tangent planes at a joint that should be smooth.
+    pub kink: f64,
+    /// What counts as zero of a derivative at a joint, as a share of its length.
+    pub continuity: f64,
+    /// The distance of surfaces in files that hold no exact form, and of meshes.
+    pub surface: f64,
+    /// By how much a pattern that was folded back may miss the design.
+    pub fold: Option<f64>,
+}
+
+impl Tolerances {
+    /// What is demanded where a file says nothing.
+    pub const USUAL: Self = Self {
+        outline: 0.01,
+        strain: torse_geometry::pattern::DEVELOPABLE_STRAIN,
+        twist: 0.1,
+        clearance: 0.0,
+        gap: 1e-3,
+        kink: 0.1,
+        continuity: 1e-9,
+        surface: 0.01,
+        fold: None,
+    };
+}
+
+/// How a design is looked at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    /// Azimuth and elevation in degrees; chosen from the patches where none are given.
+    pub angles: Option<[f64; 2]>,
+    /// How many rulings of a patch are shown, in pictures and in patterns.
+    pub rulings: usize,
+}
+
+/// The rulings of a patch that are shown where a file says nothing.
+pub const USUAL_RULINGS: usize = 17;
+
+/// A patch.
+#[derive(Debug, Clone)]
+pub struct Patch {
+    /// Its name.
+    pub name: String,
+    /// How it was made, in a word.
+    pub kind: &'static str,
+    /// The surface, trimmed.
+    pub sheet: Sheet,
+    /// What is joined at its ends.
+    pub ends: Ends,
+    /// Rails that are a point: the apex of a cone, the corner of a triangle.
+    pub apexes: [bool; 2],
+    /// What is marked on it.
+    pub marks: Vec<Mark>,
+    /// What else is worth knowing: which developable was chosen, how much of the curves it uses.
+    pub notes: Vec<String>,
+}
+
+/// What determines how a patch meets its neighbours.
+#[derive(Debug, Clone)]
+pub struct Ends {
+    /// The family of tangent planes, if the patch is given by one.
+    pub planes: Option<Planes>,
+    /// The rails, if the patch is given by them.
+    pub rails: Option<[Rail; 2]>,
+    /// The part of them that the patch uses.
+    pub part: [f64; 2],
+}
+
+/// Something on a patch, at places `[u, v]`.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Mark {
+    /// A polygon on the parameters, drawn and not cut.
+    Line(Vec<[f64; 2]>),
+    /// A hole that is round on the sheet: its centre and radius.
+    Hole([f64; 2], f64),
+    /// Lettering that starts at a place: the text, its height, and its direction against the ruling in radians.
+    Text([f64; 2], String, f64, f64),
+}
+
+/// Patches in a row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chain {
+    /// Its name.
+    pub name: String,
+    /// The indices of its patches.
+    pub patches: Vec<usize>,
+    /// What is demanded of every joint.
+    pub continuity: Option<Smoothness>,
+    /// Whether the last patch meets the first.
+    pub closed: bool,
+    /// How the patches are laid out.
+    pub layout: Layout,
+}
+
+/// How smooth a joint is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Smoothness {
+    /// The ends of the rulings meet.
+    G0,
+    /// The tangent planes agree as well.
+    G1,
+    /// The curvature too: of plane families, points of regression.
+    G2,
+    /// Derivatives up to this order agree.
+    C(usize),
+}
+
+impl Smoothness {
+    /// All with their names in files.
+    pub const ALL: [(&'static str, Self); 6] = [
+        ("G0", Self::G0),
+        ("G1", Self::G1),
+        ("G2", Self::G2),
+        ("C1", Self::C(1)),
+        ("C2", Self::C(2)),
+        ("C3", Self::C(3)),
+    ];
+
+    /// The name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        let found = Self::ALL.iter().find(|(_, known)| *known == self);
+        found.map_or("G0", |(name, _)| name)
+    }
+}
+
+/// How the patches of a chain are laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    /// Neighbours share their ruling: one piece.
+    Attached,
+    /// Each is a piece of its own.
+    Apart,
+}
+
+/// Patches that are unrolled as one piece.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Piece {
+    /// The name of the chain or of the patch.
+    pub name: String,
+    /// The patches in order.
+    pub patches: Vec<usize>,
+}
+
+impl Design {
+    /// The pieces that are cut: chains whose patches stay attached, and single patches.
+    #[must_use]
+    pub fn pieces(&self) -> Vec<Piece> {
+        let mut pieces: Vec<Piece> = Vec::new();
+        for chain in self.chains.iter().filter(|c| c.layout == Layout::Attached) {
+            pieces.push(Piece {
+                name: chain.name.clone(),
+                patches: chain.patches.clone(),
+            });
+        }
+        for (index, patch) in self.patches.iter().enumerate() {
+            if pieces.iter().all(|piece| !piece.patches.contains(&index)) {
+                pieces.push(Piece {
+                    name: patch.name.clone(),
+                    patches: vec![index],
+                });
+            }
+        }
+        pieces
+    }
+
+    /// The patch of this name.
+    #[must_use]
+    pub fn patch(&self, name: &str) -> Option<&Patch> {
+        self.patches.iter().find(|patch| patch.name == name)
+    }
+}

@@ -1,0 +1,135 @@
+//! Why a design cannot be used.
+
+use std::path::PathBuf;
+use torse_exchange::ExchangeError;
+use torse_figures::FigureError;
+use torse_geometry::GeometryError;
+use torse_geometry::pattern::PatternError;
+use torse_language::derivation::DerivationError;
+
+/// What ends a command before it has an answer, or is the answer.
+#[derive(Debug, thiserror::Error)]
+pub enum DesignError {
+    /// The file is not there, or no text.
+    #[error("cannot read {path}: {reason}")]
+    Unreadable {
+        /// The path as given.
+        path: String,
+        /// What the system said.
+        reason: String,
+    },
+    /// The file is wrong.
+    #[error("{} mistakes in the design", mistakes.len())]
+    Wrong {
+        /// All of it, in the order of the file.
+        mistakes: Vec<DerivationError>,
+    },
+    /// A file name whose ending is no format of the command.
+    #[error("{} has no ending that is known here", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+        /// The endings.
+        known: &'static [&'static str],
+    },
+    /// A name that no patch or piece has.
+    #[error("no {what} of the design is called `{name}`")]
+    NoSuch {
+        /// What was looked for.
+        what: &'static str,
+        /// The name as given.
+        name: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+    /// A number of the command line is outside its range.
+    #[error("{name} = {value} is outside {range}")]
+    OutOfRange {
+        /// What it is.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// The range.
+        range: &'static str,
+    },
+    /// A patch has no value where one is asked for.
+    #[error("patch `{patch}`: {source}")]
+    Patch {
+        /// The patch.
+        patch: String,
+        /// Why.
+        source: GeometryError,
+    },
+    /// A piece cannot be unrolled: the design misses what is demanded of it.
+    #[error("`{piece}` cannot be unrolled: {source}")]
+    Unroll {
+        /// The chain or the patch.
+        piece: String,
+        /// Why.
+        source: PatternError,
+    },
+    /// A pattern file is not one of this design.
+    #[error("{path}: {reason}")]
+    Pattern {
+        /// The file.
+        path: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A file cannot be made or written.
+    #[error(transparent)]
+    Exchange(#[from] ExchangeError),
+    /// A picture cannot be drawn.
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+}
+
+/// How a command ends that has no answer, in the terms of the command's manual.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// The command line cannot be followed.
+    Usage,
+    /// The design file is wrong, or another file that was named.
+    BadFile,
+    /// An output cannot be made or written.
+    Output,
+    /// The design misses what is demanded of it.
+    Missed,
+}
+
+impl DesignError {
+    /// How the command ends.
+    #[must_use]
+    pub fn ending(&self) -> Ending {
+        match self {
+            Self::Format { .. } | Self::NoSuch { .. } | Self::OutOfRange { .. } => Ending::Usage,
+            Self::Unreadable { .. } | Self::Wrong { .. } | Self::Pattern { .. } => Ending::BadFile,
+            Self::Patch { .. } | Self::Unroll { .. } => Ending::Missed,
+            Self::Exchange(_) | Self::Figure(_) => Ending::Output,
+        }
+    }
+
+    /// What would help.
+    #[must_use]
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Self::Format { known, .. } => Some(format!("the endings are .{}", known.join(", ."))),
+            Self::NoSuch { known, .. } => Some(format!("there are `{}`", known.join("`, `"))),
+            Self::Unroll { source, .. } => match source {
+                PatternError::NotDevelopable { strain, .. } => Some(format!(
+                    "`--allow-strain {:.1e}` flattens it all the same and marks the file",
+                    1.05 * strain
+                )),
+                PatternError::Regression { .. } => {
+                    Some("trim the patch with `part`, or cut it on one side of the edge".to_owned())
+                }
+                PatternError::CrossesItself { .. } => Some(
+                    "cut the chain into shorter ones, or lay it out with `layout = \"apart\"`"
+                        .to_owned(),
+                ),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,256 @@
+//! Formulas without unknowns, in the language of the claims: `sqrt(2)/2`, `pi/4`, `2*r + 1`.
+//!
+//! A value is a rational number as long as it can be, then a ball of [`BITS`] bits; what goes into a design is the
+//! double next to it.
+
+use num_traits::{Signed, ToPrimitive, Zero};
+use torse_language::fault::{Fault, Problem};
+use torse_language::similar::similar;
+use torse_language::syntax::ast::{Expr, Node, Operator, Place};
+use torse_numbers::rational::{Rational, to_f64};
+use torse_numbers::{Ball, ExactError, Scalar};
+
+/// Bits after the point of what is not rational.
+const BITS: usize = 320;
+/// What is smaller than this and not rational is zero up to rounding: `cos(pi/2)`.
+const NOTHING: f64 = 1e-80;
+/// The greatest exponent of a number that is not rational.
+const HIGHEST_POWER: u32 = 1024;
+/// The functions of the language that take a number to a number.
+const FUNCTIONS: [&str; 3] = ["sqrt", "sin", "cos"];
+
+/// The value of a formula.
+#[derive(Debug, Clone)]
+pub enum Value {
+    /// A rational number.
+    Exact(Rational),
+    /// A number between bounds.
+    Near(Ball),
+}
+
+impl Value {
+    fn ball(&self) -> Ball {
+        match self {
+            Self::Exact(value) => Ball::from_rational(value, BITS),
+            Self::Near(ball) => ball.clone(),
+        }
+    }
+
+    /// The value times a rational number.
+    pub fn times(&self, factor: &Rational) -> Self {
+        match self {
+            Self::Exact(value) => Self::Exact(value.clone() * factor.clone()),
+            Self::Near(ball) => Self::Near(ball.clone() * Ball::from_rational(factor, BITS)),
+        }
+    }
+
+    /// The nearest double, up to the last place; `None` when it is not finite or not known so well.
+    pub fn to_f64(&self) -> Option<f64> {
+        let value = match self {
+            Self::Exact(value) => to_f64(value),
+            Self::Near(ball) => {
+                let (low, high) = ball.to_f64_bounds();
+                if low.abs().max(high.abs()) < NOTHING {
+                    return Some(0.0);
+                }
+                // The bounds of a double are its neighbours.
+                if low.next_up().next_up() < high {
+                    return None;
+                }
+                to_f64(&ball.midpoint())
+            }
+        };
+        value.is_finite().then_some(value)
+    }
+}
+
+/// The value of a formula, with the values of names from `lookup`: `None` for a name that has none, and the error
+/// for one whose own formula is wrong.
+pub fn evaluate(
+    formula: &Expr,
+    lookup: &mut dyn FnMut(&str, Place) -> Result<Option<Value>, Fault>,
+    names: &[&str],
+) -> Result<Value, Fault> {
+    let place = formula.place;
+    match &formula.node {
+        Node::Number { value, .. } => Ok(Value::Exact(value.clone())),
+        Node::Name(name) if name == "pi" => Ok(Value::Near(Ball::pi(BITS))),
+        Node::Name(name) => match lookup(name, place)? {
+            Some(value) => Ok(value),
+            None => Err(unknown(name, place, names)),
+        },
+        Node::Negative(inner) => Ok(match evaluate(inner, lookup, names)? {
+            Value::Exact(value) => Value::Exact(-value),
+            Value::Near(ball) => Value::Near(-ball),
+        }),
+        Node::Binary(operator, left, right) => {
+            let base = evaluate(left, lookup, names)?;
+            let other = evaluate(right, lookup, names)?;
+            let value = match operator {
+                Operator::Power => {
+                    let exponent = whole(&other)
+                        .ok_or_else(|| wrong(right.place, "another exponent", "an integer"))?;
+                    power(base, exponent)
+                }
+                _ => combined(*operator, base, other),
+            };
+            value.map_err(|error| Fault::exact(place, error))
+        }
+        Node::Call(head, arguments) => {
+            let (Node::Name(name), [argument]) = (&head.node, arguments.as_slice()) else {
+                return Err(wrong(place, "a call", "sqrt, sin or cos of one number"));
+            };
+            if !FUNCTIONS.contains(&name.as_str()) {
+                return Err(unknown(name, head.place, &FUNCTIONS));
+            }
+            let argument = evaluate(argument, lookup, names)?;
+            applied(name, &argument).map_err(|error| Fault::exact(place, error))
+        }
+        Node::Index(..) => Err(wrong(place, "an index", "a number")),
+        Node::List(_) => Err(wrong(place, "a list", "a number")),
+        Node::Compare(..) | Node::Join(..) | Node::Not(_) => {
+            Err(wrong(place, "a statement", "a number"))
+        }
+    }
+}
+
+fn wrong(place: Place, what: &'static str, wanted: &'static str) -> Fault {
+    Fault::at(place, Problem::WrongType { what, wanted })
+}
+
+fn unknown(name: &str, place: Place, names: &[&str]) -> Fault {
+    let similar = similar(name, names.iter().copied()).map(str::to_owned);
+    let name = name.to_owned();
+    Fault::at(place, Problem::UnknownName { name, similar })
+}
+
+fn applied(function: &str, argument: &Value) -> Result<Value, ExactError> {
+    if let (Value::Exact(value), true) = (argument, function != "sqrt")
+        && value.is_zero()
+    {
+        let one = Rational::from_integer(1.into());
+        return Ok(Value::Exact(if function == "sin" {
+            Rational::zero()
+        } else {
+            one
+        }));
+    }
+    let ball = argument.ball();
+    Ok(Value::Near(match function {
+        "sqrt" => {
+            // The root of a square is rational.
+            if let Some(root) = exact_root(argument) {
+                return Ok(Value::Exact(root));
+            }
+            ball.sqrt()?
+        }
+        "sin" => ball.sin_cos().0,
+        _ => ball.sin_cos().1,
+    }))
+}
+
+fn exact_root(argument: &Value) -> Option<Rational> {
+    let Value::Exact(value) = argument else {
+        return None;
+    };
+    if value.is_negative() {
+        return None;
+    }
+    // A root of 320 bits after the point that is rational with so few digits is found by its double.
+    let root = Rational::from_integer(to_f64(value).sqrt().round().to_i64()?.into());
+    (root.clone() * root.clone() == *value).then_some(root)
+}
+
+fn combined(operator: Operator, left: Value, right: Value) -> Result<Value, ExactError> {
+    if let (Value::Exact(a), Value::Exact(b)) = (&left, &right) {
+        let (a, b) = (a.clone(), b.clone());
+        let value = match operator {
+            Operator::Add => a + b,
+            Operator::Subtract => a - b,
+            Operator::Multiply => a * b,
+            _ => a.divided_by(&b)?,
+        };
+        return value.bounded().map(Value::Exact);
+    }
+    let (a, b) = (left.ball(), right.ball());
+    Ok(Value::Near(match operator {
+        Operator::Add => a + b,
+        Operator::Subtract => a - b,
+        Operator::Multiply => a * b,
+        _ => a.divided_by(&b)?,
+    }))
+}
+
+fn whole(exponent: &Value) -> Option<i32> {
+    match exponent {
+        Value::Exact(q) if q.is_integer() => q.numer().to_i32(),
+        _ => None,
+    }
+}
+
+fn power(base: Value, exponent: i32) -> Result<Value, ExactError> {
+    let ball = match base {
+        Value::Exact(value) => return value.checked_pow(exponent).map(Value::Exact),
+        Value::Near(ball) => ball,
+    };
+    let size = exponent.unsigned_abs();
+    if size > HIGHEST_POWER {
+        let bits = BITS.saturating_mul(usize::try_from(size).unwrap_or(usize::MAX));
+        let limit = BITS * 1024;
+        return Err(ExactError::TooLarge { bits, limit });
+    }
+    let power = ball.powi(size);
+    if exponent < 0 {
+        let one = Ball::from_rational(&Rational::from_integer(1.into()), BITS);
+        return one.divided_by(&power).map(Value::Near);
+    }
+    Ok(Value::Near(power))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use torse_language::syntax::parse;
+
+    fn value(text: &str) -> Option<f64> {
+        let formula = parse(text).unwrap();
+        let mut two = |name: &str, _| Ok((name == "two").then(|| Value::Exact(2.into())));
+        evaluate(&formula, &mut two, &["two"]).ok()?.to_f64()
+    }
+
+    #[test]
+    fn formulas_have_the_nearest_doubles() {
+        assert_eq!(value("sqrt(2)/2"), Some(0.5_f64.sqrt()));
+        assert_eq!(value("pi/4"), Some(std::f64::consts::FRAC_PI_4));
+        assert_eq!(value("two^-3 - 1/8"), Some(0.0));
+        assert_eq!(value("sqrt(9)"), Some(3.0));
+        assert_eq!(value("cos(pi/3)"), Some(0.5));
+        assert_eq!(value("0.1"), Some(0.1));
+        assert_eq!(value("20*cos(pi/2)"), Some(0.0));
+        assert_eq!(value("sqrt(2)^2"), Some(2.0));
+        assert_eq!(value("cos(0) + sin(0)"), Some(1.0));
+    }
+
+    #[test]
+    fn what_is_no_number_is_refused() {
+        for text in [
+            "three",
+            "sqrt(-1)",
+            "1/0",
+            "1/(two - 2)",
+            "[1, 2]",
+            "1 < 2",
+            "tan(1)",
+            "det(1)",
+            "pi^5000",
+            "10^99999999",
+            "sin(1, 2)",
+            "pi^pi",
+            "1/(pi - pi)",
+        ] {
+            assert_eq!(value(text), None, "{text}");
+        }
+        // A product of a sum that cancels has no digits left.
+        assert_eq!(value("(sqrt(2)^2 - 2)*10^100"), None);
+    }
+}

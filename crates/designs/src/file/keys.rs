@@ -1,0 +1,120 @@
+//! The entries of a design file, section by section: what the reader knows, and `designs/schema.json` describes.
+
+/// A section and its entries.
+pub type Section = (&'static str, &'static [&'static str]);
+
+/// The sections of a file.
+pub const TOP: &[&str] = &[
+    "design",
+    "let",
+    "sheet",
+    "tolerances",
+    "view",
+    "points",
+    "planes",
+    "curves",
+    "families",
+    "patches",
+    "chains",
+];
+/// `[design]`.
+pub const DESIGN: &[&str] = &["title", "unit", "about"];
+/// `[sheet]`.
+pub const SHEET: &[&str] = &["thickness", "k-factor", "least-radius"];
+/// `[tolerances]`.
+pub const TOLERANCES: &[&str] = &[
+    "outline",
+    "strain",
+    "twist",
+    "clearance",
+    "gap",
+    "kink",
+    "continuity",
+    "surface",
+    "fold",
+];
+/// `[view]`.
+pub const VIEW: &[&str] = &["azimuth", "elevation", "rulings"];
+/// A plane that is no list of four numbers.
+pub const PLANE: &[&str] = &["through", "point", "normal"];
+/// `[curves.NAME]`.
+pub const CURVE: &[&str] = &[
+    "bezier",
+    "gbt",
+    "hermite",
+    "arc",
+    "shape",
+    "weights",
+    "continues",
+    "join",
+    "beta",
+    "free",
+];
+/// The quarter of an ellipse.
+pub const ARC: &[&str] = &["centre", "from", "to"];
+/// `[families.NAME]`.
+pub const FAMILY: &[&str] = &[
+    "bernstein",
+    "gbt",
+    "shape",
+    "continues",
+    "join",
+    "beta",
+    "scale",
+    "free",
+];
+/// `[patches.NAME]`.
+pub const PATCH: &[&str] = &[
+    "ruled",
+    "connect",
+    "envelope",
+    "tangent",
+    "cylinder",
+    "cone",
+    "hermite",
+    "continues",
+    "between",
+    "range",
+    "direction",
+    "apex",
+    "join",
+    "beta",
+    "scale",
+    "free",
+    "shape",
+    "part",
+    "marks",
+];
+/// A Hermite cone.
+pub const HERMITE: &[&str] = &[
+    "degree",
+    "ratio",
+    "summit",
+    "q",
+    "p-start",
+    "p-middle",
+    "p-middle-tangent",
+    "q-ends",
+    "q-tangents",
+];
+/// A mark.
+pub const MARK: &[&str] = &["line", "hole", "text", "at", "radius", "height", "angle"];
+/// `[chains.NAME]`.
+pub const CHAIN: &[&str] = &["patches", "continuity", "closed", "layout"];
+
+/// All of them by the names of their definitions in the schema.
+pub const ALL: &[Section] = &[
+    ("top", TOP),
+    ("design", DESIGN),
+    ("sheet", SHEET),
+    ("tolerances", TOLERANCES),
+    ("view", VIEW),
+    ("plane", PLANE),
+    ("curve", CURVE),
+    ("arc", ARC),
+    ("family", FAMILY),
+    ("patch", PATCH),
+    ("hermite", HERMITE),
+    ("mark", MARK),
+    ("chain", CHAIN),
+];

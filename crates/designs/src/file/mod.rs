@@ -1,0 +1,211 @@
+//! Reading design files.
+//!
+//! The format is described in `designs/README.md` and `designs/schema.json`. Sections are read in the order points,
+//! planes, curves, families, patches, chains, entries in the order of the file; an entry refers to what stands above it.
+//! What is wrong is kept with its place, and what leans on it is passed over in silence, so that one run shows all
+//! mistakes of a file, each once.
+
+mod chains;
+mod curves;
+mod formula;
+pub mod keys;
+mod patches;
+mod planes;
+mod points;
+mod reader;
+mod settings;
+
+use crate::design::Design;
+use crate::error::DesignError;
+use reader::{Named, Reader, Value, ordered};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+use toml::de::DeTable;
+use torse_geometry::prelude::{Planes, Point, Rail};
+
+pub use torse_language::derivation::Source;
+
+/// The largest file that is read, in bytes.
+pub const MOST_BYTES: usize = 1 << 20;
+/// The most things of one kind in a file.
+pub const MOST_THINGS: usize = 512;
+/// The most control elements of a curve or a family.
+pub const MOST_CONTROLS: usize = 24;
+/// The most mistakes that are told of one file.
+const MOST_MISTAKES: usize = 100;
+
+/// What patches are made of.
+#[derive(Default)]
+struct Parts {
+    points: Named<Point>,
+    planes: Named<[f64; 4]>,
+    curves: Named<Rail>,
+    families: Named<Planes>,
+}
+
+/// Reads a design file.
+///
+/// # Errors
+/// [`DesignError::Unreadable`] for a file that is not there, too large or no text, [`DesignError::Wrong`] with
+/// everything that is wrong in it.
+pub fn load(path: &Path) -> Result<Design, DesignError> {
+    let unreadable = |reason: String| DesignError::Unreadable {
+        path: path.display().to_string(),
+        reason,
+    };
+    let size = std::fs::metadata(path).map_err(|e| unreadable(e.to_string()))?;
+    if size.is_dir() {
+        return Err(unreadable("it is a folder".to_owned()));
+    }
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path).map_err(|e| unreadable(e.to_string()))?;
+    // A file may be longer than it says, a device for instance.
+    let most = u64::try_from(MOST_BYTES).unwrap_or(u64::MAX);
+    std::io::Read::read_to_end(&mut std::io::Read::take(file, most + 1), &mut bytes)
+        .map_err(|e| unreadable(e.to_string()))?;
+    if bytes.len() > MOST_BYTES {
+        return Err(unreadable(format!("it is longer than {MOST_BYTES} bytes")));
+    }
+    let text = String::from_utf8(bytes).map_err(|e| {
+        let at = e.utf8_error().valid_up_to();
+        unreadable(format!("it is no UTF-8 text (byte {at})"))
+    })?;
+    let shown = path.file_name().unwrap_or_default().to_string_lossy();
+    read(&shown, &text)
+}
+
+/// Reads the text of a design file with this name.
+///
+/// # Errors
+/// [`DesignError::Wrong`] with everything that is wrong, in the order of the file.
+///
+/// ```
+/// use torse_designs::{DesignError, read};
+/// let design = read("cone.toml", r#"
+///     [let]
+///     r = "20*sqrt(2)"
+///     [curves.rim]
+///     arc = { centre = [0, 0, 0], from = ["r", 0, 0], to = [0, "r", 0] }
+///     [patches.cone]
+///     cone = "rim"
+///     apex = [0, 0, 40]
+///     range = [1, 0.5]
+/// "#)?;
+/// assert_eq!((design.name.as_str(), design.patches.len()), ("cone", 1));
+///
+/// let wrong = read("cone.toml", "[points]\nA = [0, 0]\nB = [1, \"2*q\", 0]\n[patch.x]\n").unwrap_err();
+/// let DesignError::Wrong { mistakes } = wrong else { panic!() };
+/// let all: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
+/// assert_eq!(all, [
+///     "2 numbers: 3 are wanted",
+///     "`q` is not declared",
+///     "a design file has no entry `patch`",
+///     "a design has one patch at least",
+/// ]);
+/// # Ok::<(), DesignError>(())
+/// ```
+pub fn read(name: &str, text: &str) -> Result<Design, DesignError> {
+    let source = Arc::new(Source {
+        name: name.to_owned(),
+        text: text.to_owned(),
+    });
+    let mut reader = Reader::new(Arc::clone(&source));
+    let (table, errors) = DeTable::parse_recoverable(&source.text);
+    for error in &errors {
+        let span = error.span().unwrap_or(0..0);
+        reader.complain(&span, error.message(), "");
+    }
+    let design = if errors.is_empty() {
+        sections(&mut reader, name, table.into_inner())
+    } else {
+        None
+    };
+    let mut mistakes = std::mem::take(&mut reader.mistakes);
+    mistakes.sort_by_key(|(start, _)| *start);
+    match design {
+        Some(design) if mistakes.is_empty() => Ok(design),
+        _ => {
+            let mistakes = mistakes.into_iter().map(|(_, error)| error);
+            let mistakes = mistakes.take(MOST_MISTAKES).collect();
+            Err(DesignError::Wrong { mistakes })
+        }
+    }
+}
+
+fn sections(reader: &mut Reader, name: &str, table: DeTable<'_>) -> Option<Design> {
+    let mut sections: BTreeMap<String, Value<'_>> = BTreeMap::new();
+    for (key, span, value) in ordered(table) {
+        if keys::TOP.contains(&key.as_str()) {
+            sections.insert(key, value);
+            continue;
+        }
+        let help = match torse_language::similar::similar(&key, keys::TOP.iter().copied()) {
+            Some(near) => format!("did you mean `[{near}]`?"),
+            None => format!("its sections are `{}`", keys::TOP.join("`, `")),
+        };
+        reader.complain(&span, format!("a design file has no entry `{key}`"), &help);
+    }
+    let mut take = |key: &str| sections.remove(key);
+    let head = settings::head(reader, take("design"), name);
+    if let Some(value) = take("let") {
+        reader.constants(value);
+    }
+    let metal = settings::metal(reader, take("sheet"));
+    let tolerances = settings::tolerances(reader, take("tolerances"));
+    let view = settings::view(reader, take("view"));
+    let mut parts = Parts::default();
+    parts.points = points::points(reader, take("points"));
+    parts.planes = planes::planes(reader, take("planes"), &parts.points);
+    parts.curves = curves::curves(reader, take("curves"), &parts.points);
+    parts.families = planes::families(reader, take("families"), &parts.planes);
+    let patches = patches::patches(reader, take("patches"), &parts);
+    let chains = chains::chains(reader, take("chains"), &patches);
+    if patches.is_empty() {
+        let end = reader.source().text.len();
+        let help = "a patch stands under `[patches.NAME]`";
+        reader.complain(&(end..end), "a design has one patch at least", help);
+    }
+    Some(Design {
+        name: name.strip_suffix(".toml").unwrap_or(name).to_owned(),
+        title: head.title,
+        unit: head.unit,
+        metal,
+        tolerances,
+        view,
+        patches: patches.into_iter().filter_map(|(_, patch)| patch).collect(),
+        chains,
+    })
+}
+
+/// The entries of a section of named things, each read by `read`; too many are a mistake.
+fn named<'s, T>(
+    reader: &mut Reader,
+    section: Option<Value<'s>>,
+    what: &str,
+    mut read: impl FnMut(&mut Reader, &str, Value<'s>, &Named<T>) -> Option<T>,
+) -> Named<T> {
+    let mut things = Named::new();
+    let Some(entries) = section.and_then(|value| reader.table(value, what)) else {
+        return things;
+    };
+    let span = entries.span.clone();
+    let rest = entries.rest();
+    if rest.len() > MOST_THINGS {
+        let message = format!(
+            "{} entries of {what}: at most {MOST_THINGS} are read",
+            rest.len()
+        );
+        reader.complain(&span, message, "");
+        return things;
+    }
+    for (name, span, value) in rest {
+        if name.is_empty() || name.chars().any(char::is_control) {
+            reader.complain(&span, "a name has letters", "");
+            continue;
+        }
+        let thing = read(reader, &name, value, &things);
+        things.push((name, thing));
+    }
+    things
+}

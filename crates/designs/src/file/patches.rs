@@ -1,0 +1,571 @@
+//! Patches.
+
+use super::curves::{self, accepted};
+use super::planes::{continued, pair, plane};
+use super::points::{list, point};
+use super::reader::{Dimension, Entries, Named, Reader, Value};
+use super::{Parts, keys, named};
+use crate::construct;
+use crate::design::{Ends, Mark, Patch};
+use std::ops::Range;
+use torse_geometry::developable::{HermiteCone, QuarticData, QuinticData};
+use torse_geometry::prelude::{Connected, Cut, Planes, Point, Rail, Reason, Sheet};
+
+/// The ways to make a patch.
+const KINDS: [&str; 8] = [
+    "ruled",
+    "connect",
+    "envelope",
+    "tangent",
+    "cylinder",
+    "cone",
+    "hermite",
+    "continues",
+];
+/// The most marks of a patch, and points of a line.
+const MOST_MARKS: usize = 256;
+
+/// A patch, and where a continuation would begin.
+pub struct Made {
+    pub patch: Patch,
+    cut: Option<Cutting>,
+}
+
+/// What part of the rulings of a family a patch takes.
+#[derive(Clone, Copy)]
+enum Cutting {
+    Between([[f64; 4]; 2]),
+    Range([f64; 2]),
+    Tangent([f64; 2]),
+}
+
+pub fn patches(reader: &mut Reader, section: Option<Value<'_>>, parts: &Parts) -> Named<Patch> {
+    let made = named(
+        reader,
+        section,
+        "[patches]",
+        |reader, name, value, known| {
+            let what = format!("[patches.{name}]");
+            let mut entries = reader.entries(value, &what, keys::PATCH)?;
+            patch(reader, name, &mut entries, parts, known)
+        },
+    );
+    let patches = made.into_iter();
+    patches
+        .map(|(name, made)| (name, made.map(|made| made.patch)))
+        .collect()
+}
+
+/// A surface before it is trimmed.
+struct Raw {
+    sheet: Sheet,
+    planes: Option<Planes>,
+    rails: Option<[Rail; 2]>,
+    cut: Option<Cutting>,
+    notes: Vec<String>,
+}
+
+impl Raw {
+    fn between(first: Rail, second: Rail) -> Self {
+        Self {
+            sheet: Sheet::ruled(first.clone(), second.clone()),
+            planes: None,
+            rails: Some([first, second]),
+            cut: None,
+            notes: Vec::new(),
+        }
+    }
+}
+
+fn patch(
+    reader: &mut Reader,
+    name: &str,
+    entries: &mut Entries<'_>,
+    parts: &Parts,
+    known: &Named<Made>,
+) -> Option<Made> {
+    let (what, span) = (entries.what.clone(), entries.span.clone());
+    let part = entries.take("part").map(|value| {
+        let place = value.span();
+        let [from, to] = reader.numbers(value, [Dimension::None; 2])?;
+        if 0.0 <= from && from < to && to <= 1.0 {
+            return Some([from, to]);
+        }
+        let message = format!("[{from}, {to}] is no part of a patch");
+        reader.complain(
+            &place,
+            message,
+            "`part = [from, to]` with 0 <= from < to <= 1",
+        );
+        None
+    });
+    let marks = entries
+        .take("marks")
+        .map_or(Some(Vec::new()), |value| marks(reader, value));
+    let mut given = KINDS.iter().filter(|kind| entries.has(kind));
+    let (Some(kind), None) = (given.next().copied(), given.next()) else {
+        let help = format!("one of `{}`", KINDS.join("`, `"));
+        reader.complain(&span, format!("{what} is made in one of eight ways"), &help);
+        return None;
+    };
+    let value = entries.take(kind)?;
+    let place = value.span();
+    let raw = match kind {
+        "ruled" | "connect" => {
+            let [first, second] = rails(reader, value, &parts.curves)?;
+            if kind == "ruled" {
+                Raw::between(first, second)
+            } else {
+                connected(reader, &place, &first, &second)?
+            }
+        }
+        "cylinder" => cylinder(reader, entries, value, parts)?,
+        "cone" => cone(reader, entries, value, parts)?,
+        "hermite" => {
+            let mut data = reader.entries(value, "a Hermite cone", keys::HERMITE)?;
+            hermite(reader, entries, &mut data, parts)?
+        }
+        "continues" => continuation(reader, entries, value, parts, known)?,
+        _ => {
+            let planes = reader.named(value, "family", &parts.families).cloned();
+            let cut = cutting(reader, entries, parts, kind == "tangent");
+            developable(reader, &span, planes?, cut?)?
+        }
+    };
+    let stray = [
+        "between",
+        "range",
+        "direction",
+        "apex",
+        "join",
+        "beta",
+        "scale",
+        "free",
+        "shape",
+    ];
+    for key in stray {
+        if let Some(value) = entries.take(key) {
+            let message = format!("`{key}` means nothing for a patch made by `{kind}`");
+            reader.complain(&value.span(), message, "");
+        }
+    }
+    let part = part.unwrap_or(Some([0.0, 1.0]))?;
+    let sheet = if part == [0.0, 1.0] {
+        raw.sheet
+    } else {
+        accepted(reader, &span, raw.sheet.part(part[0], part[1]))?
+    };
+    let is_point = |rail: &Rail| construct::is_point(rail);
+    let apexes = raw
+        .rails
+        .as_ref()
+        .map(|rails| rails.each_ref().map(is_point));
+    // What has no rulings has no place in a design.
+    for x in [0.0, 0.5, 1.0] {
+        accepted(reader, &span, sheet.ruling(x))?;
+    }
+    Some(Made {
+        patch: Patch {
+            name: name.to_owned(),
+            kind,
+            sheet,
+            ends: Ends {
+                planes: raw.planes,
+                rails: raw.rails,
+                part,
+            },
+            apexes: apexes.unwrap_or([false; 2]),
+            marks: marks?,
+            notes: raw.notes,
+        },
+        cut: raw.cut,
+    })
+}
+
+fn rails(reader: &mut Reader, value: Value<'_>, curves: &Named<Rail>) -> Option<[Rail; 2]> {
+    let items = reader.list(value, "curves", [2, 2])?;
+    let both: Vec<_> = items
+        .into_iter()
+        .map(|item| reader.named(item, "curve", curves).cloned())
+        .collect();
+    match both.as_slice() {
+        [Some(first), Some(second)] => Some([first.clone(), second.clone()]),
+        _ => None,
+    }
+}
+
+/// A developable that touches two free curves.
+fn connected(
+    reader: &mut Reader,
+    place: &Range<usize>,
+    first: &Rail,
+    second: &Rail,
+) -> Option<Raw> {
+    let found = accepted(reader, place, Sheet::between(first, second))?;
+    let Connected {
+        sheet,
+        reason,
+        branches,
+        gaps,
+    } = found;
+    let Some(sheet) = sheet else {
+        let twists = gaps.iter().map(|gap| gap.worst.twist);
+        let worst = twists.fold(0.0, f64::max).to_degrees();
+        let help = format!(
+            "the best ruling twists by up to {worst:.3} degrees: bend the curves, or use `ruled`"
+        );
+        reader.complain(place, "no developable touches both curves", &help);
+        return None;
+    };
+    let why = match reason {
+        None | Some(Reason::Only) => "the only one".to_owned(),
+        Some(Reason::OnlyRegular) => "the only regular one".to_owned(),
+        Some(Reason::CoversMost(own, next)) => {
+            format!(
+                "it uses {:.1} % of the curves, the next best {:.1} %",
+                100.0 * own,
+                100.0 * next
+            )
+        }
+        Some(Reason::ShorterRulings(own, next)) => {
+            format!("its longest ruling is {own:.4} mm, that of the next {next:.4} mm")
+        }
+    };
+    let count = branches.len();
+    let mut notes = vec![match count {
+        1 => "one developable touches both curves".to_owned(),
+        _ => format!("of {count} developables that touch both curves: {why}"),
+    }];
+    for gap in gaps {
+        notes.push(format!(
+            "curve {} from {:.4} to {:.4} is left over: there the best ruling twists by up to {:.3} degrees",
+            gap.curve + 1,
+            gap.range[0],
+            gap.range[1],
+            gap.worst.twist.to_degrees()
+        ));
+    }
+    Some(Raw {
+        sheet,
+        planes: None,
+        rails: None,
+        cut: None,
+        notes,
+    })
+}
+
+/// Where the rulings of a cone or cylinder end: a range of ratios, or two planes.
+enum Stretch {
+    Range([f64; 2]),
+    Between([[f64; 4]; 2]),
+}
+
+fn stretch(
+    reader: &mut Reader,
+    entries: &mut Entries<'_>,
+    parts: &Parts,
+    usual: [f64; 2],
+) -> Option<Stretch> {
+    match (entries.take("range"), entries.take("between")) {
+        (None, None) => Some(Stretch::Range(usual)),
+        (Some(value), None) => {
+            let place = value.span();
+            let [from, to] = reader.numbers(value, [Dimension::None; 2])?;
+            if from == to {
+                reader.complain(
+                    &place,
+                    format!("[{from}, {to}] is no range"),
+                    "its ends differ",
+                );
+                return None;
+            }
+            Some(Stretch::Range([from, to]))
+        }
+        (None, Some(value)) => pair(reader, value, &parts.planes).map(Stretch::Between),
+        (Some(value), Some(_)) => {
+            reader.complain(
+                &value.span(),
+                "`range` and `between` exclude each other",
+                "",
+            );
+            None
+        }
+    }
+}
+
+fn cylinder(
+    reader: &mut Reader,
+    entries: &mut Entries<'_>,
+    value: Value<'_>,
+    parts: &Parts,
+) -> Option<Raw> {
+    let span = entries.span.clone();
+    let curve = reader.named(value, "curve", &parts.curves).cloned();
+    let Some(direction) = entries.take("direction") else {
+        reader.complain(
+            &span,
+            "a cylinder lacks its `direction`",
+            "a vector: `direction = [0, 0, 100]`",
+        );
+        return None;
+    };
+    let direction = point(reader, direction, &parts.points);
+    let stretch = stretch(reader, entries, parts, [0.0, 1.0]);
+    let (curve, direction) = (curve?, direction?);
+    let rails = match stretch? {
+        Stretch::Range(range) => range.map(|t| construct::moved(&curve, &direction.map(|c| t * c))),
+        Stretch::Between(planes) => {
+            planes.map(|plane| construct::projected(&curve, &direction, &plane))
+        }
+    };
+    let [first, second] = rails.map(|rail| accepted(reader, &span, rail));
+    Some(Raw::between(first?, second?))
+}
+
+fn cone(
+    reader: &mut Reader,
+    entries: &mut Entries<'_>,
+    value: Value<'_>,
+    parts: &Parts,
+) -> Option<Raw> {
+    let span = entries.span.clone();
+    let curve = reader.named(value, "curve", &parts.curves).cloned();
+    let Some(apex) = entries.take("apex") else {
+        reader.complain(
+            &span,
+            "a cone lacks its `apex`",
+            "a point: `apex = [0, 0, 100]`",
+        );
+        return None;
+    };
+    let apex = point(reader, apex, &parts.points);
+    let stretch = stretch(reader, entries, parts, [1.0, 0.0]);
+    let (curve, apex) = (curve?, apex?);
+    let rails = match stretch? {
+        Stretch::Range(range) => range.map(|ratio| construct::dilated(&curve, &apex, ratio)),
+        Stretch::Between(planes) => planes.map(|plane| construct::cut(&curve, &apex, &plane)),
+    };
+    let [first, second] = rails.map(|rail| accepted(reader, &span, rail));
+    Some(Raw::between(first?, second?))
+}
+
+/// A Hermite cone between parallel planes, or cut by an oblique one.
+fn hermite(
+    reader: &mut Reader,
+    entries: &mut Entries<'_>,
+    data: &mut Entries<'_>,
+    parts: &Parts,
+) -> Option<Raw> {
+    let span = data.span.clone();
+    let degree = data.take("degree").map_or(Some(3.0), |value| {
+        reader.number_in(value, Dimension::None, "{3, 4, 5}", |d| {
+            [3.0, 4.0, 5.0].contains(&d)
+        })
+    })?;
+    let mut missing = |reader: &mut Reader, key: &str| {
+        let value = data.take(key);
+        if value.is_none() {
+            let message = format!("a Hermite cone of degree {degree} lacks `{key}`");
+            reader.complain(&span, message, "");
+        }
+        value
+    };
+    let ratio = missing(reader, "ratio").and_then(|value| reader.number(value, Dimension::None));
+    let one = |reader: &mut Reader, value: Option<Value<'_>>| point(reader, value?, &parts.points);
+    let two = |reader: &mut Reader, value: Option<Value<'_>>| -> Option<[Point; 2]> {
+        let points = list(reader, value?, &parts.points, [2, 2])?;
+        points.try_into().ok()
+    };
+    let cone = if degree == 3.0 {
+        let value = missing(reader, "summit");
+        let summit = one(reader, value);
+        let q = missing(reader, "q").and_then(|v| list(reader, v, &parts.points, [4, 4]));
+        let q: [Point; 4] = q?.try_into().ok()?;
+        HermiteCone::cubic(summit?, ratio?, q)
+    } else {
+        let value = missing(reader, "p-start");
+        let p_start = one(reader, value);
+        let value = missing(reader, "p-middle");
+        let p_middle = one(reader, value);
+        let value = missing(reader, "q-ends");
+        let q_ends = two(reader, value);
+        let value = missing(reader, "q-tangents");
+        let q_tangents = two(reader, value);
+        let tangent = if degree == 5.0 {
+            let value = missing(reader, "p-middle-tangent");
+            Some(one(reader, value)?)
+        } else {
+            None
+        };
+        let quartic = QuarticData {
+            p_start: p_start?,
+            p_middle: p_middle?,
+            q_ends: q_ends?,
+            q_tangents: q_tangents?,
+        };
+        match tangent {
+            None => HermiteCone::quartic(ratio?, quartic),
+            Some(p_middle_tangent) => HermiteCone::quintic(
+                ratio?,
+                QuinticData {
+                    quartic,
+                    p_middle_tangent,
+                },
+            ),
+        }
+    };
+    let cone = accepted(reader, &span, cone)?;
+    let q = accepted(reader, &span, Rail::hermite(&cone.q))?;
+    let other = match entries.take("between") {
+        // From the curve q to its image in an oblique plane.
+        Some(value) => {
+            let plane = plane(reader, value, &parts.planes)?;
+            construct::cut(&q, &cone.summit, &plane)
+        }
+        None => Rail::hermite(&cone.p),
+    };
+    let other = accepted(reader, &span, other)?;
+    Some(Raw::between(other, q))
+}
+
+/// The entries `between` or `range`.
+fn cutting(
+    reader: &mut Reader,
+    entries: &mut Entries<'_>,
+    parts: &Parts,
+    tangent: bool,
+) -> Option<Cutting> {
+    let span = entries.span.clone();
+    match (entries.take("between"), entries.take("range")) {
+        (Some(value), None) if !tangent => pair(reader, value, &parts.planes).map(Cutting::Between),
+        (None, Some(value)) if tangent => reader
+            .numbers(value, [Dimension::None; 2])
+            .map(Cutting::Tangent),
+        (None, Some(value)) => {
+            // The parameter of eq. (3.7) goes with a x a'; the foot of the ruling is a length.
+            reader
+                .numbers(value, [Dimension::Length; 2])
+                .map(Cutting::Range)
+        }
+        _ => {
+            let help = if tangent {
+                "`range = [from, to]`, in units of the derivative of the edge of regression"
+            } else {
+                "`between = [PLANE, PLANE]`, or `range = [from, to]`"
+            };
+            let message = format!("{} does not say where its rulings end", entries.what);
+            reader.complain(&span, message, help);
+            None
+        }
+    }
+}
+
+fn developable(
+    reader: &mut Reader,
+    span: &Range<usize>,
+    planes: Planes,
+    cut: Cutting,
+) -> Option<Raw> {
+    let sheet = match cut {
+        Cutting::Between([first, second]) => Sheet::envelope(&planes, Cut::between(first, second)),
+        Cutting::Range([from, to]) => Sheet::envelope(&planes, Cut::range(from, to)),
+        Cutting::Tangent([from, to]) => Sheet::tangent(&planes, from, to),
+    };
+    let sheet = accepted(reader, span, sheet)?;
+    let mut notes = Vec::new();
+    if let Some(index) = planes.opposing_normals() {
+        notes.push(format!(
+            "the normals of the control planes {} and {} oppose: was the sign of one lost?",
+            index + 1,
+            index + 2
+        ));
+    }
+    Some(Raw {
+        sheet,
+        planes: Some(planes),
+        rails: None,
+        cut: Some(cut),
+        notes,
+    })
+}
+
+/// A patch that continues another one.
+fn continuation(
+    reader: &mut Reader,
+    entries: &mut Entries<'_>,
+    value: Value<'_>,
+    parts: &Parts,
+    known: &Named<Made>,
+) -> Option<Raw> {
+    let (span, place) = (entries.span.clone(), value.span());
+    let first = reader.named(value, "patch", known)?;
+    let (Some(planes), Some(cut)) = (&first.patch.ends.planes, first.cut) else {
+        let help = "it is made by `envelope` or `tangent`; curves are continued under [curves]";
+        reader.complain(&place, "this patch is not given by planes", help);
+        return None;
+    };
+    let shape = curves::shape(reader, entries);
+    let own = entries.has("between") || entries.has("range");
+    let tangent = matches!(cut, Cutting::Tangent(_));
+    let cut = if own {
+        cutting(reader, entries, parts, tangent)
+    } else {
+        Some(cut)
+    };
+    let next = continued(reader, entries, planes, shape?, &parts.planes)?;
+    developable(reader, &span, next, cut?)
+}
+
+fn marks(reader: &mut Reader, value: Value<'_>) -> Option<Vec<Mark>> {
+    let items = reader.list(value, "marks", [0, MOST_MARKS])?;
+    let marks: Vec<_> = items.into_iter().map(|item| mark(reader, item)).collect();
+    marks.into_iter().collect()
+}
+
+fn mark(reader: &mut Reader, value: Value<'_>) -> Option<Mark> {
+    let mut entries = reader.entries(value, "a mark", keys::MARK)?;
+    let span = entries.span.clone();
+    if let Some(value) = entries.take("line") {
+        let items = reader.list(value, "places", [2, MOST_MARKS])?;
+        let places: Vec<_> = items.into_iter().map(|item| place(reader, item)).collect();
+        return places.into_iter().collect::<Option<_>>().map(Mark::Line);
+    }
+    let length = |reader: &mut Reader, value| {
+        reader.number_in(value, Dimension::Length, "(0, infinity)", |r| r > 0.0)
+    };
+    let at = entries.take("at").map(|value| place(reader, value));
+    let (Some(at), true) = (at, entries.has("radius") != entries.has("text")) else {
+        let help = "`{ line = [[u, v], ..] }`, `{ at = [u, v], radius = r }` for a hole, or \
+                    `{ at = [u, v], text = \"..\", height = h }`";
+        reader.complain(&span, "a mark is a line, a hole or a text", help);
+        return None;
+    };
+    if let Some(value) = entries.take("radius") {
+        let radius = length(reader, value);
+        return Some(Mark::Hole(at?, radius?));
+    }
+    let (text, place) = reader.text(entries.take("text")?, "a text")?;
+    if text.chars().any(char::is_control) || text.is_empty() || text.len() > 200 {
+        reader.complain(&place, "a mark is one line of 1 to 200 bytes", "");
+        return None;
+    }
+    let height = entries
+        .take("height")
+        .map_or(Some(5.0), |value| length(reader, value));
+    let angle = entries
+        .take("angle")
+        .map_or(Some(0.0), |value| reader.number(value, Dimension::None));
+    Some(Mark::Text(at?, text, height?, angle?.to_radians()))
+}
+
+/// A place `[u, v]` on a patch.
+fn place(reader: &mut Reader, value: Value<'_>) -> Option<[f64; 2]> {
+    let span = value.span();
+    let [u, v] = reader.numbers(value, [Dimension::None; 2])?;
+    if [u, v].iter().all(|c| (0.0..=1.0).contains(c)) {
+        return Some([u, v]);
+    }
+    let help = "u goes from ruling to ruling, v along them, both from 0 to 1";
+    reader.complain(&span, format!("[{u}, {v}] is outside the patch"), help);
+    None
+}

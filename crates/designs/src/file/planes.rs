@@ -1,0 +1,257 @@
+//! Planes and families of planes.
+
+use super::points::{list as point_list, point};
+use super::reader::{Dimension, Entries, Named, Reader, Value};
+use super::{MOST_CONTROLS, curves, keys, named};
+use toml::de::DeValue;
+use torse_geometry::basis::Shape;
+use torse_geometry::prelude::{Joint, Planes, Point};
+use torse_geometry::vector::{cross, dot, sub};
+
+/// A plane `p X + q Y + r Z = s`; `s` is a length where `p, q, r` are plain.
+const PLANE: [Dimension; 4] = [
+    Dimension::None,
+    Dimension::None,
+    Dimension::None,
+    Dimension::Length,
+];
+
+pub fn planes(
+    reader: &mut Reader,
+    section: Option<Value<'_>>,
+    points: &Named<Point>,
+) -> Named<[f64; 4]> {
+    named(
+        reader,
+        section,
+        "[planes]",
+        |reader, _, value, known| match value.get_ref() {
+            DeValue::Table(_) => constructed(reader, value, points),
+            _ => plane(reader, value, known),
+        },
+    )
+}
+
+/// A plane: four numbers or a name.
+pub fn plane(reader: &mut Reader, value: Value<'_>, known: &Named<[f64; 4]>) -> Option<[f64; 4]> {
+    if let DeValue::String(_) = value.get_ref() {
+        return reader.named(value, "plane", known).copied();
+    }
+    reader.numbers(value, PLANE)
+}
+
+/// A plane through three points, or through one with a normal.
+fn constructed(reader: &mut Reader, value: Value<'_>, points: &Named<Point>) -> Option<[f64; 4]> {
+    let mut entries = reader.entries(value, "a plane", keys::PLANE)?;
+    let span = entries.span.clone();
+    let (normal, at) = if let Some(value) = entries.take("through") {
+        let three = point_list(reader, value, points, [3, 3])?;
+        let [a, b, c] = three.as_slice() else {
+            return None;
+        };
+        (cross(&sub(b, a), &sub(c, a)), *a)
+    } else {
+        let (Some(at), Some(normal)) = (entries.take("point"), entries.take("normal")) else {
+            let help = "`{ through = [A, B, C] }` or `{ point = A, normal = [p, q, r] }`";
+            reader.complain(
+                &span,
+                "a plane goes through three points, or has a point and a normal",
+                help,
+            );
+            return None;
+        };
+        let at = point(reader, at, points);
+        let normal = reader.numbers(normal, [Dimension::None; 3]);
+        (normal?, at?)
+    };
+    if normal.iter().all(|c| *c == 0.0) {
+        let message = "this plane has no normal: the points are on a line, or the vector is zero";
+        reader.complain(&span, message, "");
+        return None;
+    }
+    let [p, q, r] = normal;
+    Some([p, q, r, dot(&normal, &at)])
+}
+
+/// Two planes that cut rulings.
+pub fn pair(
+    reader: &mut Reader,
+    value: Value<'_>,
+    known: &Named<[f64; 4]>,
+) -> Option<[[f64; 4]; 2]> {
+    let items = reader.list(value, "planes", [2, 2])?;
+    let both: Vec<_> = items
+        .into_iter()
+        .map(|item| plane(reader, item, known))
+        .collect();
+    match both.as_slice() {
+        [Some(first), Some(second)] => Some([*first, *second]),
+        _ => None,
+    }
+}
+
+/// A list of control planes.
+pub fn list(
+    reader: &mut Reader,
+    value: Value<'_>,
+    known: &Named<[f64; 4]>,
+    least: usize,
+) -> Option<Vec<[f64; 4]>> {
+    let items = reader.list(value, "planes", [least, MOST_CONTROLS])?;
+    let all: Vec<_> = items
+        .into_iter()
+        .map(|item| plane(reader, item, known))
+        .collect();
+    all.into_iter().collect()
+}
+
+pub fn families(
+    reader: &mut Reader,
+    section: Option<Value<'_>>,
+    planes: &Named<[f64; 4]>,
+) -> Named<Planes> {
+    named(
+        reader,
+        section,
+        "[families]",
+        |reader, name, value, known| {
+            let what = format!("[families.{name}]");
+            let mut entries = reader.entries(value, &what, keys::FAMILY)?;
+            family(reader, &mut entries, planes, known)
+        },
+    )
+}
+
+fn family(
+    reader: &mut Reader,
+    entries: &mut Entries<'_>,
+    planes: &Named<[f64; 4]>,
+    known: &Named<Planes>,
+) -> Option<Planes> {
+    let (what, span) = (entries.what.clone(), entries.span.clone());
+    let shape = curves::shape(reader, entries);
+    let made = match (
+        entries.take("bernstein"),
+        entries.take("gbt"),
+        entries.take("continues"),
+    ) {
+        (Some(value), None, None) => {
+            let control = list(reader, value, planes, 3)?;
+            Planes::new(Shape::Bernstein, &control)
+        }
+        (None, Some(value), None) => {
+            let control = list(reader, value, planes, 3);
+            let (control, Some(shape)) = (control?, shape?) else {
+                reader.complain(
+                    &span,
+                    format!("{what} lacks `shape`"),
+                    "`shape = [mu, nu]`, both in [-1, 1]",
+                );
+                return None;
+            };
+            Planes::new(shape, &control)
+        }
+        (None, None, Some(value)) => {
+            let first = reader.named(value, "family", known)?;
+            return continued(reader, entries, first, shape?, planes);
+        }
+        _ => {
+            let help = "control planes: `bernstein = [...]`, or `gbt = [...]` with `shape = [mu, nu]`; or `continues`";
+            reader.complain(&span, format!("{what} is made in one of three ways"), help);
+            return None;
+        }
+    };
+    curves::accepted(reader, &span, made)
+}
+
+/// The family that continues another as the entries `join`, `beta`, `scale` and `free` say.
+pub fn continued(
+    reader: &mut Reader,
+    entries: &mut Entries<'_>,
+    first: &Planes,
+    shape: Option<Shape<f64>>,
+    planes: &Named<[f64; 4]>,
+) -> Option<Planes> {
+    let span = entries.span.clone();
+    let joint = joint(reader, entries);
+    let free = match entries.take("free") {
+        Some(value) => list(reader, value, planes, 0),
+        None => Some(Vec::new()),
+    };
+    let shape = shape.unwrap_or(*first.family().curve().basis());
+    let next = first.next(shape, &joint?, &free?);
+    curves::accepted(reader, &span, next)
+}
+
+/// How a piece continues another.
+#[derive(Clone, Copy)]
+enum Join {
+    Parametric(usize),
+    Beta(usize),
+}
+
+const JOINS: [(&str, Join); 6] = [
+    ("C1", Join::Parametric(1)),
+    ("C2", Join::Parametric(2)),
+    ("C3", Join::Parametric(3)),
+    ("Farin-Boehm", Join::Parametric(2)),
+    ("G1", Join::Beta(1)),
+    ("G2-beta", Join::Beta(2)),
+];
+
+/// The entries `join`, `beta` and `scale`.
+pub fn joint(reader: &mut Reader, entries: &mut Entries<'_>) -> Option<Joint> {
+    let span = entries.span.clone();
+    let join = match entries.take("join") {
+        Some(value) => reader.word(value, "join", &JOINS),
+        None => {
+            let message = format!("{} lacks `join`", entries.what);
+            let help = "`join` is one of `C1`, `C2`, `C3`, `Farin-Boehm`, `G1`, `G2-beta`";
+            reader.complain(&span, message, help);
+            None
+        }
+    };
+    let beta_span = entries.has("beta");
+    let betas = entries
+        .take("beta")
+        .map(|value| plain(reader, value, "beta values"));
+    let scale = entries
+        .take("scale")
+        .map(|value| plain(reader, value, "scale values"));
+    let made = match (join?, betas) {
+        (Join::Parametric(order), None) => Ok(Joint::parametric(order)),
+        (Join::Parametric(_), Some(_)) => {
+            debug_assert!(beta_span);
+            let help = "beta values belong to `G1` and `G2-beta`";
+            reader.complain(&span, "this join has no beta values", help);
+            return None;
+        }
+        (Join::Beta(count), betas) => {
+            let betas = betas.unwrap_or(Some(Vec::new()))?;
+            if betas.len() != count {
+                let message = format!("{} beta values: this join has {count}", betas.len());
+                let help = "`beta = [gamma]` for `G1`, `beta = [gamma, lambda]` for `G2-beta`";
+                reader.complain(&span, message, help);
+                return None;
+            }
+            Joint::beta(&betas)
+        }
+    };
+    let made = match scale {
+        Some(scale) => {
+            let scale = scale?;
+            made.and_then(|joint| joint.scaled(&scale))
+        }
+        None => made,
+    };
+    curves::accepted(reader, &span, made)
+}
+
+fn plain(reader: &mut Reader, value: Value<'_>, what: &str) -> Option<Vec<f64>> {
+    let items = reader.list(value, what, [1, 3])?;
+    let all: Vec<_> = items
+        .into_iter()
+        .map(|item| reader.number(item, Dimension::None))
+        .collect();
+    all.into_iter().collect()
+}

@@ -1,0 +1,193 @@
+//! What a design is called, made of and judged by.
+
+use super::keys;
+use super::reader::{Dimension, Reader, Value};
+use crate::Unit;
+use crate::design::{Material, Tolerances, USUAL_RULINGS, View};
+use torse_geometry::pattern::Sheet as Metal;
+
+/// The most rulings that are shown of a patch.
+pub const MOST_RULINGS: f64 = 4097.0;
+
+/// Title and unit.
+pub struct Head {
+    pub title: String,
+    pub unit: Unit,
+}
+
+pub fn head(reader: &mut Reader, section: Option<Value<'_>>, file: &str) -> Head {
+    let mut head = Head {
+        title: file.strip_suffix(".toml").unwrap_or(file).to_owned(),
+        unit: Unit::Millimetre,
+    };
+    let entries = section.and_then(|value| reader.entries(value, "[design]", keys::DESIGN));
+    let Some(mut entries) = entries else {
+        return head;
+    };
+    if let Some(value) = entries.take("title") {
+        let span = value.span();
+        if let Some((title, _)) = reader.text(value, "a title") {
+            if title.chars().any(char::is_control) || title.len() > 200 {
+                reader.complain(&span, "a title is one line of at most 200 bytes", "");
+            }
+            head.title = title;
+        }
+    }
+    if let Some(value) = entries.take("about") {
+        reader.text(value, "a description");
+    }
+    if let Some(value) = entries.take("unit")
+        && let Some(unit) = reader.word(value, "unit", &Unit::ALL)
+    {
+        head.unit = unit;
+        reader.unit = unit.millimetres();
+    }
+    head
+}
+
+pub fn metal(reader: &mut Reader, section: Option<Value<'_>>) -> Option<Material> {
+    let mut entries = reader.entries(section?, "[sheet]", keys::SHEET)?;
+    let thickness = match entries.take("thickness") {
+        Some(value) => reader.number_in(value, Dimension::Length, "(0, infinity)", |t| t > 0.0),
+        None => {
+            let help = "without a thickness leave the section out";
+            reader.complain(&entries.span, "[sheet] lacks `thickness`", help);
+            None
+        }
+    };
+    let k_factor = entries.take("k-factor").map_or(Some(0.5), |value| {
+        reader.number_in(value, Dimension::None, "[0, 1]", |k| {
+            (0.0..=1.0).contains(&k)
+        })
+    });
+    let least_radius = entries.take("least-radius").map_or(Some(1.0), |value| {
+        reader.number_in(value, Dimension::None, "[0, infinity)", |r| r >= 0.0)
+    });
+    Some(Material {
+        sheet: Metal::new(thickness?, k_factor?).ok()?,
+        least_radius: least_radius?,
+    })
+}
+
+pub fn tolerances(reader: &mut Reader, section: Option<Value<'_>>) -> Tolerances {
+    let mut tolerances = Tolerances::USUAL;
+    let entries = section.and_then(|value| reader.entries(value, "[tolerances]", keys::TOLERANCES));
+    let Some(mut entries) = entries else {
+        return tolerances;
+    };
+    let positive = |value: f64| value > 0.0;
+    let share = |value: f64| value > 0.0 && value < 1.0;
+    let angle = |value: f64| value > 0.0 && value <= 90.0;
+    type Rule<'a> = (
+        &'a str,
+        Dimension,
+        &'a str,
+        &'a dyn Fn(f64) -> bool,
+        &'a mut f64,
+    );
+    let mut fold = 0.0;
+    let rules: [Rule<'_>; 9] = [
+        (
+            "outline",
+            Dimension::Length,
+            "(0, infinity)",
+            &positive,
+            &mut tolerances.outline,
+        ),
+        (
+            "strain",
+            Dimension::None,
+            "(0, 1)",
+            &share,
+            &mut tolerances.strain,
+        ),
+        (
+            "twist",
+            Dimension::None,
+            "(0, 90]",
+            &angle,
+            &mut tolerances.twist,
+        ),
+        (
+            "clearance",
+            Dimension::Length,
+            "[0, infinity)",
+            &|c| c >= 0.0,
+            &mut tolerances.clearance,
+        ),
+        (
+            "gap",
+            Dimension::Length,
+            "(0, infinity)",
+            &positive,
+            &mut tolerances.gap,
+        ),
+        (
+            "kink",
+            Dimension::None,
+            "(0, 90]",
+            &angle,
+            &mut tolerances.kink,
+        ),
+        (
+            "continuity",
+            Dimension::None,
+            "(0, 1)",
+            &share,
+            &mut tolerances.continuity,
+        ),
+        (
+            "surface",
+            Dimension::Length,
+            "(0, infinity)",
+            &positive,
+            &mut tolerances.surface,
+        ),
+        (
+            "fold",
+            Dimension::Length,
+            "(0, infinity)",
+            &positive,
+            &mut fold,
+        ),
+    ];
+    for (key, dimension, range, inside, slot) in rules {
+        if let Some(value) = entries.take(key)
+            && let Some(number) = reader.number_in(value, dimension, range, inside)
+        {
+            *slot = number;
+        }
+    }
+    tolerances.fold = (fold > 0.0).then_some(fold);
+    tolerances
+}
+
+pub fn view(reader: &mut Reader, section: Option<Value<'_>>) -> View {
+    let mut view = View {
+        angles: None,
+        rulings: USUAL_RULINGS,
+    };
+    let entries = section.and_then(|value| reader.entries(value, "[view]", keys::VIEW));
+    let Some(mut entries) = entries else {
+        return view;
+    };
+    let azimuth = entries.take("azimuth").and_then(|value| {
+        reader.number_in(value, Dimension::None, "[-360, 360]", |a| a.abs() <= 360.0)
+    });
+    let elevation = entries.take("elevation").and_then(|value| {
+        reader.number_in(value, Dimension::None, "[-90, 90]", |a| a.abs() <= 90.0)
+    });
+    if azimuth.is_some() || elevation.is_some() {
+        view.angles = Some([azimuth.unwrap_or(-60.0), elevation.unwrap_or(25.0)]);
+    }
+    if let Some(value) = entries.take("rulings") {
+        let range = "2, 3, .. 4097";
+        let whole = |n: f64| n.fract() == 0.0 && (2.0..=MOST_RULINGS).contains(&n);
+        if let Some(count) = reader.number_in(value, Dimension::None, range, whole) {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+            let count = count as usize;
+            view.rulings = count;
+        }
+    }
+    view
+}

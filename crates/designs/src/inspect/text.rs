@@ -1,0 +1,209 @@
+//! The report as a table of at most 100 columns.
+
+use super::{Bounds, JointReport, PatchReport, Report};
+
+/// The widest line.
+const WIDTH: usize = 100;
+/// The longest name that is shown whole.
+const LONGEST_NAME: usize = 22;
+
+/// The report for people.
+#[must_use]
+pub fn table(report: &Report) -> String {
+    let mut text = format!(
+        "{}: {} (lengths in {})\n\n",
+        report.design, report.title, report.unit
+    );
+    text = wrapped("", &text.trim_end().replace('\n', " ")) + "\n";
+    let heads = [
+        "patch",
+        "developable",
+        "regular",
+        "from regression",
+        "rulings",
+        "twist",
+        "radius",
+        "area",
+    ];
+    let rows = report.patches.iter().map(row);
+    text.push_str(&columns(&heads, &rows.collect::<Vec<_>>()));
+    if !report.joints.is_empty() {
+        text.push('\n');
+        let heads = ["joint", "apart", "kink", "continuity", "beta values"];
+        let rows = report.joints.iter().map(joint);
+        text.push_str(&columns(&heads, &rows.collect::<Vec<_>>()));
+    }
+    let noted = report.patches.iter().filter(|p| !p.notes.is_empty());
+    for patch in noted {
+        text.push('\n');
+        for note in &patch.notes {
+            text.push_str(&wrapped(&format!("{}: ", patch.name), note));
+        }
+    }
+    text.push('\n');
+    if report.missed.is_empty() {
+        text.push_str("All tolerances are met.\n");
+    }
+    for reason in &report.missed {
+        text.push_str(&wrapped("missed: ", reason));
+    }
+    text
+}
+
+fn row(patch: &PatchReport) -> Vec<String> {
+    let regular = match patch.apexes.is_empty() {
+        true => patch.regular.words().to_owned(),
+        false => format!("{}, apex", patch.regular.words()),
+    };
+    vec![
+        shortened(&patch.name),
+        patch.developable.words().to_owned(),
+        regular,
+        patch.clearance.map_or("no edge".to_owned(), bounds),
+        format!(
+            "{} to {}",
+            number(patch.rulings[0]),
+            number(patch.rulings[1])
+        ),
+        format!("{}°", number(patch.twist_measured[0])),
+        patch.radius.map_or("flat".to_owned(), number),
+        number(patch.area),
+    ]
+}
+
+fn joint(joint: &JointReport) -> Vec<String> {
+    let [first, second] = &joint.patches;
+    let betas: Vec<String> = joint
+        .betas
+        .iter()
+        .filter(|list| !list.is_empty())
+        .map(|list| {
+            list.iter()
+                .map(|b| number(*b))
+                .collect::<Vec<_>>()
+                .join(", ")
+        })
+        .collect();
+    vec![
+        format!("{} | {}", shortened(first), shortened(second)),
+        number(joint.gap),
+        format!("{}°", number(joint.kink)),
+        joint.smoothness(),
+        betas.join("; "),
+    ]
+}
+
+fn shortened(name: &str) -> String {
+    let count = name.chars().count();
+    if count <= LONGEST_NAME {
+        return name.to_owned();
+    }
+    let kept: String = name.chars().take(LONGEST_NAME - 1).collect();
+    kept + "…"
+}
+
+fn bounds(bounds: Bounds) -> String {
+    match (bounds.low, bounds.high) {
+        (Some(low), Some(high)) if low == high => number(low),
+        (Some(low), Some(high)) => format!("{} to {}", number(low), number(high)),
+        (Some(low), None) => format!("over {}", number(low)),
+        (None, Some(high)) => format!("at most {}", number(high)),
+        (None, None) => "unknown".to_owned(),
+    }
+}
+
+/// A number with four digits, as people write it.
+pub fn number(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || size < 1e-12 {
+        // Rounding of lengths and angles.
+        return "0".to_owned();
+    }
+    if !(1e-3..1e6).contains(&size) {
+        return format!("{value:.2e}");
+    }
+    let decimals = if size >= 1000.0 {
+        0
+    } else if size >= 100.0 {
+        1
+    } else if size >= 10.0 {
+        2
+    } else {
+        3
+    };
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') {
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    text
+}
+
+/// Columns two blanks apart.
+fn columns(heads: &[&str], rows: &[Vec<String>]) -> String {
+    let length = |text: &str| text.chars().count();
+    let mut widths: Vec<usize> = heads.iter().map(|head| length(head)).collect();
+    for row in rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = (*width).max(length(cell));
+        }
+    }
+    let heads: Vec<String> = heads.iter().map(|head| (*head).to_owned()).collect();
+    let mut text = String::new();
+    for row in std::iter::once(&heads).chain(rows) {
+        let mut line = String::new();
+        for (cell, width) in row.iter().zip(&widths) {
+            line.push_str(cell);
+            let blanks = width.saturating_sub(length(cell)) + 2;
+            line.extend(std::iter::repeat_n(' ', blanks));
+        }
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+/// A paragraph in lines of at most [`WIDTH`], after a label, indented under it.
+pub fn wrapped(label: &str, text: &str) -> String {
+    let indent = label.chars().count().min(WIDTH / 2);
+    let mut lines = String::from(label);
+    let mut used = label.chars().count();
+    for (k, word) in text.split(' ').enumerate() {
+        let length = word.chars().count();
+        if k > 0 && used + 1 + length > WIDTH {
+            lines.push('\n');
+            lines.extend(std::iter::repeat_n(' ', indent));
+            used = indent;
+        } else if k > 0 {
+            lines.push(' ');
+            used += 1;
+        }
+        lines.push_str(word);
+        used += length;
+    }
+    lines.push('\n');
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let shown = [
+            0.0, 1e-15, 12.0, 0.123_456, 123.456, -7.5, 123_456.7, 1e9, 2.5e-7,
+        ]
+        .map(number);
+        let wanted = [
+            "0", "0", "12", "0.123", "123.5", "-7.5", "123457", "1.00e9", "2.50e-7",
+        ];
+        assert_eq!(shown, wanted);
+    }
+
+    #[test]
+    fn paragraphs_fit() {
+        let text = wrapped("missed: ", &"word ".repeat(60));
+        assert!(text.lines().all(|line| line.chars().count() <= WIDTH));
+        assert!(text.lines().count() > 3);
+    }
+}

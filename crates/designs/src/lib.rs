@@ -1,0 +1,16 @@
+//! Design files: from control data to a part that can be cut.
+#![warn(missing_docs)]
+
+mod construct;
+mod design;
+mod error;
+mod file;
+pub mod inspect;
+mod unit;
+
+pub use design::{
+    Chain, Design, Ends, Layout, Mark, Material, Patch, Piece, Smoothness, Tolerances, View,
+};
+pub use error::{DesignError, Ending};
+pub use file::{MOST_BYTES, MOST_CONTROLS, MOST_THINGS, keys, load, read};
+pub use unit::Unit;
