@@ -68,6 +68,14 @@ pub enum DesignError {
         /// Why.
         source: PatternError,
     },
+    /// A mark cannot be carried to the pattern.
+    #[error("a mark on `{patch}`: {reason}")]
+    Mark {
+        /// The patch.
+        patch: String,
+        /// Why.
+        reason: String,
+    },
     /// A pattern file is not one of this design.
     #[error("{path}: {reason}")]
     Pattern {
@@ -104,7 +112,7 @@ impl DesignError {
         match self {
             Self::Format { .. } | Self::NoSuch { .. } | Self::OutOfRange { .. } => Ending::Usage,
             Self::Unreadable { .. } | Self::Wrong { .. } | Self::Pattern { .. } => Ending::BadFile,
-            Self::Patch { .. } | Self::Unroll { .. } => Ending::Missed,
+            Self::Patch { .. } | Self::Unroll { .. } | Self::Mark { .. } => Ending::Missed,
             Self::Exchange(_) | Self::Figure(_) => Ending::Output,
         }
     }

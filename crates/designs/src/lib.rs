@@ -3,10 +3,15 @@
 
 mod construct;
 mod design;
+pub mod draw;
 mod error;
+pub mod eval;
+pub mod export;
 mod file;
+pub mod fold;
 pub mod inspect;
 mod unit;
+pub mod unroll;
 
 pub use design::{
     Chain, Design, Ends, Layout, Mark, Material, Patch, Piece, Smoothness, Tolerances, View,

@@ -79,9 +79,9 @@ fn pairs<'d>(design: &'d Design, chain: &Chain) -> Vec<[&'d Patch; 2]> {
 
 /// The end of a patch: which, and what is there.
 #[derive(Debug, Clone, Copy)]
-pub struct End {
+struct End {
     /// Whether it is the last ruling.
-    pub last: bool,
+    last: bool,
     /// Its ends.
     points: [Point; 2],
     /// Normals at both, of length one where there are any.
@@ -90,13 +90,13 @@ pub struct End {
 
 /// Where two patches meet.
 #[derive(Debug, Clone, Copy)]
-pub struct Seam {
+struct Seam {
     /// The end of the first and of the second.
-    pub ends: [End; 2],
+    ends: [End; 2],
     /// Whether the first rail of the one meets the second of the other.
-    pub crossed: bool,
+    crossed: bool,
     /// The larger distance of ends of rulings.
-    pub gap: f64,
+    gap: f64,
 }
 
 impl End {
@@ -128,7 +128,7 @@ impl End {
 }
 
 /// The nearest ends of two patches: the end of the first and the start of the second before all others.
-pub fn seam(first: &Patch, second: &Patch) -> Result<Seam, GeometryError> {
+fn seam(first: &Patch, second: &Patch) -> Result<Seam, GeometryError> {
     let ends = |patch: &Patch| -> Result<[End; 2], GeometryError> {
         Ok([End::of(&patch.sheet, true)?, End::of(&patch.sheet, false)?])
     };
@@ -152,6 +152,14 @@ pub fn seam(first: &Patch, second: &Patch) -> Result<Seam, GeometryError> {
         what: "joint",
         at: torse_geometry::Place::Whole,
     })
+}
+
+/// Whether the side from which a patch is seen changes at the joint with the next: when the same ends meet, or the first
+/// rail of the one meets the second of the other, but not both.
+pub(crate) fn joint_of(first: &Patch, second: &Patch) -> Result<bool, GeometryError> {
+    let seam = seam(first, second)?;
+    let [a, b] = seam.ends;
+    Ok((a.last == b.last) != seam.crossed)
 }
 
 fn report(

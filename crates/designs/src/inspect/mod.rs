@@ -6,8 +6,10 @@
 mod joint;
 mod text;
 
+pub(crate) use joint::joint_of;
 pub use joint::{JointReport, joints};
 pub use text::table;
+pub(crate) use text::{number, wrapped};
 
 use crate::construct;
 use crate::design::{Design, Patch};

@@ -54,3 +54,27 @@ impl Arc {
         ways.map(at).into_iter().filter(inside).collect()
     }
 }
+
+/// Points along a side after its start, its end included; see [`Path::polygon`](super::Path::polygon).
+pub(crate) fn parts(from: Vertex, to: [f64; 2], share: f64) -> Vec<[f64; 2]> {
+    let Some(arc) = Arc::of(from, to) else {
+        return vec![to];
+    };
+    let turn = 4.0 * from.bulge.atan();
+    // A part of an angle t has a sagitta below r t^2/8, and the whole arc the length r |turn|.
+    let wanted = (turn.abs() / (8.0 * share.max(1e-9))).sqrt().ceil();
+    let count = wanted.clamp(1.0, 256.0);
+    let (x, y) = (from.point[0] - arc.centre[0], from.point[1] - arc.centre[1]);
+    let mut points = Vec::new();
+    let mut k = 1.0;
+    while k < count {
+        let (sine, cosine) = (turn * k / count).sin_cos();
+        points.push([
+            arc.centre[0] + cosine * x - sine * y,
+            arc.centre[1] + sine * x + cosine * y,
+        ]);
+        k += 1.0;
+    }
+    points.push(to);
+    points
+}

@@ -26,31 +26,40 @@ impl Drawing {
     /// ```
     pub fn of_pattern(flat: &FlatPattern, reach: f64) -> Result<Self> {
         let mut drawing = Self::default();
+        drawing.add_pattern(flat, reach)?;
+        Ok(drawing)
+    }
+
+    /// Adds a flat pattern to the drawing, as [`Drawing::of_pattern`] draws it: for several on one sheet.
+    ///
+    /// # Errors
+    /// As [`Drawing::path`].
+    pub fn add_pattern(&mut self, flat: &FlatPattern, reach: f64) -> Result<()> {
         let vertices = flat.outline().vertices();
         let vertices: Vec<Vertex> = vertices
             .map(|(point, bulge)| Vertex { point, bulge })
             .collect();
-        drawing.path(Layer::Outline, &vertices, true)?;
+        self.path(Layer::Outline, &vertices, true)?;
         for ruling in flat.rulings() {
             let [from, to] = ruling.ends;
-            drawing.bend(from, to, ruling.bend)?;
+            self.bend(from, to, ruling.bend)?;
         }
         for edge in flat.regression(reach) {
             // A single point is seen by nobody.
             if edge.len() > 1 {
-                drawing.polyline(Layer::Regression, &edge)?;
+                self.polyline(Layer::Regression, &edge)?;
             }
         }
-        drawing.note(&format!(
+        self.note(&format!(
             "outline within {:e} mm of the exact development",
             flat.errors().outline
         ))?;
         if flat.is_strained() {
-            drawing.note(&format!(
+            self.note(&format!(
                 "not developable: lines are strained by up to {:e} of their length",
                 flat.strain()
             ))?;
         }
-        Ok(drawing)
+        Ok(())
     }
 }

@@ -53,6 +53,18 @@ impl Path {
         self.bend
     }
 
+    /// The path as points, with arcs divided so that no chord is farther from its arc than this share of the length
+    /// of the whole arc (at most 256 parts); a closed path ends where it starts.
+    #[must_use]
+    pub fn polygon(&self, share: f64) -> Vec<[f64; 2]> {
+        let mut points: Vec<[f64; 2]> =
+            self.vertices.first().map(|v| v.point).into_iter().collect();
+        for (from, to) in self.sides() {
+            points.extend(arc::parts(from, to, share));
+        }
+        points
+    }
+
     /// The sides: each vertex with the place of the next.
     pub(crate) fn sides(&self) -> impl Iterator<Item = (Vertex, [f64; 2])> {
         let ends = self.vertices.iter().cycle().skip(1);

@@ -1,0 +1,37 @@
+//! Pictures: the patches in space and, beside them, their pattern.
+
+mod page;
+mod picture;
+
+pub use page::page;
+pub use picture::picture;
+
+use crate::design::{Design, Patch};
+use crate::error::DesignError;
+use torse_geometry::prelude::Point;
+
+/// The endings of pictures.
+pub const ENDINGS: &[&str] = &["png", "svg", "html"];
+
+/// The points of a patch on equal steps, ruling by ruling.
+fn samples(patch: &Patch, along: usize, across: usize) -> Result<Vec<Point>, DesignError> {
+    #[allow(clippy::cast_precision_loss)]
+    let share = |k: usize, of: usize| k as f64 / of as f64;
+    let mut points = Vec::with_capacity((along + 1) * (across + 1));
+    for i in 0..=along {
+        let ends = patch.sheet.ruling(share(i, along));
+        let [p, q] = ends.map_err(|source| DesignError::Patch {
+            patch: patch.name.clone(),
+            source,
+        })?;
+        for j in 0..=across {
+            points.push(torse_geometry::vector::lerp(&p, &q, &share(j, across)));
+        }
+    }
+    Ok(points)
+}
+
+/// How many rulings are drawn on each patch, so that they stay apart.
+fn lines(design: &Design) -> usize {
+    (64 / design.patches.len().max(1)).clamp(1, design.view.rulings.saturating_sub(1).clamp(1, 32))
+}

@@ -1,0 +1,101 @@
+//! A picture of a design, as SVG and PNG.
+
+use super::{lines, samples};
+use crate::design::Design;
+use crate::error::DesignError;
+use crate::unroll::{Demand, FlatPiece, drawing, unroll};
+use torse_exchange::{Drawing, Layer as Sheet};
+use torse_figures::Aspect;
+use torse_figures::{
+    Axis, Camera, Colour, Content, Figure, Grid, Layer, Legend, Line, Paint, Panel, Picture, Plot,
+    Size, Stage, Surface, View,
+};
+
+/// Steps of the grid of a patch.
+const ALONG: usize = 96;
+const ACROSS: usize = 6;
+const PANEL: Size = Size {
+    width: 560,
+    height: 460,
+};
+
+/// Draws the patches and, where the design has one, its pattern.
+///
+/// # Errors
+/// [`DesignError::Patch`], [`DesignError::Figure`].
+pub fn picture(design: &Design, demand: &Demand) -> Result<Picture, DesignError> {
+    let mut panels = vec![Panel {
+        content: Content::View(view(design)?),
+        caption: "in space (mm)".to_owned(),
+    }];
+    // What has no pattern is seen all the same.
+    if let Ok(pieces) = unroll(design, demand) {
+        let drawn = drawing(design, &pieces)?;
+        panels.push(Panel {
+            content: Content::Plot(pattern(&pieces, &drawn)),
+            caption: "flat pattern (mm)".to_owned(),
+        });
+    }
+    let figure = Figure {
+        title: design.title.clone(),
+        columns: panels.len(),
+        panels,
+        panel_size: PANEL,
+    };
+    Ok(figure.draw()?)
+}
+
+fn view(design: &Design) -> Result<View, DesignError> {
+    let mut view = View::new().legend(Legend::Hidden).stage(Stage::default());
+    if let Some([azimuth, elevation]) = design.view.angles {
+        view = view.camera(Camera::Angles { azimuth, elevation });
+    }
+    for (index, patch) in design.patches.iter().enumerate() {
+        let grid = Grid::new(ALONG + 1, ACROSS + 1, samples(patch, ALONG, ACROSS)?)?;
+        let paint = if design.patches.len() == 1 {
+            Paint::default()
+        } else {
+            Paint::nth(index)
+        };
+        view = view.surface(Surface::new(grid).paint(paint).lines(lines(design), 0));
+    }
+    Ok(view)
+}
+
+/// Thin enough for many rulings.
+const RULING: Line = Line::solid(Colour::GREY, 0.6);
+const UP: Line = Line::solid(Colour::rgb(0x2a, 0x6f, 0xb8), 0.7);
+const DOWN: Line = Line::solid(Colour::rgb(0xc2, 0x4a, 0x2e), 0.7);
+const EDGE: Line = Line::solid(Colour::rgb(0xa0, 0x2f, 0x8c), 1.0);
+const MARK: Line = Line::solid(Colour::rgb(0x1f, 0x7a, 0x4d), 1.1);
+const OUTLINE: Line = Line::solid(Colour::INK, 1.5);
+
+fn pattern(pieces: &[FlatPiece], drawing: &Drawing) -> Plot {
+    let mut plot = Plot::new(Axis::auto(""), Axis::auto(""))
+        .aspect(Aspect::Equal)
+        .legend(Legend::Hidden);
+    for piece in pieces {
+        let [low, high] = piece.flat.outline().bounds();
+        let size = (high[0] - low[0]).max(high[1] - low[1]);
+        if let Ok(boundary) = piece.flat.outline().polygon(5e-4 * size) {
+            plot = plot.layer(Layer::Region {
+                boundary,
+                colour: Colour::rgb(0x6f, 0xa3, 0xd8),
+                opacity: 0.18,
+                label: String::new(),
+            });
+        }
+    }
+    for path in drawing.paths() {
+        let line = match path.layer() {
+            Sheet::Outline => OUTLINE,
+            Sheet::Rulings => RULING,
+            Sheet::BendUp => UP,
+            Sheet::BendDown => DOWN,
+            Sheet::Regression => EDGE,
+            Sheet::Marks => MARK,
+        };
+        plot = plot.curve(path.polygon(5e-4), line, "");
+    }
+    plot
+}

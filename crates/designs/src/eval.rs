@@ -1,0 +1,161 @@
+//! Points, normals and curvatures of patches, and where they lie on the pattern.
+
+use crate::design::{Design, Patch};
+use crate::error::DesignError;
+use crate::unroll::{Demand, position, unroll};
+use serde::Serialize;
+use std::fmt::Write;
+use torse_geometry::Surface;
+use torse_geometry::pattern::Place;
+use torse_geometry::prelude::{GeometryError, Point};
+use torse_geometry::vector::unit;
+
+/// The most points of one call.
+pub const MOST_POINTS: usize = 1 << 20;
+
+/// Where a design is evaluated.
+#[derive(Debug, Clone, PartialEq)]
+pub enum At {
+    /// At these places `[u, v]`.
+    Places(Vec<[f64; 2]>),
+    /// At so many equal steps from ruling to ruling, and along rulings.
+    Grid(usize, usize),
+}
+
+/// A point of a patch; lengths in millimetres.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// The patch.
+    pub patch: String,
+    /// The parameter of the ruling.
+    pub u: f64,
+    /// The share of the ruling.
+    pub v: f64,
+    /// The point.
+    pub point: Point,
+    /// The unit normal; `null` where there is none.
+    pub normal: Option<Point>,
+    /// The principal curvatures, the larger first; `null` where there are none.
+    pub curvatures: Option<[f64; 2]>,
+    /// The place on the pattern; `null` where the piece has none.
+    pub flat: Option<[f64; 2]>,
+}
+
+/// Evaluates a patch, or all of them.
+///
+/// # Errors
+/// [`DesignError::NoSuch`] for a patch that is not there, [`DesignError::OutOfRange`] for places outside of [0, 1] and for
+/// more than [`MOST_POINTS`] points, [`DesignError::Patch`] where a patch has no point.
+///
+/// ```
+/// use torse_designs::eval::{At, eval};
+/// let design = torse_designs::read("tube.toml", r#"
+///     [curves.rim]
+///     arc = { centre = [0, 0, 0], from = [20, 0, 0], to = [0, 20, 0] }
+///     [patches.tube]
+///     cylinder = "rim"
+///     direction = [0, 0, 30]
+/// "#)?;
+/// let rows = eval(&design, Some("tube"), &At::Places(vec![[0.5, 0.5]]))?;
+/// let [x, y, z] = rows[0].point;
+/// assert!((x - 200_f64.sqrt()).abs() < 1e-12 && (x - y).abs() < 1e-12 && z == 15.0);
+/// let [along, _] = rows[0].flat.unwrap();
+/// assert!((along - 15.0).abs() < 1e-9);
+/// # Ok::<(), torse_designs::DesignError>(())
+/// ```
+pub fn eval(design: &Design, only: Option<&str>, at: &At) -> Result<Vec<Row>, DesignError> {
+    let patches: Vec<&Patch> = match only {
+        None => design.patches.iter().collect(),
+        Some(name) => vec![design.patch(name).ok_or_else(|| DesignError::NoSuch {
+            what: "patch",
+            name: name.to_owned(),
+            known: design.patches.iter().map(|p| p.name.clone()).collect(),
+        })?],
+    };
+    let places = places(at, patches.len())?;
+    // A design without a pattern is evaluated all the same.
+    let flats = unroll(design, &Demand::default()).unwrap_or_default();
+    let mut rows = Vec::with_capacity(patches.len() * places.len());
+    for patch in patches {
+        let index = design.patches.iter().position(|p| p.name == patch.name);
+        let piece = flats
+            .iter()
+            .find(|flat| index.is_some_and(|i| flat.piece.patches.contains(&i)));
+        let flat = piece.and_then(|piece| Some((&piece.flat, position(&piece.flat, patch)?)));
+        for [u, v] in &places {
+            let failed = |source: GeometryError| DesignError::Patch {
+                patch: patch.name.clone(),
+                source,
+            };
+            let partials = patch.sheet.partials(u, v, 1).map_err(failed)?;
+            let principal = patch.sheet.principal(*u, *v).ok();
+            rows.push(Row {
+                patch: patch.name.clone(),
+                u: *u,
+                v: *v,
+                point: *partials.point(),
+                normal: unit(&partials.normal()),
+                curvatures: principal.map(|both| both.map(|p| p.curvature)),
+                flat: flat.and_then(|(flat, piece)| {
+                    let (x, v) = (*u, *v);
+                    flat.flatten(Place { piece, x, v })
+                }),
+            });
+        }
+    }
+    Ok(rows)
+}
+
+fn places(at: &At, patches: usize) -> Result<Vec<[f64; 2]>, DesignError> {
+    let outside = |name, value, range| Err(DesignError::OutOfRange { name, value, range });
+    #[allow(clippy::cast_precision_loss)]
+    let places: Vec<[f64; 2]> = match at {
+        At::Places(places) => places.clone(),
+        At::Grid(m, n) => {
+            let count = m.saturating_add(1).saturating_mul(n.saturating_add(1));
+            if *m == 0 || *n == 0 || count.saturating_mul(patches) > MOST_POINTS {
+                let range = "1, 2, .. with 2^20 points at most in all";
+                return outside("steps of the grid", *m.max(n) as f64, range);
+            }
+            let share = |k: usize, of: usize| k as f64 / of as f64;
+            let row = |i: usize| (0..=*n).map(move |j| [share(i, *m), share(j, *n)]);
+            (0..=*m).flat_map(row).collect()
+        }
+    };
+    for value in places.iter().flatten() {
+        if !(0.0..=1.0).contains(value) {
+            return outside("parameter", *value, "[0, 1]");
+        }
+    }
+    Ok(places)
+}
+
+/// The rows as comma-separated values with a head; empty where there is no value.
+#[must_use]
+pub fn csv(rows: &[Row]) -> String {
+    let mut text = String::from("patch,u,v,x,y,z,nx,ny,nz,k1,k2,flat_x,flat_y\n");
+    for row in rows {
+        let quoted = if row.patch.contains([',', '"']) {
+            format!("\"{}\"", row.patch.replace('"', "\"\""))
+        } else {
+            row.patch.clone()
+        };
+        text.push_str(&quoted);
+        let mut cells = |values: Option<&[f64]>, count: usize| {
+            for k in 0..count {
+                text.push(',');
+                if let Some(value) = values.and_then(|list| list.get(k)) {
+                    // Plus zero: no negative zero.
+                    let _ = write!(text, "{}", value + 0.0);
+                }
+            }
+        };
+        cells(Some(&[row.u, row.v]), 2);
+        cells(Some(&row.point), 3);
+        cells(row.normal.as_ref().map(|n| n.as_slice()), 3);
+        cells(row.curvatures.as_ref().map(|k| k.as_slice()), 2);
+        cells(row.flat.as_ref().map(|f| f.as_slice()), 2);
+        text.push('\n');
+    }
+    text
+}

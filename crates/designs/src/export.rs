@@ -1,0 +1,165 @@
+//! Files of designs: patterns, meshes, CAD patches, by the ending of the file.
+
+use crate::design::{Design, Piece};
+use crate::error::DesignError;
+use crate::inspect::joint_of;
+use crate::unroll::{Demand, drawing, unroll};
+use std::path::Path;
+use torse_exchange::{
+    ExchangeError, Mesh, Model, convert, dxf, glb, iges, obj, ply, step, stl, svg, three_mf,
+};
+use torse_geometry::prelude::GeometryError;
+
+/// The endings of all formats.
+pub const ENDINGS: &[&str] = &[
+    "dxf", "svg", "stl", "obj", "ply", "3mf", "glb", "step", "stp", "iges", "igs",
+];
+/// The endings of patterns.
+pub const PATTERNS: &[&str] = &["dxf", "svg"];
+
+/// The ending of a file, in small letters, if it is one of these.
+///
+/// # Errors
+/// [`DesignError::Format`].
+pub fn ending(path: &Path, known: &'static [&'static str]) -> Result<&'static str, DesignError> {
+    let ending = path
+        .extension()
+        .and_then(|e| e.to_str())
+        .map(str::to_ascii_lowercase);
+    let found = ending.and_then(|ending| known.iter().find(|known| **known == ending));
+    found.copied().ok_or_else(|| DesignError::Format {
+        path: path.to_owned(),
+        known,
+    })
+}
+
+/// The bytes of a file with this ending, one of [`ENDINGS`]. Patterns are made as `demand` says; meshes are solids where
+/// the design has a thickness; CAD patches are exact where they can be, else within the tolerance `surface`.
+///
+/// # Errors
+/// As [`unroll`] for patterns, [`DesignError::Exchange`] for what a format cannot hold.
+///
+/// ```
+/// use torse_designs::export::bytes;
+/// use torse_designs::unroll::Demand;
+/// let design = torse_designs::read("tube.toml", r#"
+///     [sheet]
+///     thickness = 1
+///     [curves.rim]
+///     arc = { centre = [0, 0, 0], from = [20, 0, 0], to = [0, 20, 0] }
+///     [patches.tube]
+///     cylinder = "rim"
+///     direction = [0, 0, 30]
+/// "#)?;
+/// assert!(bytes(&design, "stl", &Demand::default())?.len() > 84);
+/// assert!(bytes(&design, "step", &Demand::default())?.starts_with(b"ISO-10303-21;"));
+/// # Ok::<(), torse_designs::DesignError>(())
+/// ```
+pub fn bytes(design: &Design, ending: &str, demand: &Demand) -> Result<Vec<u8>, DesignError> {
+    Ok(match ending {
+        "dxf" | "svg" => {
+            let drawing = drawing(design, &unroll(design, demand)?)?;
+            let text = if ending == "dxf" {
+                dxf(&drawing)?
+            } else {
+                svg(&drawing)?
+            };
+            text.into_bytes()
+        }
+        "stl" => stl(&mesh(design)?)?,
+        "obj" => obj(&mesh(design)?)?.into_bytes(),
+        "ply" => ply(&mesh(design)?)?,
+        "3mf" => three_mf(&mesh(design)?)?,
+        "glb" => glb(&mesh(design)?)?,
+        "step" | "stp" => step(&model(design)?)?.into_bytes(),
+        "iges" | "igs" => iges(&model(design)?)?.into_bytes(),
+        other => {
+            return Err(DesignError::Format {
+                path: other.into(),
+                known: ENDINGS,
+            });
+        }
+    })
+}
+
+/// The patches as CAD patches with shared edges.
+///
+/// # Errors
+/// [`DesignError::Exchange`].
+pub fn model(design: &Design) -> Result<Model, DesignError> {
+    let limits = &design.tolerances;
+    let mut model = Model::new(&design.name, limits.gap)?;
+    for patch in &design.patches {
+        let converted = convert(&patch.sheet, limits.surface)?;
+        let certificate = patch.sheet.certify(64).map_err(ExchangeError::from)?;
+        let developable = certificate.is_developable_within(limits.twist.to_radians());
+        let converted = if developable {
+            converted.declared_developable()
+        } else {
+            converted
+        };
+        model.add(&patch.name, converted)?;
+    }
+    Ok(model)
+}
+
+/// The design as one mesh: the patches of a piece welded and seen from the same side, thickened where a thickness is
+/// known.
+///
+/// # Errors
+/// [`DesignError::Exchange`].
+pub fn mesh(design: &Design) -> Result<Mesh, DesignError> {
+    let mut whole = Mesh::default();
+    for piece in design.pieces() {
+        let sheet = surface(design, &piece)?;
+        let part = match design.metal {
+            Some(metal) => sheet.thickened(metal.sheet.thickness())?,
+            None => sheet,
+        };
+        whole.append(&part)?;
+    }
+    Ok(whole)
+}
+
+fn surface(design: &Design, piece: &Piece) -> Result<Mesh, DesignError> {
+    let mut surface = Mesh::default();
+    let patches: Vec<_> = piece
+        .patches
+        .iter()
+        .filter_map(|index| design.patches.get(*index))
+        .collect();
+    let mut over = false;
+    let mut before = None;
+    for patch in &patches {
+        if let Some(before) = before {
+            let turned =
+                joint_of(before, patch).map_err(|source: GeometryError| DesignError::Patch {
+                    patch: patch.name.clone(),
+                    source,
+                })?;
+            over = over != turned;
+        }
+        let mesh = Mesh::ruled(&patch.sheet, design.tolerances.surface)?;
+        surface.append(&if over { flipped(&mesh)? } else { mesh })?;
+        before = Some(*patch);
+    }
+    if patches.len() < 2 {
+        return Ok(surface);
+    }
+    Ok(surface.welded(design.tolerances.gap)?)
+}
+
+/// The mesh seen from its other side.
+fn flipped(mesh: &Mesh) -> Result<Mesh, DesignError> {
+    let normals = mesh.normals().iter().map(|n| n.map(|c| -c)).collect();
+    let triangles = mesh
+        .triangles()
+        .iter()
+        .map(|&[a, b, c]| [a, c, b])
+        .collect();
+    Ok(Mesh::with_normals(
+        mesh.vertices().to_vec(),
+        normals,
+        triangles,
+    )?)
+}

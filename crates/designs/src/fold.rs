@@ -1,0 +1,241 @@
+//! Folding a pattern file back into space and comparing it with the design.
+//!
+//! Nothing of the design enters the folding but the file: outline, rulings, bend angles. The sheet between two rulings
+//! is taken as flat, so the points miss the design by what falls with the square of the number of rulings; the pattern of
+//! the design itself, with as many rulings, misses it by as much, and that is the measure.
+
+use crate::design::Design;
+use crate::error::DesignError;
+use crate::inspect::{number, wrapped};
+use crate::unroll::{Demand, unroll};
+use serde::Serialize;
+use std::path::Path;
+use torse_exchange::{Drawing, Layer, Path as DrawnPath};
+use torse_geometry::pattern::{FlatPattern, PatternError, Segment, deviation, fold};
+
+/// The largest pattern file that is read, in bytes.
+const MOST_BYTES: u64 = 64 << 20;
+
+/// What folding a pattern came to.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FoldReport {
+    /// The name of the design.
+    pub design: String,
+    /// The pieces in the order of the file.
+    pub pieces: Vec<FoldedPiece>,
+    /// What is missed, in words; empty when the pattern is one of the design.
+    pub missed: Vec<String>,
+}
+
+/// A piece of a pattern that was folded.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FoldedPiece {
+    /// The chain or the patch.
+    pub name: String,
+    /// How many rulings the file shows.
+    pub rulings: usize,
+    /// The largest distance of the end of a ruling from the outline of the file.
+    pub off_outline: f64,
+    /// The difference of the area inside the outline of the file from that of the design.
+    pub area_difference: f64,
+    /// The largest distance of the folded points from the design, after the best rigid motion.
+    pub deviation: f64,
+    /// The same of the design's own pattern with as many rulings.
+    pub expected: f64,
+    /// What is allowed.
+    pub limit: f64,
+}
+
+impl FoldReport {
+    /// The report for people.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        for piece in &self.pieces {
+            let words = format!(
+                "{} rulings of the file fold to within {} mm of the design ({} mm is what flat facets cost, {} mm allowed); \
+                 they end {} mm from the outline, whose area differs by {} mm2",
+                piece.rulings,
+                number(piece.deviation),
+                number(piece.expected),
+                number(piece.limit),
+                number(piece.off_outline),
+                number(piece.area_difference)
+            );
+            text.push_str(&wrapped(&format!("{}: ", piece.name), &words));
+        }
+        for reason in &self.missed {
+            text.push_str(&wrapped("missed: ", reason));
+        }
+        text
+    }
+}
+
+/// Reads a DXF pattern of a design, folds it and compares it with the design.
+///
+/// # Errors
+/// [`DesignError::Unreadable`] and [`DesignError::Pattern`] for a file that is no pattern of this design, and as
+/// [`unroll`] where the design has none.
+pub fn fold_back(design: &Design, path: &Path) -> Result<FoldReport, DesignError> {
+    let shown = path.display().to_string();
+    let unreadable = |reason: String| DesignError::Unreadable {
+        path: shown.clone(),
+        reason,
+    };
+    let size = std::fs::metadata(path)
+        .map_err(|e| unreadable(e.to_string()))?
+        .len();
+    if size > MOST_BYTES {
+        return Err(unreadable(format!("it is longer than {MOST_BYTES} bytes")));
+    }
+    let text = std::fs::read_to_string(path).map_err(|e| unreadable(e.to_string()))?;
+    fold_text(design, &shown, &text)
+}
+
+/// As [`fold_back`], of the text of a file with this name.
+///
+/// # Errors
+/// As [`fold_back`].
+pub fn fold_text(design: &Design, shown: &str, text: &str) -> Result<FoldReport, DesignError> {
+    let wrong = |reason: String| DesignError::Pattern {
+        path: shown.to_owned(),
+        reason,
+    };
+    let drawing = Drawing::from_dxf(text).map_err(|error| wrong(error.to_string()))?;
+    let found = patterns(&drawing);
+    let wanted = design.pieces();
+    if found.len() != wanted.len() {
+        return Err(wrong(format!(
+            "{} outlines with rulings, and the design has {} pieces",
+            found.len(),
+            wanted.len()
+        )));
+    }
+    let mut report = FoldReport {
+        design: design.name.clone(),
+        pieces: Vec::new(),
+        missed: Vec::new(),
+    };
+    for (pattern, piece) in found.iter().zip(&wanted) {
+        // Of a chain neighbours share a ruling.
+        let (count, patches) = (pattern.rulings.len(), piece.patches.len());
+        let each = count.saturating_sub(1) / patches.max(1) + 1;
+        if each < 2 || (each - 1) * patches + 1 != count {
+            return Err(wrong(format!(
+                "{count} rulings are no pattern of the {patches} patches of `{}`",
+                piece.name
+            )));
+        }
+        let demand = Demand {
+            // What was strained to be cut is compared with the strained pattern of the design.
+            allow_strain: 0.5,
+            rulings: Some(each),
+            only: Some(piece.name.clone()),
+        };
+        let own = unroll(design, &demand)?;
+        let Some(own) = own.first() else { continue };
+        let failed = |source: PatternError| wrong(source.to_string());
+        report
+            .pieces
+            .push(compared(design, &piece.name, pattern, &own.flat).map_err(failed)?);
+    }
+    report.missed = report
+        .pieces
+        .iter()
+        .flat_map(|piece| objections(design, piece))
+        .collect();
+    Ok(report)
+}
+
+/// An outline of a file with the rulings that follow it.
+struct Pattern<'d> {
+    outline: &'d DrawnPath,
+    rulings: Vec<[[f64; 2]; 2]>,
+    bends: Vec<f64>,
+}
+
+/// The patterns of a drawing: a closed outline, then its rulings; outlines without rulings are holes.
+fn patterns(drawing: &Drawing) -> Vec<Pattern<'_>> {
+    let mut patterns: Vec<Pattern<'_>> = Vec::new();
+    for path in drawing.paths() {
+        if path.layer() == Layer::Outline && path.is_closed() {
+            patterns.push(Pattern {
+                outline: path,
+                rulings: Vec::new(),
+                bends: Vec::new(),
+            });
+        } else if let (Some(bend), [from, to], Some(last)) =
+            (path.bend(), path.vertices(), patterns.last_mut())
+        {
+            last.rulings.push([from.point, to.point]);
+            last.bends.push(bend);
+        }
+    }
+    patterns.retain(|pattern| !pattern.rulings.is_empty());
+    patterns
+}
+
+fn compared(
+    design: &Design,
+    name: &str,
+    pattern: &Pattern<'_>,
+    own: &FlatPattern,
+) -> Result<FoldedPiece, PatternError> {
+    let folded = fold(&pattern.rulings, &pattern.bends)?;
+    let folded: Vec<[f64; 3]> = folded.into_iter().flatten().collect();
+    let wanted: Vec<[f64; 3]> = own.rulings_in_space().into_iter().flatten().collect();
+    let reached = deviation(&folded, &wanted)?;
+    let expected = own.fold_deviation()?;
+    let vertices = pattern.outline.vertices();
+    let next = vertices.iter().cycle().skip(1);
+    let segments: Vec<Segment> = vertices
+        .iter()
+        .zip(next)
+        .map(|(a, b)| Segment {
+            from: a.point,
+            to: b.point,
+            bulge: a.bulge,
+        })
+        .collect();
+    let distance = |point: &[f64; 2]| {
+        let each = segments.iter().map(|segment| segment.distance(*point));
+        each.fold(f64::INFINITY, f64::min)
+    };
+    let off_outline = pattern
+        .rulings
+        .iter()
+        .flatten()
+        .map(distance)
+        .fold(0.0, f64::max);
+    let area: f64 = segments.iter().map(Segment::area).sum();
+    let limits = &design.tolerances;
+    Ok(FoldedPiece {
+        name: name.to_owned(),
+        rulings: pattern.rulings.len(),
+        off_outline,
+        area_difference: area.abs() - own.outline().area(),
+        deviation: reached,
+        expected,
+        limit: limits.fold.unwrap_or(1.01 * expected + limits.outline),
+    })
+}
+
+fn objections(design: &Design, piece: &FoldedPiece) -> Vec<String> {
+    let mut missed = Vec::new();
+    let name = &piece.name;
+    // NaN is no agreement.
+    if !(piece.deviation <= piece.limit) {
+        missed.push(format!(
+            "{name}: the folded pattern is {:.6} mm from the design, {:.6} allowed",
+            piece.deviation, piece.limit
+        ));
+    }
+    let outline = 2.0 * design.tolerances.outline;
+    if !(piece.off_outline <= outline) {
+        missed.push(format!(
+            "{name}: rulings end {:.6} mm from the outline, {outline:.6} allowed",
+            piece.off_outline
+        ));
+    }
+    missed
+}

@@ -1,0 +1,130 @@
+//! The drawing of the pieces: patterns, marks, lettering, notes.
+
+use super::{FlatPiece, position};
+use crate::design::{Design, Mark, Patch};
+use crate::error::DesignError;
+use torse_exchange::{Drawing, Layer, Text};
+use torse_geometry::pattern::{FlatPattern, PatternError, Place};
+
+/// The height of the letters of a name, as a share of the size of its piece.
+const LETTERS: f64 = 0.02;
+/// How far from the sheet the edge of regression is still shown, as a share of its size.
+const REACH: f64 = 0.25;
+
+/// Draws the pieces: what is cut, bent and marked, each with its name, and notes of how exact it is.
+///
+/// # Errors
+/// [`DesignError::Mark`] for a hole that leaves the sheet, [`DesignError::Exchange`].
+pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignError> {
+    let mut drawing = Drawing::default();
+    drawing.note(&format!("{}: {}", design.name, design.title))?;
+    if let Some(metal) = design.metal {
+        drawing.note(&format!(
+            "middle surface of a sheet {} mm thick, K-factor {}",
+            metal.sheet.thickness(),
+            metal.sheet.k_factor()
+        ))?;
+    }
+    for FlatPiece { piece, flat } in pieces {
+        let [low, high] = flat.outline().bounds();
+        let size = (high[0] - low[0]).max(high[1] - low[1]);
+        drawing.note(&format!("piece {}", piece.name))?;
+        drawing.add_pattern(flat, REACH * size)?;
+        name(&mut drawing, &piece.name, flat, size)?;
+        for index in &piece.patches {
+            if let Some(patch) = design.patches.get(*index) {
+                marks(&mut drawing, design, patch, flat)?;
+            }
+        }
+    }
+    Ok(drawing)
+}
+
+/// The name of a piece along its middle ruling; a strained pattern says so beside it.
+fn name(
+    drawing: &mut Drawing,
+    name: &str,
+    flat: &FlatPattern,
+    size: f64,
+) -> Result<(), DesignError> {
+    let Some(ruling) = flat.rulings().get(flat.rulings().len() / 2) else {
+        return Ok(());
+    };
+    let [from, to] = ruling.ends;
+    let at = |share: f64| [0, 1].map(|i| from[i] + share * (to[i] - from[i]));
+    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let content = if flat.is_strained() {
+        format!("{name} (strained up to {:.1e})", flat.strain())
+    } else {
+        name.to_owned()
+    };
+    let count = f64::from(u32::try_from(content.chars().count()).unwrap_or(u32::MAX));
+    // Letters are about two thirds as wide as high.
+    let height = (LETTERS * size).min(0.8 * length / (0.66 * count));
+    drawing.text(Text {
+        layer: Layer::Marks,
+        at: at(0.1),
+        height,
+        angle: (to[1] - from[1]).atan2(to[0] - from[0]),
+        content,
+    })?;
+    Ok(())
+}
+
+fn marks(
+    drawing: &mut Drawing,
+    design: &Design,
+    patch: &Patch,
+    flat: &FlatPattern,
+) -> Result<(), DesignError> {
+    if patch.marks.is_empty() {
+        return Ok(());
+    }
+    let failed = |reason: String| DesignError::Mark {
+        patch: patch.name.clone(),
+        reason,
+    };
+    let unrolled = |source: PatternError| failed(source.to_string());
+    let piece = position(flat, patch).ok_or_else(|| failed("it has no pattern".to_owned()))?;
+    let flatten = |[x, v]: [f64; 2]| {
+        let point = flat.flatten(Place { piece, x, v });
+        point.ok_or_else(|| failed(format!("[{x}, {v}] is outside the patch")))
+    };
+    for mark in &patch.marks {
+        match mark {
+            Mark::Line(places) => {
+                let mut points: Vec<[f64; 2]> = Vec::new();
+                for pair in places.windows(2) {
+                    let [a, b] = [pair[0], pair[1]];
+                    let line = |t: f64| [0, 1].map(|i| a[i] + t * (b[i] - a[i]));
+                    let part = flat.carry(piece, line, design.tolerances.outline);
+                    let part = part.map_err(unrolled)?;
+                    points.extend(part.iter().skip(usize::from(!points.is_empty())));
+                }
+                drawing.polyline(Layer::Marks, &points)?;
+            }
+            Mark::Hole(place, radius) => {
+                let centre = flatten(*place)?;
+                let room = flat.outline().distance(centre);
+                if room <= *radius {
+                    return Err(failed(format!(
+                        "the hole of radius {radius} mm at [{}, {}] leaves the sheet, which ends {room:.4} mm from there",
+                        place[0], place[1]
+                    )));
+                }
+                drawing.circle(Layer::Outline, centre, *radius)?;
+            }
+            Mark::Text(place, content, height, angle) => {
+                let (from, to) = (flatten([place[0], 0.0])?, flatten([place[0], 1.0])?);
+                drawing.text(Text {
+                    layer: Layer::Marks,
+                    at: flatten(*place)?,
+                    height: *height,
+                    angle: (to[1] - from[1]).atan2(to[0] - from[0]) + angle,
+                    content: content.clone(),
+                })?;
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,159 @@
+//! Flat patterns of designs: every piece that is cut, with what is marked on it.
+
+mod drawing;
+mod summary;
+
+pub use drawing::drawing;
+pub use summary::{BendRow, PieceSummary, Summary};
+
+use crate::design::{Design, Patch, Piece};
+use crate::error::DesignError;
+use torse_geometry::pattern::{FlatPattern, PatternError, Place, Unrolling, side_by_side};
+
+/// What is asked of the patterns of a design.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Demand {
+    /// The strain that is allowed to patches that are not developable.
+    pub allow_strain: f64,
+    /// The rulings that are shown of each patch; those of the file where none are given.
+    pub rulings: Option<usize>,
+    /// The piece that is wanted; all where none is named.
+    pub only: Option<String>,
+}
+
+/// The pattern of a piece.
+#[derive(Debug, Clone)]
+pub struct FlatPiece {
+    /// The chain or the patch.
+    pub piece: Piece,
+    /// Its pattern, in its place among the others.
+    pub flat: FlatPattern,
+}
+
+/// Unrolls the pieces of a design and lays them out side by side.
+///
+/// # Errors
+/// [`DesignError::NoSuch`] for a piece that is not there, [`DesignError::OutOfRange`] for a strain or a number of rulings
+/// that makes no sense, [`DesignError::Unroll`] for a piece that has no pattern.
+///
+/// ```
+/// use torse_designs::unroll::{Demand, unroll};
+/// let design = torse_designs::read("cone.toml", r#"
+///     [curves.rim]
+///     arc = { centre = [0, 0, 0], from = [30, 0, 0], to = [0, 30, 0] }
+///     [patches.cone]
+///     cone = "rim"
+///     apex = [0, 0, 40]
+///     range = [1, 0.5]
+/// "#)?;
+/// let pieces = unroll(&design, &Demand::default())?;
+/// // A sector of an annulus of radii 50 and 25.
+/// let exact = std::f64::consts::PI * (30.0 * 50.0 - 15.0 * 25.0) / 4.0;
+/// assert!((pieces[0].flat.area() - exact).abs() < 1e-9);
+/// # Ok::<(), torse_designs::DesignError>(())
+/// ```
+pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, DesignError> {
+    let strain = demand.allow_strain;
+    if !(0.0..1.0).contains(&strain) {
+        return Err(DesignError::OutOfRange {
+            name: "allowed strain",
+            value: strain,
+            range: "[0, 1)",
+        });
+    }
+    let rulings = demand.rulings.unwrap_or(design.view.rulings);
+    if !(2..=4097).contains(&rulings) {
+        #[allow(clippy::cast_precision_loss)]
+        return Err(DesignError::OutOfRange {
+            name: "rulings",
+            value: rulings as f64,
+            range: "2, 3, .. 4097",
+        });
+    }
+    let mut pieces = design.pieces();
+    if let Some(name) = &demand.only {
+        let known = pieces.iter().map(|piece| piece.name.clone()).collect();
+        pieces.retain(|piece| piece.name == *name);
+        if pieces.is_empty() {
+            return Err(DesignError::NoSuch {
+                what: "piece",
+                name: name.clone(),
+                known,
+            });
+        }
+    }
+    let mut flats = Vec::with_capacity(pieces.len());
+    for piece in &pieces {
+        let failed = |source| DesignError::Unroll {
+            piece: piece.name.clone(),
+            source,
+        };
+        flats.push(flattened(design, piece, strain, rulings).map_err(failed)?);
+    }
+    if flats.len() > 1 {
+        let bounds = flats.iter().map(|flat| flat.outline().bounds());
+        let size = bounds.fold(0.0_f64, |size, [low, high]| {
+            size.max(high[0] - low[0]).max(high[1] - low[1])
+        });
+        flats = side_by_side(&flats, 0.05 * size).map_err(|source| DesignError::Unroll {
+            piece: design.name.clone(),
+            source,
+        })?;
+    }
+    let pieces = pieces.into_iter().zip(flats);
+    Ok(pieces
+        .map(|(piece, flat)| FlatPiece { piece, flat })
+        .collect())
+}
+
+/// The pattern of a piece, its patches attached.
+fn flattened(
+    design: &Design,
+    piece: &Piece,
+    strain: f64,
+    rulings: usize,
+) -> Result<FlatPattern, PatternError> {
+    let limits = &design.tolerances;
+    let patches = piece
+        .patches
+        .iter()
+        .filter_map(|index| design.patches.get(*index));
+    // The errors of a chain add up: each patch gets its share.
+    let count = f64::from(u32::try_from(piece.patches.len()).unwrap_or(u32::MAX));
+    let unrolling = Unrolling::within(limits.outline / count)
+        .rulings(rulings)
+        .developable_within(limits.strain)
+        .allow_strain(strain);
+    let mut chain: Option<FlatPattern> = None;
+    for patch in patches {
+        let next = unrolling.of(&patch.sheet)?;
+        chain = Some(match chain {
+            None => next,
+            Some(chain) => chain.append(&next, limits.gap)?,
+        });
+    }
+    chain.ok_or(PatternError::Count {
+        what: "patches of a piece",
+        given: 0,
+        needed: 1,
+    })
+}
+
+/// The index of a patch in the chain of its pattern, which may be passed the other way round.
+pub fn position(flat: &FlatPattern, patch: &Patch) -> Option<usize> {
+    let distance = |index: usize| {
+        [[0.0, 0.0], [0.5, 1.0], [1.0, 0.0], [1.0, 1.0]]
+            .into_iter()
+            .map(|[x, v]| {
+                let place = Place { piece: index, x, v };
+                let (Some(there), Ok(here)) = (flat.space(place), patch.sheet.point(x, v)) else {
+                    return f64::INFINITY;
+                };
+                torse_geometry::vector::norm(&torse_geometry::vector::sub(&here, &there))
+            })
+            .fold(0.0, f64::max)
+    };
+    let all = (0..flat.pieces()).map(|index| (distance(index), index));
+    let nearest = all.min_by(|a, b| a.0.total_cmp(&b.0));
+    nearest.map(|(_, index)| index)
+}

@@ -1,0 +1,158 @@
+//! What a pattern promises, in numbers.
+
+use super::FlatPiece;
+use crate::design::Design;
+use crate::inspect::{number, wrapped};
+use serde::Serialize;
+use torse_geometry::pattern::bends;
+
+/// The patterns of a design in numbers; lengths in millimetres, angles in degrees.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Summary {
+    /// The name of the design.
+    pub design: String,
+    /// The pieces.
+    pub pieces: Vec<PieceSummary>,
+}
+
+/// A pattern in numbers.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PieceSummary {
+    /// The name of the chain or the patch.
+    pub name: String,
+    /// The patches that are attached.
+    pub patches: Vec<String>,
+    /// Width and height of the box around it.
+    pub size: [f64; 2],
+    /// The area inside the outline.
+    pub area: f64,
+    /// The length of the cut.
+    pub cut: f64,
+    /// How many lines and arcs the outline has.
+    pub segments: usize,
+    /// No point of the outline is farther from the exact one.
+    pub outline_error: f64,
+    /// No mark is farther from its exact place.
+    pub point_error: f64,
+    /// No angle between rulings is off by more, in degrees.
+    pub angle_error: f64,
+    /// The length of the cut is not off by more.
+    pub length_error: f64,
+    /// The area is not off by more.
+    pub area_error: f64,
+    /// No line is shortened by a larger share of its length.
+    pub strain: f64,
+    /// Whether that is more than counts as developable.
+    pub strained: bool,
+    /// The smallest radius of bending; `null` for a flat pattern.
+    pub radius: Option<f64>,
+    /// The bends; with allowances where the thickness is known.
+    pub bends: Vec<BendRow>,
+    /// By how much the neutral axis is longer than the pattern, summed up over all bends, where a thickness is known.
+    pub growth: Option<f64>,
+}
+
+/// A line at which a pattern is bent.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BendRow {
+    /// The number of the ruling, from 0.
+    pub ruling: usize,
+    /// The angle in degrees, positive towards the viewer.
+    pub angle: f64,
+    /// The smallest radius of the middle of the sheet; `null` where it is flat on both sides of an edge.
+    pub radius: Option<f64>,
+    /// The length of the neutral axis in the bend.
+    pub allowance: Option<f64>,
+}
+
+impl Summary {
+    /// The numbers of these patterns.
+    #[must_use]
+    pub fn of(design: &Design, pieces: &[FlatPiece]) -> Self {
+        Self {
+            design: design.name.clone(),
+            pieces: pieces.iter().map(|piece| summary(design, piece)).collect(),
+        }
+    }
+
+    /// The numbers for people, in lines of at most 100 columns.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        for piece in &self.pieces {
+            let [width, height] = piece.size.map(number);
+            let mut words = format!(
+                "{width} x {height} mm, area {} mm2 (within {:.1e}), cut {} mm of {} lines and arcs, nowhere farther than \
+                 {:.1e} mm from the exact outline",
+                number(piece.area),
+                piece.area_error,
+                number(piece.cut),
+                piece.segments,
+                piece.outline_error
+            );
+            if let Some(radius) = piece.radius {
+                words += &format!("; smallest radius {} mm", number(radius));
+            }
+            if let Some(growth) = piece.growth {
+                words += &format!("; {} bends add {} mm", piece.bends.len(), number(growth));
+            }
+            if piece.strained {
+                words += &format!(
+                    "; STRAINED: lines lose up to {:.2e} of their length",
+                    piece.strain
+                );
+            }
+            text.push_str(&wrapped(&format!("{}: ", piece.name), &words));
+        }
+        text
+    }
+}
+
+fn summary(design: &Design, FlatPiece { piece, flat }: &FlatPiece) -> PieceSummary {
+    let [low, high] = flat.outline().bounds();
+    let errors = flat.errors();
+    let finite = |value: f64| value.is_finite().then_some(value);
+    let name = |index: &usize| design.patches.get(*index).map(|patch| patch.name.clone());
+    let (rows, growth): (Vec<BendRow>, Option<f64>) = match design.metal {
+        Some(metal) => {
+            let all = bends(flat, &metal.sheet);
+            let growth = all.iter().map(|bend| bend.growth).sum();
+            let rows = all.iter().map(|bend| BendRow {
+                ruling: bend.ruling,
+                angle: bend.angle.to_degrees(),
+                radius: finite(bend.radius),
+                allowance: finite(bend.allowance),
+            });
+            (rows.collect(), Some(growth))
+        }
+        None => {
+            let rulings = flat.rulings().iter().enumerate();
+            let bent = rulings.filter(|(_, ruling)| ruling.bend != 0.0);
+            let rows = bent.map(|(index, ruling)| BendRow {
+                ruling: index,
+                angle: ruling.bend.to_degrees(),
+                radius: finite(ruling.radius),
+                allowance: None,
+            });
+            (rows.collect(), None)
+        }
+    };
+    PieceSummary {
+        name: piece.name.clone(),
+        patches: piece.patches.iter().filter_map(name).collect(),
+        size: [high[0] - low[0], high[1] - low[1]],
+        area: flat.area(),
+        cut: flat.outline().length(),
+        segments: flat.outline().segments().len(),
+        outline_error: errors.outline,
+        point_error: errors.point,
+        angle_error: errors.angle.to_degrees(),
+        length_error: errors.length,
+        area_error: errors.area,
+        strain: flat.strain(),
+        strained: flat.is_strained(),
+        radius: finite(flat.smallest_radius()),
+        bends: rows,
+        growth,
+    }
+}
