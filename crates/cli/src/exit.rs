@@ -4,6 +4,7 @@ use miette::Diagnostic;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use thiserror::Error;
+use torse_designs::{DesignError, Ending};
 use torse_language::derivation::{DerivationError, LoadError};
 use torse_language::words::Verdict;
 use torse_plates::PlateError;
@@ -18,13 +19,13 @@ pub enum Exit {
     AsExpected,
     /// 3: a claim that was named by its full id is undecided.
     Undecided,
-    /// 1: a verdict differs from what its derivation file expects.
+    /// 1: a verdict differs from what its derivation file expects, a design misses a tolerance of its file.
     Differs,
     /// 8: the time limit ended the run.
     TimeLimit,
     /// 5: an output could not be made or written.
     Output,
-    /// 4: a derivation file is wrong.
+    /// 4: a derivation or design file is wrong.
     BadData,
     /// 2: the command line cannot be followed; clap uses the same code.
     Usage,
@@ -141,9 +142,40 @@ pub enum Failure {
         /// Why.
         source: PlateError,
     },
+    /// A design file, or what was asked of it.
+    #[error("{0}")]
+    #[diagnostic(transparent)]
+    Design(#[from] DesignFailure),
     /// The terminal, or what stands in for it, took no more.
     #[error("cannot write the output")]
     Print(#[source] std::io::Error),
+}
+
+/// A failure of a design, with what would help.
+#[derive(Debug, Error)]
+#[error("{0}")]
+pub struct DesignFailure(#[source] pub Box<DesignError>);
+
+impl Diagnostic for DesignFailure {
+    fn help<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {
+        let help = self.0.help()?;
+        Some(Box::new(help))
+    }
+
+    fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn Diagnostic> + 'a>> {
+        match &*self.0 {
+            DesignError::Wrong { mistakes } => Some(Box::new(
+                mistakes.iter().map(|mistake| mistake as &dyn Diagnostic),
+            )),
+            _ => None,
+        }
+    }
+}
+
+impl From<DesignError> for Failure {
+    fn from(error: DesignError) -> Self {
+        Self::Design(DesignFailure(Box::new(error)))
+    }
 }
 
 impl Failure {
@@ -160,6 +192,12 @@ impl Failure {
                 _ => Exit::BadData,
             },
             Failure::Load(_) | Failure::Derivation(_) | Failure::Slug { .. } => Exit::BadData,
+            Failure::Design(failure) => match failure.0.ending() {
+                Ending::Usage => Exit::Usage,
+                Ending::BadFile => Exit::BadData,
+                Ending::Output => Exit::Output,
+                Ending::Missed => Exit::Differs,
+            },
             Failure::Report(_) | Failure::Figure { .. } | Failure::Print(_) => Exit::Output,
         }
     }

@@ -5,6 +5,7 @@
 
 mod derivations;
 mod derive;
+mod design;
 mod exit;
 mod explain;
 mod figures;
@@ -27,6 +28,7 @@ use std::time::Duration;
 ///
 /// Papers are folders of derivation files: each claim of a paper is stated there as a formula, and is
 /// decided by exact computation. Verdicts are never typed in: they are computed on every run.
+/// Designs are files with control data of developables: they are measured, unrolled, exported and drawn.
 #[derive(Parser)]
 #[command(name = "torse", version, max_term_width = 100, after_help = EXAMPLES, after_long_help = LONG_EXAMPLES)]
 struct Arguments {
@@ -45,6 +47,8 @@ Examples:
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
   torse recheck                          every verdict again, by the semantics
+  torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
+  torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
 
 `torse help COMMAND` says more, `torse --help` lists the exit codes.";
 
@@ -57,14 +61,16 @@ Examples:
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
   torse recheck                          every verdict again, by the semantics
+  torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
+  torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
 
 Exit codes (of several that apply, the uppermost):
   6  a verdict and its replay contradict each other
   2  the command line cannot be followed: an unknown name, a missing folder
-  4  a derivation file is wrong; all mistakes are shown with file, line and column
+  4  a derivation or design file is wrong; all mistakes are shown with file, line and column
   5  an output could not be made or written
   8  the time limit has ended the run, without verdicts
-  1  a verdict differs from what its derivation file expects
+  1  a verdict differs from what its derivation file expects; a design misses a tolerance
   3  a claim named by its full id is undecided
   0  every verdict is as expected (or nothing is said about it)
 
@@ -77,6 +83,12 @@ enum Command {
     Report(report::Report),
     Derive(derive::Derive),
     Recheck(recheck::Replay),
+    Inspect(design::Inspect),
+    Unroll(design::Unroll),
+    Fold(design::Fold),
+    Export(design::Export),
+    Eval(design::Eval),
+    Draw(design::Draw),
 }
 
 impl Command {
@@ -87,6 +99,12 @@ impl Command {
             Command::Report(command) => command.run(),
             Command::Derive(command) => command.run(),
             Command::Recheck(command) => command.run(),
+            Command::Inspect(command) => command.run(),
+            Command::Unroll(command) => command.run(),
+            Command::Fold(command) => command.run(),
+            Command::Export(command) => command.run(),
+            Command::Eval(command) => command.run(),
+            Command::Draw(command) => command.run(),
         }
     }
 }

@@ -542,7 +542,13 @@ fn mark(reader: &mut Reader, value: Value<'_>) -> Option<Mark> {
     };
     if let Some(value) = entries.take("radius") {
         let radius = length(reader, value);
-        return Some(Mark::Hole(at?, radius?));
+        let cut = entries
+            .take("hole")
+            .map_or(Some(true), |value| reader.truth(value));
+        return Some(match cut? {
+            true => Mark::Hole(at?, radius?),
+            false => Mark::Circle(at?, radius?),
+        });
     }
     let (text, place) = reader.text(entries.take("text")?, "a text")?;
     if text.chars().any(char::is_control) || text.is_empty() || text.len() > 200 {

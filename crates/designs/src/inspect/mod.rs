@@ -15,8 +15,9 @@ use crate::construct;
 use crate::design::{Design, Patch};
 use crate::error::DesignError;
 use serde::Serialize;
-use torse_geometry::developable::{EnclosedCertificate, Singularity};
+use torse_geometry::developable::{Certificate, EnclosedCertificate, Singularity};
 use torse_geometry::prelude::{Budget, GeometryError, Sheet};
+use torse_geometry::vector::{norm, sub};
 
 /// Rulings that are measured of every patch at least.
 const RULINGS: usize = 64;
@@ -119,8 +120,8 @@ pub struct PatchReport {
     /// The inside radius of the bent sheet as a multiple of its thickness; `null` where no thickness is given or the
     /// patch is flat.
     pub inside_radius: Option<f64>,
-    /// The area.
-    pub area: f64,
+    /// The area; `null` where it has none: the patch runs off to infinity.
+    pub area: Option<f64>,
     /// What else is worth knowing.
     pub notes: Vec<String>,
 }
@@ -144,7 +145,7 @@ pub struct PatchReport {
 /// let report = inspect(&design)?;
 /// let tube = &report.patches[0];
 /// assert!(report.missed.is_empty() && tube.developable.holds() && tube.regular == Known::Proved);
-/// assert!((tube.area - 300.0 * std::f64::consts::PI).abs() < 1e-6);
+/// assert!((tube.area.unwrap() - 300.0 * std::f64::consts::PI).abs() < 1e-6);
 /// assert!((tube.inside_radius.unwrap() - 19.5).abs() < 1e-9 && tube.clearance.is_none());
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
@@ -196,7 +197,10 @@ fn judged(patch: &Patch) -> Result<Sheet, GeometryError> {
 fn measured(design: &Design, patch: &Patch) -> Result<PatchReport, GeometryError> {
     let mut notes = patch.notes.clone();
     let sheet = judged(patch)?;
-    let checked = sheet.inspect(RULINGS)?;
+    let checked = match sheet.inspect(RULINGS) {
+        Ok(checked) => checked,
+        Err(error) => return singular(patch, sheet.certify(RULINGS)?, &error),
+    };
     let apexes: Vec<usize> = (1..=2)
         .zip(patch.apexes)
         .filter_map(|(n, apex)| apex.then_some(n))
@@ -276,9 +280,42 @@ fn measured(design: &Design, patch: &Patch) -> Result<PatchReport, GeometryError
         },
         radius,
         inside_radius,
-        area: whole.area,
+        area: Some(whole.area),
         apexes,
         notes,
+    })
+}
+
+/// The report of a patch that cannot be integrated: it is as good as singular.
+fn singular(
+    patch: &Patch,
+    certificate: Certificate,
+    error: &GeometryError,
+) -> Result<PatchReport, GeometryError> {
+    let mut rulings = [f64::INFINITY, 0.0_f64];
+    for k in 0..=64_u32 {
+        let [p, q] = patch.sheet.ruling(f64::from(k) / 64.0)?;
+        let length = norm(&sub(&q, &p));
+        rulings = [rulings[0].min(length), rulings[1].max(length)];
+    }
+    let reason = certificate.singularity();
+    let reason = reason.map_or_else(|| format!("it cannot be measured: {error}"), |s| words(&s));
+    Ok(PatchReport {
+        name: patch.name.clone(),
+        kind: patch.kind,
+        developable: Known::Measured,
+        regular: Known::No,
+        singularity: Some(reason),
+        apexes: Vec::new(),
+        twist: Bounds::of(0.0, 90.0),
+        twist_measured: [certificate.twist.value.to_degrees(), certificate.twist.x],
+        clearance: None,
+        rulings,
+        gaussian: certificate.gaussian.map(|worst| worst.value),
+        radius: None,
+        inside_radius: None,
+        area: None,
+        notes: patch.notes.clone(),
     })
 }
 

@@ -66,8 +66,12 @@ fn row(patch: &PatchReport) -> Vec<String> {
             number(patch.rulings[1])
         ),
         format!("{}°", number(patch.twist_measured[0])),
-        patch.radius.map_or("flat".to_owned(), number),
-        number(patch.area),
+        match (patch.radius, patch.regular.holds()) {
+            (Some(radius), _) => number(radius),
+            (None, true) => "flat".to_owned(),
+            (None, false) => "-".to_owned(),
+        },
+        patch.area.map_or("-".to_owned(), number),
     ]
 }
 

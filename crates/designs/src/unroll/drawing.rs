@@ -114,6 +114,9 @@ fn marks(
                 }
                 drawing.circle(Layer::Outline, centre, *radius)?;
             }
+            Mark::Circle(place, radius) => {
+                drawing.circle(Layer::Marks, flatten(*place)?, *radius)?;
+            }
             Mark::Text(place, content, height, angle) => {
                 let (from, to) = (flatten([place[0], 0.0])?, flatten([place[0], 1.0])?);
                 drawing.text(Text {

@@ -1,0 +1,280 @@
+//! `inspect`, `unroll`, `fold`, `export`, `eval`, `draw`: design files in, answers and files out.
+
+use crate::exit::{Exit, Failure};
+use crate::terminal::print;
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
+use torse_designs::eval::{At, csv, eval};
+use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
+use torse_designs::fold::fold_back;
+use torse_designs::inspect::{inspect, table};
+use torse_designs::unroll::{Demand, Summary, drawing, unroll};
+use torse_designs::{Design, DesignError, draw, load};
+use torse_exchange::{dxf, svg, write_file};
+
+/// How an answer is shown.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people
+    Text,
+    /// For programs, identical bytes on every run
+    Json,
+}
+
+/// Measure a design: can it be made?
+///
+/// Tells of every patch whether it is developable and regular, how far the edge of regression is, how long its rulings
+/// are, how far it twists and how tightly it bends; of every joint how smooth it is and with which beta values. Ends with
+/// 1 when a tolerance of the file is missed.
+#[derive(Args)]
+pub struct Inspect {
+    /// The design file
+    design: PathBuf,
+    /// How the answer is shown
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// Unroll a design to a flat pattern, DXF or SVG.
+///
+/// Refuses, with exit code 1 and without a file, what is not developable within tolerance, has its edge of regression
+/// inside, or an outline that crosses itself.
+#[derive(Args)]
+pub struct Unroll {
+    /// The design file
+    design: PathBuf,
+    /// Where the pattern goes: a file ending in .dxf or .svg
+    #[arg(long, value_name = "FILE")]
+    to: PathBuf,
+    #[command(flatten)]
+    pattern: Pattern,
+    /// How the answer is shown
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// What is asked of a pattern.
+#[derive(Args)]
+struct Pattern {
+    /// Flatten also what is not developable, as long as no line loses more than this share of its length; the file says so
+    #[arg(long, value_name = "STRAIN", default_value_t = 0.0)]
+    allow_strain: f64,
+    /// Rulings shown of each patch
+    #[arg(long, value_name = "NUMBER")]
+    rulings: Option<usize>,
+    /// One chain or patch alone
+    #[arg(long, value_name = "NAME")]
+    only: Option<String>,
+}
+
+impl Pattern {
+    fn demand(&self) -> Demand {
+        Demand {
+            allow_strain: self.allow_strain,
+            rulings: self.rulings,
+            only: self.only.clone(),
+        }
+    }
+}
+
+/// Fold a pattern file back into space and compare it with its design.
+///
+/// Reads outline, rulings and bend angles from the DXF file alone. Ends with 1 when the folded points miss the design.
+#[derive(Args)]
+pub struct Fold {
+    /// The design file
+    design: PathBuf,
+    /// The pattern, as `unroll` writes it: a DXF file
+    #[arg(long, value_name = "FILE")]
+    pattern: PathBuf,
+    /// How the answer is shown
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// Write a design as a pattern, a mesh or a CAD model, by the ending of the file.
+///
+/// Endings: .dxf .svg (flat pattern); .stl .obj .ply .3mf .glb (mesh, a solid where the design has a thickness); .step
+/// .stp .iges .igs (surfaces, exact where they are rational, else within the tolerance `surface`).
+#[derive(Args)]
+pub struct Export {
+    /// The design file
+    design: PathBuf,
+    /// The file to write
+    #[arg(long, value_name = "FILE")]
+    to: PathBuf,
+    #[command(flatten)]
+    pattern: Pattern,
+}
+
+/// Points, normals and curvatures of the patches, and where they lie on the pattern.
+#[derive(Args)]
+#[command(group = clap::ArgGroup::new("where").required(true))]
+pub struct Eval {
+    /// The design file
+    design: PathBuf,
+    /// A place on the patch: ruling and share of the ruling, both from 0 to 1; may be given several times
+    #[arg(long, value_name = "U,V", value_parser = place, group = "where")]
+    at: Vec<[f64; 2]>,
+    /// So many equal steps from ruling to ruling and along the rulings
+    #[arg(long, value_name = "MxN", value_parser = grid, group = "where")]
+    grid: Option<(usize, usize)>,
+    /// One patch alone
+    #[arg(long, value_name = "NAME")]
+    patch: Option<String>,
+    /// How the answer is shown
+    #[arg(long, value_enum, default_value_t = Table::Csv)]
+    format: Table,
+}
+
+/// How numbers are shown.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Table {
+    /// Comma-separated values with a head
+    Csv,
+    /// A list of objects
+    Json,
+}
+
+/// Draw a design and its pattern: PNG, SVG, or a page to turn it.
+#[derive(Args)]
+pub struct Draw {
+    /// The design file
+    design: PathBuf,
+    /// Where the picture goes: a file ending in .png, .svg or .html
+    #[arg(long, value_name = "FILE")]
+    to: PathBuf,
+    #[command(flatten)]
+    pattern: Pattern,
+}
+
+fn place(text: &str) -> Result<[f64; 2], String> {
+    let wanted = || "two numbers are wanted: 0.5,0.25".to_owned();
+    let (u, v) = text.split_once(',').ok_or_else(wanted)?;
+    let number = |part: &str| part.trim().parse::<f64>().map_err(|_| wanted());
+    Ok([number(u)?, number(v)?])
+}
+
+fn grid(text: &str) -> Result<(usize, usize), String> {
+    let wanted = || "two numbers of steps are wanted: 32x4".to_owned();
+    let (m, n) = text.split_once('x').ok_or_else(wanted)?;
+    let number = |part: &str| part.trim().parse::<usize>().map_err(|_| wanted());
+    Ok((number(m)?, number(n)?))
+}
+
+/// The design of a file.
+fn design(path: &Path) -> Result<Design, Failure> {
+    Ok(load(path)?)
+}
+
+/// Writes a file whole or not at all, and says so.
+fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_file(path, bytes).map_err(DesignError::from)?;
+    Ok(())
+}
+
+/// 0 when everything demanded is met, else 1.
+fn met(missed: &[String]) -> Exit {
+    if missed.is_empty() {
+        Exit::AsExpected
+    } else {
+        Exit::Differs
+    }
+}
+
+fn json(answer: &impl serde::Serialize) -> Result<String, Failure> {
+    let text = serde_json::to_string_pretty(answer);
+    let text = text.map_err(|error| Failure::Print(error.into()))?;
+    Ok(text + "\n")
+}
+
+impl Inspect {
+    /// Measures the design.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let report = inspect(&design(&self.design)?)?;
+        print(&match self.format {
+            Format::Text => table(&report),
+            Format::Json => json(&report)?,
+        })?;
+        Ok(met(&report.missed))
+    }
+}
+
+impl Unroll {
+    /// Writes the pattern and says what it promises.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let ending = ending(&self.to, PATTERNS)?;
+        let design = design(&self.design)?;
+        let pieces = unroll(&design, &self.pattern.demand())?;
+        let sheet = drawing(&design, &pieces)?;
+        let text = match ending {
+            "dxf" => dxf(&sheet),
+            _ => svg(&sheet),
+        };
+        let text = text.map_err(DesignError::from)?;
+        write(&self.to, text.as_bytes())?;
+        let summary = Summary::of(&design, &pieces);
+        print(&match self.format {
+            Format::Text => summary.text(),
+            Format::Json => json(&summary)?,
+        })?;
+        Ok(Exit::AsExpected)
+    }
+}
+
+impl Fold {
+    /// Folds the pattern and compares.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        ending(&self.pattern, &["dxf"])?;
+        let report = fold_back(&design(&self.design)?, &self.pattern)?;
+        print(&match self.format {
+            Format::Text => report.text(),
+            Format::Json => json(&report)?,
+        })?;
+        Ok(met(&report.missed))
+    }
+}
+
+impl Export {
+    /// Writes the file.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let ending = ending(&self.to, ENDINGS)?;
+        let design = design(&self.design)?;
+        write(&self.to, &bytes(&design, ending, &self.pattern.demand())?)?;
+        Ok(Exit::AsExpected)
+    }
+}
+
+impl Eval {
+    /// Prints the values.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let at = match self.grid {
+            Some((m, n)) => At::Grid(m, n),
+            None => At::Places(self.at.clone()),
+        };
+        let rows = eval(&design(&self.design)?, self.patch.as_deref(), &at)?;
+        print(&match self.format {
+            Table::Csv => csv(&rows),
+            Table::Json => json(&rows)?,
+        })?;
+        Ok(Exit::AsExpected)
+    }
+}
+
+impl Draw {
+    /// Writes the picture.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let ending = ending(&self.to, draw::ENDINGS)?;
+        let (design, demand) = (design(&self.design)?, self.pattern.demand());
+        let bytes = match ending {
+            "html" => draw::page(&design, &demand)?.into_bytes(),
+            "svg" => draw::picture(&design, &demand)?.svg.into_bytes(),
+            _ => {
+                let picture = draw::picture(&design, &demand)?;
+                picture.png().map_err(DesignError::from)?
+            }
+        };
+        write(&self.to, &bytes)?;
+        Ok(Exit::AsExpected)
+    }
+}

@@ -1,0 +1,188 @@
+//! Files that were made to break the reader or to keep it busy.
+
+use std::time::{Duration, Instant};
+use torse_designs::eval::{At, eval};
+use torse_designs::inspect::inspect;
+use torse_designs::unroll::{Demand, unroll};
+use torse_designs::{DesignError, MOST_BYTES, load, read};
+
+/// A hundred patches, each wrong in its own way: huge, tiny, degenerate, self-crossing, through infinity.
+fn patches() -> Vec<String> {
+    let sizes = [
+        "1e-300", "1e-150", "1e-30", "1e-9", "1", "1e9", "1e30", "1e150", "1e300", "-1",
+    ];
+    let shapes = [
+        // A patch of width zero.
+        "curves.a = { bezier = [[0, 0, 0], [S, S, 0], [0, S, S]] }\npatches.p = { ruled = [\"a\", \"a\"] }",
+        // A cusp on both rails.
+        "curves.a = { bezier = [[S, -S, 0], [\"-S/3\", S, 0], [\"-S/3\", -S, 0], [S, S, 0]] }
+         curves.b = { bezier = [[S, -S, S], [\"-S/3\", S, S], [\"-S/3\", -S, S], [S, S, S]] }
+         patches.p = { ruled = [\"a\", \"b\"] }",
+        // An apex in the middle.
+        "curves.a = { bezier = [[S, 0, 0], [0, S, 0]] }\ncurves.b = { bezier = [[-S, 0, S], [0, -S, S]] }
+         patches.p = { ruled = [\"a\", \"b\"] }",
+        // A point.
+        "curves.a = { bezier = [[S, S, S], [S, S, S]] }\npatches.p = { ruled = [\"a\", \"a\"] }",
+        // A cylinder along its own curve.
+        "curves.a = { bezier = [[0, 0, 0], [S, 0, 0], [S, S, 0]] }\npatches.p = { cylinder = \"a\", direction = [S, 0, 0] }",
+        // A cone whose curve passes its apex.
+        "curves.a = { bezier = [[-S, 0, 0], [0, 0, 0], [S, 0, 0]] }\npatches.p = { cone = \"a\", apex = [0, 0, 0] }",
+        // Planes scaled by anything.
+        "families.f = { gbt = [[S, 0, S, S], [0, S, S, S], [-S, 0, S, S], [0, -S, S, 0]], shape = [1, -1] }
+         patches.p = { envelope = \"f\", between = [[0, 0, S, 0], [0, 0, S, S]] }",
+        // The sign of one plane lost: the surface runs through infinity.
+        "families.f = { bernstein = [[S, 0, 0, S], [\"-S/2\", \"-S\", 0, S], [0, S, S, S]] }
+         patches.p = { envelope = \"f\", range = [-S, S] }",
+        // The edge of regression itself.
+        "families.f = { bernstein = [[0, 0, S, 0], [0, -S, S, 0], [S, -S, S, 0], [S, -S, 1, S]] }
+         patches.p = { tangent = \"f\", range = [0, S] }",
+        // Two free curves in a plane.
+        "curves.a = { bezier = [[0, 0, 0], [S, S, 0], [S, 0, 0]] }\ncurves.b = { bezier = [[0, S, 0], [S, S, 0]] }
+         patches.p = { connect = [\"a\", \"b\"] }",
+    ];
+    let mut all = Vec::new();
+    for size in sizes {
+        for shape in shapes {
+            let text = shape.replace(
+                "\"-S/3\"",
+                &format!("\"0 - ({size_f})/3\"", size_f = formula(size)),
+            );
+            let text = text.replace("\"-S/2\"", &format!("\"0 - ({})/2\"", formula(size)));
+            let text = text.replace("\"-S\"", &format!("\"0 - ({})\"", formula(size)));
+            let minus = match size.strip_prefix('-') {
+                Some(rest) => rest.to_owned(),
+                None => format!("-{size}"),
+            };
+            all.push(text.replace("-S", &minus).replace('S', size));
+        }
+    }
+    all
+}
+
+/// The language has no exponents of ten in numbers.
+fn formula(size: &str) -> String {
+    match size.split_once('e') {
+        Some((digits, exponent)) => format!("{digits}*10^({exponent})"),
+        None => size.to_owned(),
+    }
+}
+
+#[test]
+fn a_hundred_hostile_patches_are_refused_or_judged_with_finite_numbers() {
+    let all = patches();
+    assert_eq!(all.len(), 100);
+    let mut judged = 0;
+    for text in all {
+        let start = Instant::now();
+        if let Ok(design) = read("x.toml", &text)
+            && let Ok(report) = inspect(&design)
+        {
+            let patch = &report.patches[0];
+            assert!(
+                patch.area.is_none_or(|a| a.is_finite() && a >= 0.0),
+                "{text}\n{patch:?}"
+            );
+            assert!(
+                patch.rulings.iter().all(|r| r.is_finite()),
+                "{text}\n{patch:?}"
+            );
+            assert!(
+                patch.twist_measured.iter().all(|t| t.is_finite()),
+                "{text}\n{patch:?}"
+            );
+            assert!(
+                !patch.regular.holds() || patch.area.is_some_and(|a| a > 0.0),
+                "{text}\n{patch:?}"
+            );
+            if let Ok(pieces) = unroll(&design, &Demand::default()) {
+                assert!(patch.regular.holds(), "{text}\n{patch:?}");
+                assert!(pieces[0].flat.outline().area().is_finite());
+            }
+            judged += 1;
+        }
+        assert!(start.elapsed() < Duration::from_secs(60), "{text}");
+    }
+    assert!(judged > 10, "{judged}");
+}
+
+#[test]
+fn files_that_ask_for_too_much_are_refused_before_any_work() {
+    let many: String = (0..1000).map(|k| format!("p{k} = [0, 0, {k}]\n")).collect();
+    let points: Vec<String> = (0..4000).map(|k| format!("[{k}, 0, 0]")).collect();
+    let cases = [
+        format!("[points]\n{many}"),
+        format!("[curves]\na = {{ bezier = [{}] }}\n", points.join(", ")),
+        format!(
+            "[let]\na = \"{}1{}\"\n",
+            "(".repeat(100_000),
+            ")".repeat(100_000)
+        ),
+        format!(
+            "[let]\na = \"9^9^9^9^9\"\nb = \"{}\"\n",
+            "9".repeat(100_000)
+        ),
+        "[view]\nrulings = 1e300\n".to_owned(),
+        format!("x = {}1{}\n", "[".repeat(50_000), "]".repeat(50_000)),
+        (0..200)
+            .map(|k| format!("a{k} = \"a{} + a{}\"\n", k + 1, k + 1))
+            .fold("[let]\n".to_owned(), |t, l| t + &l),
+        "\u{feff}\u{0}\u{7f}".to_owned(),
+    ];
+    for text in cases {
+        let start = Instant::now();
+        assert!(matches!(
+            read("x.toml", &text),
+            Err(DesignError::Wrong { .. })
+        ));
+        assert!(
+            start.elapsed() < Duration::from_secs(10),
+            "{}",
+            text.get(..60).unwrap_or(&text)
+        );
+    }
+}
+
+#[test]
+fn what_is_no_text_file_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(path("bytes.toml"), [0xff, 0xfe, 0x00]).unwrap();
+    std::fs::write(path("long.toml"), vec![b'#'; MOST_BYTES + 1]).unwrap();
+    std::fs::create_dir(path("folder.toml")).unwrap();
+    for (name, reason) in [
+        ("missing.toml", "No such file"),
+        ("bytes.toml", "no UTF-8 text (byte 0)"),
+        ("long.toml", "longer than"),
+        ("folder.toml", "a folder"),
+    ] {
+        let error = load(&path(name)).unwrap_err();
+        assert!(matches!(error, DesignError::Unreadable { .. }));
+        assert!(error.to_string().contains(reason), "{error}");
+    }
+}
+
+#[test]
+fn absurd_grids_are_refused() {
+    let design = read(
+        "x.toml",
+        "curves.a = { bezier = [[0, 0, 0], [1, 0, 0]] }\npatches.p = { cylinder = \"a\", direction = [0, 0, 1] }",
+    )
+    .unwrap();
+    for at in [
+        At::Grid(usize::MAX, usize::MAX),
+        At::Grid(0, 3),
+        At::Grid(2000, 2000),
+        At::Places(vec![[f64::NAN, 0.0]]),
+        At::Places(vec![[0.0, 1.5]]),
+    ] {
+        assert!(matches!(
+            eval(&design, None, &at),
+            Err(DesignError::OutOfRange { .. })
+        ));
+    }
+    assert!(matches!(
+        eval(&design, Some("q"), &At::Grid(1, 1)),
+        Err(DesignError::NoSuch { .. })
+    ));
+    assert_eq!(eval(&design, None, &At::Grid(3, 2)).unwrap().len(), 12);
+}

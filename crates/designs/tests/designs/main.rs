@@ -1,0 +1,15 @@
+//! Design files from reading to the shop floor.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests"
+)]
+
+mod hostile;
+mod mistakes;
+mod patterns;
+mod random;
+mod schema;
+mod worked;

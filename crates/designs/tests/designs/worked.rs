@@ -1,0 +1,142 @@
+//! Every worked design goes the whole way: inspected, unrolled, folded back, exported, drawn.
+
+use std::path::{Path, PathBuf};
+use torse_designs::export::{ENDINGS, bytes, mesh};
+use torse_designs::fold::fold_text;
+use torse_designs::inspect::{inspect, table};
+use torse_designs::unroll::{Demand, Summary, unroll};
+use torse_designs::{Design, draw, load};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../designs")
+}
+
+fn designs() -> Vec<Design> {
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder())
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|e| e == "toml"))
+        .collect();
+    paths.sort();
+    assert!(paths.len() >= 7, "{paths:?}");
+    let design = |path: &PathBuf| load(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    paths.iter().map(design).collect()
+}
+
+#[test]
+fn worked_designs_meet_their_tolerances_and_the_committed_files_are_theirs() {
+    for design in designs() {
+        let report = inspect(&design).unwrap();
+        assert!(
+            report.missed.is_empty(),
+            "{}: {:?}",
+            design.name,
+            report.missed
+        );
+        let mut text = table(&report);
+        assert!(
+            text.lines().all(|line| line.chars().count() <= 100),
+            "{text}"
+        );
+        let demand = Demand::default();
+        let pieces = unroll(&design, &demand).unwrap();
+        for piece in &pieces {
+            let errors = piece.flat.errors();
+            assert!(errors.outline <= design.tolerances.outline && errors.outline > 0.0);
+            let inside = piece.flat.outline().area();
+            assert!((inside - piece.flat.area()).abs() <= errors.area);
+        }
+        text.push('\n');
+        text.push_str(&Summary::of(&design, &pieces).text());
+        let committed = |ending: &str| {
+            let path = folder().join(&design.name).with_extension(ending);
+            std::fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+        };
+        let same = |made: &[u8], ending: &str| {
+            assert!(
+                made == committed(ending),
+                "{}.{ending} is not what the design gives: cargo run -p torse-designs --example worked -- designs",
+                design.name
+            );
+        };
+        same(text.as_bytes(), "txt");
+        let pattern = bytes(&design, "dxf", &demand).unwrap();
+        same(&pattern, "dxf");
+        let picture = draw::picture(&design, &demand).unwrap();
+        same(&picture.png().unwrap(), "png");
+        let folded = fold_text(&design, "pattern", std::str::from_utf8(&pattern).unwrap()).unwrap();
+        assert!(
+            folded.missed.is_empty(),
+            "{}: {:?}",
+            design.name,
+            folded.missed
+        );
+        assert_eq!(folded.pieces.len(), pieces.len());
+    }
+}
+
+#[test]
+fn worked_designs_are_written_in_every_format() {
+    for design in designs() {
+        for ending in ENDINGS {
+            let made = bytes(&design, ending, &Demand::default());
+            let made = made.unwrap_or_else(|e| panic!("{}.{ending}: {e}", design.name));
+            assert!(made.len() > 400, "{}.{ending}", design.name);
+        }
+        let html = draw::page(&design, &Demand::default()).unwrap();
+        assert!(
+            html.contains("id=\"OUTLINE\"") && !html.contains("@@"),
+            "{}",
+            design.name
+        );
+        if design.metal.is_some() {
+            let mesh = mesh(&design).unwrap();
+            assert!(mesh.is_watertight(), "{}", design.name);
+            let volume: f64 = inspect(&design)
+                .unwrap()
+                .patches
+                .iter()
+                .filter_map(|p| p.area)
+                .sum();
+            let volume = volume * design.metal.unwrap().sheet.thickness();
+            // Up to the bends, where the faces are longer outside and shorter inside.
+            assert!(
+                (mesh.volume().abs() - volume).abs() < 0.02 * volume,
+                "{}",
+                design.name
+            );
+        }
+    }
+}
+
+#[test]
+fn a_pattern_that_was_changed_does_not_fold_to_the_design() {
+    let design = load(&folder().join("lampshade.toml")).unwrap();
+    let pattern = String::from_utf8(bytes(&design, "dxf", &Demand::default()).unwrap()).unwrap();
+    // One bend turned over: on the second line after its name.
+    let at = pattern
+        .find("1000\nbend\n1040\n")
+        .or_else(|| pattern.find("bend\n1040\n"))
+        .unwrap();
+    let (head, tail) = pattern.split_at(at);
+    let number = tail.lines().nth(2).map(str::trim).unwrap();
+    let number = if number.parse::<f64>().is_ok() {
+        number
+    } else {
+        tail.lines().nth(3).unwrap().trim()
+    };
+    let wrong: f64 = number.parse::<f64>().unwrap() + 0.3;
+    let changed = format!("{head}{}", tail.replacen(number, &wrong.to_string(), 1));
+    assert_ne!(changed, pattern);
+    let folded = fold_text(&design, "changed", &changed).unwrap();
+    assert!(!folded.missed.is_empty(), "{folded:?}");
+    // A pattern of another design.
+    let other = load(&folder().join("hull-strake.toml")).unwrap();
+    assert!(
+        fold_text(&other, "pattern", &pattern).is_err()
+            || !fold_text(&other, "pattern", &pattern)
+                .unwrap()
+                .missed
+                .is_empty()
+    );
+}
