@@ -5,6 +5,7 @@
 
 mod data;
 mod derive;
+mod design;
 mod explain;
 mod hostile;
 mod report;

@@ -21,8 +21,13 @@ pub struct Ran {
 /// Runs `torse` with these arguments, in a folder that has no derivations above it.
 pub fn torse<S: AsRef<OsStr>>(arguments: &[S]) -> Ran {
     let nowhere = TempDir::new().unwrap();
+    torse_in(nowhere.path(), arguments)
+}
+
+/// Runs `torse` with these arguments in this folder.
+pub fn torse_in<S: AsRef<OsStr>>(folder: &Path, arguments: &[S]) -> Ran {
     let mut command = Command::new(env!("CARGO_BIN_EXE_torse"));
-    command.args(arguments).current_dir(nowhere.path());
+    command.args(arguments).current_dir(folder);
     let (sender, receiver) = mpsc::channel();
     thread::spawn(move || sender.send(command.output()));
     let output = receiver

@@ -150,10 +150,18 @@ pub struct PatchReport {
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
 pub fn inspect(design: &Design) -> Result<Report, DesignError> {
+    inspect_within(design, Budget::default())
+}
+
+/// As [`inspect`], with another budget for bounds and proofs.
+///
+/// # Errors
+/// As [`inspect`].
+pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignError> {
     let mut missed = Vec::new();
     let mut patches = Vec::new();
     for patch in &design.patches {
-        let report = measured(design, patch).map_err(|source| DesignError::Patch {
+        let report = measured(design, patch, budget).map_err(|source| DesignError::Patch {
             patch: patch.name.clone(),
             source,
         })?;
@@ -194,7 +202,7 @@ fn judged(patch: &Patch) -> Result<Sheet, GeometryError> {
     whole.part(from, to)
 }
 
-fn measured(design: &Design, patch: &Patch) -> Result<PatchReport, GeometryError> {
+fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchReport, GeometryError> {
     let mut notes = patch.notes.clone();
     let sheet = judged(patch)?;
     let checked = match sheet.inspect(RULINGS) {
@@ -210,7 +218,7 @@ fn measured(design: &Design, patch: &Patch) -> Result<PatchReport, GeometryError
     } else {
         patch.sheet.inspect(RULINGS)?
     };
-    let proved: Option<EnclosedCertificate> = match sheet.enclose(Budget::default()) {
+    let proved: Option<EnclosedCertificate> = match sheet.enclose(budget) {
         Ok(proved) => Some(proved),
         Err(error) => {
             notes.push(format!("no bounds: {error}"));

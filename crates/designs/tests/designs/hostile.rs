@@ -2,9 +2,10 @@
 
 use std::time::{Duration, Instant};
 use torse_designs::eval::{At, eval};
-use torse_designs::inspect::inspect;
+use torse_designs::inspect::{PatchReport, inspect_within};
 use torse_designs::unroll::{Demand, unroll};
 use torse_designs::{DesignError, MOST_BYTES, load, read};
+use torse_geometry::prelude::Budget;
 
 /// A hundred patches, each wrong in its own way: huge, tiny, degenerate, self-crossing, through infinity.
 fn patches() -> Vec<String> {
@@ -67,15 +68,25 @@ fn formula(size: &str) -> String {
     }
 }
 
+/// Whether the edge of regression is proved to run inside, and not only along the border.
+fn edge_inside(patch: &PatchReport) -> bool {
+    let high = patch.clearance.and_then(|bounds| bounds.high);
+    high.is_some_and(|high| high < -1e-6 * patch.rulings[1])
+}
+
 #[test]
 fn a_hundred_hostile_patches_are_refused_or_judged_with_finite_numbers() {
     let all = patches();
     assert_eq!(all.len(), 100);
     let mut judged = 0;
+    let budget = Budget {
+        cells: 8,
+        ..Budget::default()
+    };
     for text in all {
         let start = Instant::now();
         if let Ok(design) = read("x.toml", &text)
-            && let Ok(report) = inspect(&design)
+            && let Ok(report) = inspect_within(&design, budget)
         {
             let patch = &report.patches[0];
             assert!(
@@ -95,7 +106,7 @@ fn a_hundred_hostile_patches_are_refused_or_judged_with_finite_numbers() {
                 "{text}\n{patch:?}"
             );
             if let Ok(pieces) = unroll(&design, &Demand::default()) {
-                assert!(patch.regular.holds(), "{text}\n{patch:?}");
+                assert!(!edge_inside(patch), "{text}\n{patch:?}");
                 assert!(pieces[0].flat.outline().area().is_finite());
             }
             judged += 1;

@@ -73,7 +73,7 @@ fn each_mistake_points_at_its_text() {
         ),
         (
             "[points]\nA = [1, 2, \"1/0\"]\n",
-            "division by zero (or by an enclosure that contains zero): 0",
+            "division by zero: 0 vanishes",
             "1/0",
         ),
         (

@@ -113,20 +113,13 @@ fn worked_designs_are_written_in_every_format() {
 fn a_pattern_that_was_changed_does_not_fold_to_the_design() {
     let design = load(&folder().join("lampshade.toml")).unwrap();
     let pattern = String::from_utf8(bytes(&design, "dxf", &Demand::default()).unwrap()).unwrap();
-    // One bend turned over: on the second line after its name.
-    let at = pattern
-        .find("1000\nbend\n1040\n")
-        .or_else(|| pattern.find("bend\n1040\n"))
-        .unwrap();
-    let (head, tail) = pattern.split_at(at);
-    let number = tail.lines().nth(2).map(str::trim).unwrap();
-    let number = if number.parse::<f64>().is_ok() {
-        number
-    } else {
-        tail.lines().nth(3).unwrap().trim()
-    };
-    let wrong: f64 = number.parse::<f64>().unwrap() + 0.3;
-    let changed = format!("{head}{}", tail.replacen(number, &wrong.to_string(), 1));
+    // The second ruling bent by a degree or so more: its angle stands two lines after its name.
+    let mut lines: Vec<String> = pattern.lines().map(str::to_owned).collect();
+    let mut named = lines.iter().enumerate().filter(|(_, line)| *line == "bend");
+    let (at, _) = named.nth(1).unwrap();
+    let angle: f64 = lines[at + 2].parse().unwrap();
+    lines[at + 2] = (angle + 0.02).to_string();
+    let changed = lines.join("\n");
     assert_ne!(changed, pattern);
     let folded = fold_text(&design, "changed", &changed).unwrap();
     assert!(!folded.missed.is_empty(), "{folded:?}");

@@ -137,8 +137,8 @@ impl FlatPattern {
         each.fold(f64::INFINITY, f64::min)
     }
 
-    /// The edge of regression near the pattern, as far as rulings show it: a chain of points for each run of rulings
-    /// that meet it within `reach` (a length) of the sheet.
+    /// The edge of regression near the pattern, as far as rulings show it: a chain of different points for each run of
+    /// rulings of a patch that meet it within `reach` (a length) of the sheet.
     #[must_use]
     pub fn regression(&self, reach: f64) -> Vec<Vec<[f64; 2]>> {
         let near = |r: &FlatRuling| {
@@ -146,12 +146,23 @@ impl FlatPattern {
             let away = r.ends.map(|e| (e[0] - point[0]).hypot(e[1] - point[1]));
             (away[0].min(away[1]) <= reach).then_some(point)
         };
+        // An apex is one point, however many rulings meet in it.
+        let size = self.pieces.iter().map(|p| p.development.size);
+        let same = 1e-9 * size.fold(0.0, f64::max);
         let mut chains = Vec::new();
         let mut chain: Vec<[f64; 2]> = Vec::new();
+        let mut piece = 0;
         for ruling in &self.rulings {
-            match near(ruling) {
-                Some(point) => chain.push(point),
-                None => chains.push(std::mem::take(&mut chain)),
+            if ruling.piece != piece {
+                // The next patch has an edge of its own.
+                chains.push(std::mem::take(&mut chain));
+                piece = ruling.piece;
+            }
+            match (near(ruling), chain.last()) {
+                (Some(point), Some(last))
+                    if (point[0] - last[0]).hypot(point[1] - last[1]) <= same => {}
+                (Some(point), _) => chain.push(point),
+                (None, _) => chains.push(std::mem::take(&mut chain)),
             }
         }
         chains.push(chain);
@@ -213,10 +224,14 @@ fn rulings(pieces: &[Piece]) -> Vec<FlatRuling> {
     list
 }
 
+/// Angles below this are rounding of the normals: the sheet is flat there.
+const FLAT: f64 = 1e-13;
+
 /// The angle from one normal to the next about an axis.
 fn fold_angle(m: &[f64; 3], n: &[f64; 3], axis: &[f64; 3]) -> f64 {
     let length = super::frame::norm(axis);
-    (dot(&cross(m, n), axis) / length).atan2(dot(m, n))
+    let angle = (dot(&cross(m, n), axis) / length).atan2(dot(m, n));
+    if angle.abs() < FLAT { 0.0 } else { angle }
 }
 
 impl At {
@@ -273,8 +288,32 @@ fn outline(pieces: &[Piece]) -> (Outline, f64) {
         snapped = snapped.max((start[0] - end[0]).hypot(start[1] - end[1]));
         segments[i].to = start;
     }
-    segments.retain(|s| s.from != s.to);
-    (Outline::new(segments), snapped)
+    let size = pieces.iter().map(|p| p.development.size);
+    let (segments, dropped) =
+        without_points(segments, 64.0 * f64::EPSILON * size.fold(0.0, f64::max));
+    (Outline::new(segments), snapped.max(dropped))
+}
+
+/// The closed chain without segments that are points up to rounding (a rail that is an apex), so that neighbours share
+/// their ends; and the largest distance by which an end was moved.
+fn without_points(segments: Vec<Segment>, rounding: f64) -> (Vec<Segment>, f64) {
+    let mut kept: Vec<Segment> = Vec::with_capacity(segments.len());
+    let mut moved = 0.0_f64;
+    for segment in segments {
+        let from = kept.last().map_or(segment.from, |last| last.to);
+        let length = (segment.to[0] - from[0]).hypot(segment.to[1] - from[1]);
+        if length > rounding {
+            kept.push(Segment { from, ..segment });
+        } else {
+            // The next one starts where the last one ends.
+            moved = moved.max(length);
+        }
+    }
+    if let (Some(first), Some(last)) = (kept.first().copied(), kept.last_mut()) {
+        moved = moved.max((first.from[0] - last.to[0]).hypot(first.from[1] - last.to[1]));
+        last.to = first.from;
+    }
+    (kept, moved)
 }
 
 fn errors(pieces: &[Piece], outline: &Outline, snapped: f64) -> Errors {

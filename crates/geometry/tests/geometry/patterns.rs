@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 use std::f64::consts::PI;
 use torse_algebra::{Jet, Scalar};
+use torse_geometry::curve::ellipse_arc;
 use torse_geometry::pattern::{
     FlatPattern, PatternError, Place, Placement, Segment, Unrolling, deviation, fold, unroll,
 };
@@ -712,4 +713,49 @@ fn the_tangents_of_the_twisted_cubic_lie_where_integration_with_fifty_digits_put
             }
         }
     }
+}
+
+#[test]
+fn triangles_between_cones_are_one_outline() {
+    // A quarter of a transition from a square to a circle: the corner of the triangle is a rail without length.
+    let cone = RuledSurface::new(
+        ellipse_arc(&[75.0, 75.0, 0.0], &[100.0, 75.0, 0.0], &[75.0, 100.0, 0.0]).unwrap(),
+        ellipse_arc(&[0.0, 0.0, 130.0], &[60.0, 0.0, 130.0], &[0.0, 60.0, 130.0]).unwrap(),
+    );
+    let rail = |a: [f64; 3], b: [f64; 3]| Curve::new(Bernstein, vec![a, b]).unwrap();
+    let top = [0.0, 60.0, 130.0];
+    let triangle = RuledSurface::new(
+        rail([75.0, 100.0, 0.0], [-75.0, 100.0, 0.0]),
+        rail(top, top),
+    );
+    let next = RuledSurface::new(
+        ellipse_arc(
+            &[-75.0, 75.0, 0.0],
+            &[-75.0, 100.0, 0.0],
+            &[-100.0, 75.0, 0.0],
+        )
+        .unwrap(),
+        ellipse_arc(
+            &[0.0, 0.0, 130.0],
+            &[0.0, 60.0, 130.0],
+            &[-60.0, 0.0, 130.0],
+        )
+        .unwrap(),
+    );
+    let [first, second, third] = [
+        unroll(&cone, 9, 1e-3).unwrap(),
+        unroll(&triangle, 9, 1e-3).unwrap(),
+        unroll(&next, 9, 1e-3).unwrap(),
+    ];
+    let chain = first
+        .append(&second, 1e-6)
+        .unwrap()
+        .append(&third, 1e-6)
+        .unwrap();
+    let area = first.area() + second.area() + third.area();
+    assert!((chain.outline().area() - area).abs() <= chain.errors().area);
+    let segments = chain.outline().segments();
+    assert!(segments.iter().all(|s| s.chord_length() > 1e-9));
+    let ends = segments.iter().zip(segments.iter().cycle().skip(1));
+    assert!(ends.into_iter().all(|(a, b)| a.to == b.from));
 }

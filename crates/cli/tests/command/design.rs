@@ -1,0 +1,311 @@
+//! `inspect`, `unroll`, `fold`, `export`, `eval`, `draw` on the real binary.
+
+use crate::support::torse_in;
+use std::path::{Path, PathBuf};
+
+/// A folder with one file `part.toml` of this text.
+fn folder(text: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("part.toml"), text).unwrap();
+    folder
+}
+
+const CONE: &str = "
+[curves.rim]
+arc = { centre = [0, 0, 0], from = [60, 0, 0], to = [0, 60, 0] }
+[patches.cone]
+cone = \"rim\"
+apex = [0, 0, 120]
+range = [1, 0.5]
+";
+
+const TWISTED: &str = "
+[curves]
+a = { bezier = [[0, 0, 0], [100, 0, 0]] }
+b = { bezier = [[0, 10, 0], [100, 10, 5]] }
+[patches.strip]
+ruled = [\"a\", \"b\"]
+";
+
+/// How a run ended.
+struct Run {
+    code: i32,
+    output: String,
+    error: String,
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> Run {
+    let ran = torse_in(folder, arguments);
+    Run {
+        code: ran.code.expect("it was not killed"),
+        output: ran.out,
+        error: ran.err,
+    }
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_good_design_is_inspected_the_same_way_twice() {
+    let folder = folder(CONE);
+    let first = run(folder.path(), &["inspect", "part.toml"]);
+    assert_eq!(first.code, 0, "{}", first.error);
+    assert!(first.output.contains("proved") && first.output.ends_with("All tolerances are met.\n"));
+    assert!(first.output.lines().all(|line| line.chars().count() <= 100));
+    let json = || run(folder.path(), &["inspect", "part.toml", "--format", "json"]);
+    let (once, twice) = (json(), json());
+    assert_eq!(once.output, twice.output);
+    let report: serde_json::Value = serde_json::from_str(&once.output).unwrap();
+    assert_eq!(report["patches"][0]["regular"], "proved");
+    assert!((report["patches"][0]["clearance"]["low"].as_f64().unwrap() - 67.08).abs() < 1.0);
+}
+
+#[test]
+fn a_missed_tolerance_ends_with_one() {
+    let folder = folder(TWISTED);
+    let found = run(folder.path(), &["inspect", "part.toml"]);
+    assert_eq!(found.code, 1);
+    assert!(found.output.contains("missed: strip is not developable"));
+}
+
+#[test]
+fn what_is_not_developable_is_not_unrolled_and_nothing_is_written() {
+    let folder = folder(TWISTED);
+    let refused = run(folder.path(), &["unroll", "part.toml", "--to", "part.dxf"]);
+    assert_eq!(refused.code, 1);
+    assert!(refused.error.contains("not developable") && refused.error.contains("--allow-strain"));
+    assert_eq!(files(folder.path()), ["part.toml"]);
+    let allowed = [
+        "unroll",
+        "part.toml",
+        "--to",
+        "part.dxf",
+        "--allow-strain",
+        "1e-3",
+    ];
+    let strained = run(folder.path(), &allowed);
+    assert_eq!(strained.code, 0, "{}", strained.error);
+    assert!(strained.output.contains("STRAINED"));
+    let text = std::fs::read_to_string(folder.path().join("part.dxf")).unwrap();
+    assert!(text.contains("not developable: lines are strained"));
+}
+
+#[test]
+fn a_pattern_folds_back_to_its_design() {
+    let folder = folder(CONE);
+    let unrolled = run(
+        folder.path(),
+        &["unroll", "part.toml", "--to", "part.dxf", "--rulings", "33"],
+    );
+    assert_eq!(unrolled.code, 0, "{}", unrolled.error);
+    let folded = run(
+        folder.path(),
+        &["fold", "part.toml", "--pattern", "part.dxf"],
+    );
+    assert_eq!(folded.code, 0, "{}{}", folded.output, folded.error);
+    assert!(
+        folded
+            .output
+            .starts_with("cone: 33 rulings of the file fold to within")
+    );
+    // The pattern of another part.
+    std::fs::write(folder.path().join("other.toml"), CONE.replace("60", "70")).unwrap();
+    let other = run(
+        folder.path(),
+        &["fold", "other.toml", "--pattern", "part.dxf"],
+    );
+    assert_eq!(other.code, 1);
+    assert!(other.output.contains("missed: cone"));
+    // What is no pattern at all.
+    std::fs::write(folder.path().join("bad.dxf"), "hello").unwrap();
+    let bad = run(
+        folder.path(),
+        &["fold", "part.toml", "--pattern", "bad.dxf"],
+    );
+    assert_eq!(bad.code, 4);
+}
+
+#[test]
+fn every_format_is_written_and_overwritten() {
+    let folder = folder(CONE);
+    for ending in [
+        "dxf", "svg", "stl", "obj", "ply", "3mf", "glb", "step", "stp", "iges", "igs",
+    ] {
+        let name = format!("part.{ending}");
+        for _ in 0..2 {
+            let done = run(folder.path(), &["export", "part.toml", "--to", &name]);
+            assert_eq!(
+                (done.code, done.output.as_str()),
+                (0, ""),
+                "{ending}: {}",
+                done.error
+            );
+        }
+        assert!(std::fs::metadata(folder.path().join(&name)).unwrap().len() > 400);
+    }
+    for ending in ["png", "svg", "html"] {
+        let name = format!("picture.{ending}");
+        let done = run(folder.path(), &["draw", "part.toml", "--to", &name]);
+        assert_eq!(done.code, 0, "{ending}: {}", done.error);
+    }
+    // No drafts are left.
+    assert_eq!(files(folder.path()).len(), 1 + 11 + 3);
+}
+
+#[test]
+fn unknown_formats_and_names_are_mistakes_of_the_command_line() {
+    let folder = folder(CONE);
+    for arguments in [
+        ["export", "part.toml", "--to", "part.xyz"].as_slice(),
+        &["export", "part.toml", "--to", "part"],
+        &["unroll", "part.toml", "--to", "part.step"],
+        &[
+            "unroll",
+            "part.toml",
+            "--to",
+            "part.dxf",
+            "--only",
+            "cylinder",
+        ],
+        &["unroll", "part.toml", "--to", "part.dxf", "--rulings", "1"],
+        &[
+            "unroll",
+            "part.toml",
+            "--to",
+            "part.dxf",
+            "--allow-strain",
+            "NaN",
+        ],
+        &["draw", "part.toml", "--to", "part.bmp"],
+        &["fold", "part.toml", "--pattern", "part.svg"],
+        &["eval", "part.toml", "--at", "0.5"],
+        &["eval", "part.toml", "--at", "2,0"],
+        &["eval", "part.toml", "--grid", "99999999x99999999"],
+        &["eval", "part.toml", "--at", "0,0", "--patch", "cylinder"],
+        &["eval", "part.toml"],
+    ] {
+        let wrong = run(folder.path(), arguments);
+        assert_eq!(wrong.code, 2, "{arguments:?}: {}", wrong.error);
+        assert!(!wrong.error.is_empty() && wrong.output.is_empty());
+    }
+    assert_eq!(files(folder.path()), ["part.toml"]);
+}
+
+#[test]
+fn a_missing_or_wrong_design_ends_with_four_and_all_its_mistakes() {
+    let folder = folder("[points]\nA = [0, 0]\nB = [1, \"q\", 2]\n[patches.p]\ncone = \"rim\"\n");
+    let missing = run(folder.path(), &["inspect", "nothing.toml"]);
+    assert_eq!(missing.code, 4);
+    assert!(missing.error.contains("cannot read nothing.toml"));
+    for command in [
+        ["inspect"].as_slice(),
+        &["export", "--to", "x.stl"],
+        &["draw", "--to", "x.png"],
+    ] {
+        let mut arguments = command.to_vec();
+        arguments.push("part.toml");
+        let wrong = run(folder.path(), &arguments);
+        assert_eq!(wrong.code, 4);
+        for message in [
+            "2 numbers: 3 are wanted",
+            "`q` is not declared",
+            "no curve above is called `rim`",
+        ] {
+            assert!(wrong.error.contains(message), "{}", wrong.error);
+        }
+        assert!(
+            wrong.error.contains("part.toml:2:5") && wrong.error.contains('^'),
+            "{}",
+            wrong.error
+        );
+    }
+    assert_eq!(files(folder.path()), ["part.toml"]);
+}
+
+#[test]
+fn a_target_that_cannot_be_written_ends_with_five() {
+    let folder = folder(CONE);
+    for arguments in [
+        ["export", "part.toml", "--to", "no/such/part.stl"].as_slice(),
+        &["unroll", "part.toml", "--to", "no/such/part.dxf"],
+        &["draw", "part.toml", "--to", "no/such/part.png"],
+    ] {
+        let failed = run(folder.path(), arguments);
+        assert_eq!(failed.code, 5, "{}", failed.error);
+        assert!(failed.error.contains("cannot write"));
+    }
+    std::fs::create_dir(folder.path().join("part.stl")).unwrap();
+    assert_eq!(
+        run(folder.path(), &["export", "part.toml", "--to", "part.stl"]).code,
+        5
+    );
+}
+
+#[test]
+fn values_are_printed_for_people_and_programs() {
+    let folder = folder(CONE);
+    let csv = run(
+        folder.path(),
+        &["eval", "part.toml", "--at", "0,0", "--at", "1,1"],
+    );
+    let lines: Vec<&str> = csv.output.lines().collect();
+    assert_eq!(lines.len(), 3);
+    assert!(lines[1].starts_with("cone,0,0,60,0,0,"));
+    let json = run(
+        folder.path(),
+        &["eval", "part.toml", "--grid", "2x2", "--format", "json"],
+    );
+    let rows: serde_json::Value = serde_json::from_str(&json.output).unwrap();
+    assert_eq!(rows.as_array().unwrap().len(), 9);
+    assert_eq!(rows[0]["point"], serde_json::json!([60.0, 0.0, 0.0]));
+}
+
+#[test]
+fn the_commands_of_the_tutorial_do_what_it_says() {
+    let path: PathBuf = [
+        env!("CARGO_MANIFEST_DIR"),
+        "..",
+        "..",
+        "designs",
+        "TUTORIAL.md",
+    ]
+    .iter()
+    .collect();
+    let text = std::fs::read_to_string(path).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let (mut designs, mut commands) = (0, 0);
+    let mut last = String::new();
+    for block in text.split("```").skip(1).step_by(2) {
+        let (kind, body) = block.split_once('\n').unwrap();
+        if kind == "toml" {
+            std::fs::write(folder.path().join("hopper.toml"), body).unwrap();
+            last = body.to_owned();
+            designs += 1;
+            continue;
+        }
+        assert_eq!(kind, "sh");
+        for line in body.lines() {
+            let arguments: Vec<&str> = line.strip_prefix("torse ").unwrap().split(' ').collect();
+            let done = run(folder.path(), &arguments);
+            assert_eq!(done.code, 0, "{line}\n{}{}", done.output, done.error);
+            commands += 1;
+        }
+    }
+    assert_eq!((designs, commands), (2, 9));
+    // What it says about G2.
+    std::fs::write(
+        folder.path().join("hopper.toml"),
+        last.replace("\"G1\"", "\"G2\""),
+    )
+    .unwrap();
+    assert_eq!(run(folder.path(), &["inspect", "hopper.toml"]).code, 1);
+    let page = std::fs::read_to_string(folder.path().join("hopper.html")).unwrap();
+    assert!(!page.contains("http://www.w3.org/1999/xlink") && !page.contains("src=\"http"));
+}
