@@ -3,8 +3,8 @@
 
     python3 tests/exchange/check.py [FOLDER]
 
-FOLDER holds the files of `cargo run -p torse-exchange --example files -- FOLDER`; without it they are made
-in a temporary folder. Each reader that is not installed is skipped with a notice:
+FOLDER holds the files of `cargo run -p torse-exchange --example files -- FOLDER`, or those of the worked designs, `cargo run
+-p torse-designs --example formats -- designs FOLDER`; without it both are made in a temporary folder. Each reader that is not installed is skipped with a notice:
 
     pip install ezdxf cadquery-ocp trimesh networkx lxml svgpathtools
     npm install gltf-validator        (beside the folder where this is run, or name it in NODE_PATH)
@@ -94,6 +94,57 @@ def check_pattern(folder, entry):
             farthest = max(farthest, min(abs(radius - exact) for exact in entry["radii"]))
     good = farthest <= entry["error"] + 2e-5
     check(good, f"ezdxf pattern: cut at most {farthest:.3g} mm from the exact circles, stated {entry['error']:.3g} mm")
+
+
+def check_outline(folder, entry):
+    """The pieces of a design: each a closed outline that passes the points of the exact development."""
+    try:
+        import ezdxf
+        from ezdxf import units
+    except ImportError as error:
+        return skipped("ezdxf", error)
+    name = entry["dxf"]
+    document = ezdxf.readfile(folder / name)
+    audit = document.audit()
+    check(not audit.errors and not audit.fixes, f"ezdxf {name}: audit")
+    check(document.dxfversion == "AC1015" and document.units == units.MM, f"ezdxf {name}: AC1015 in millimetres")
+    wanted = {"OUTLINE", "RULINGS", "BEND_UP", "BEND_DOWN", "REGRESSION", "MARKS"}
+    check(wanted <= {layer.dxf.name for layer in document.layers}, f"ezdxf {name}: the six layers")
+    space = document.modelspace()
+    # The outline of a piece comes before its rulings, its holes after them.
+    pieces, bends = [], []
+    for line in space.query("LWPOLYLINE"):
+        if line.dxf.layer == "OUTLINE":
+            pieces.append(line)
+            bends.append(0)
+        elif line.dxf.layer in ("RULINGS", "BEND_UP", "BEND_DOWN"):
+            bends[-1] += 1
+    kept = [(line, count) for line, count in zip(pieces, bends) if count]
+    check(len(kept) == len(entry["pieces"]), f"ezdxf {name}: {len(kept)} pieces, {len(pieces) - len(kept)} holes")
+    for (line, count), piece in zip(kept, entry["pieces"]):
+        curves = list(_curves(line))
+        length = sum(c.length for c in curves)
+        good = line.closed and count == piece["rulings"] and close(length, piece["length"], 1e-9)
+        check(good, f"ezdxf {name} {piece['name']}: closed, {count} rulings, length {length:.6f}")
+        farthest = max(min(_distance(curve, point) for curve in curves) for point in piece["points"])
+        good = farthest <= piece["error"]
+        check(good, f"ezdxf {name} {piece['name']}: {farthest:.3g} mm from the exact outline, stated {piece['error']:.3g}")
+
+
+def _distance(curve, point):
+    """The distance of a point from a line or an arc."""
+    x, y = point
+    if curve.dxftype() == "ARC":
+        dx, dy = x - curve.dxf.center.x, y - curve.dxf.center.y
+        start, span = curve.dxf.start_angle, (curve.dxf.end_angle - curve.dxf.start_angle) % 360
+        if (math.degrees(math.atan2(dy, dx)) - start) % 360 <= span:
+            return abs(math.hypot(dx, dy) - curve.dxf.radius)
+        return min(math.hypot(x - p.x, y - p.y) for p in (curve.start_point, curve.end_point))
+    a, b = curve.dxf.start, curve.dxf.end
+    along = (b.x - a.x, b.y - a.y)
+    share = ((x - a.x) * along[0] + (y - a.y) * along[1]) / (along[0] ** 2 + along[1] ** 2)
+    share = min(max(share, 0), 1)
+    return math.hypot(x - a.x - share * along[0], y - a.y - share * along[1])
 
 
 def _curves(line):
@@ -237,24 +288,35 @@ def check_glb(folder, entry):
             print("        ", message["code"], message["message"])
 
 
+def check_folder(folder):
+    manifest = json.loads((folder / "manifest.json").read_text())
+    kinds = {
+        "drawings": [check_dxf, check_svg],
+        "patterns": [check_pattern],
+        "outlines": [check_outline],
+        "meshes": [check_mesh, check_glb],
+        "models": [check_model],
+    }
+    for kind, checks in kinds.items():
+        for entry in manifest.get(kind, []):
+            for one in checks:
+                one(folder, entry)
+
+
 def main():
     with tempfile.TemporaryDirectory() as temporary:
-        folder = Path(sys.argv[1] if len(sys.argv) > 1 else temporary).resolve()
-        if len(sys.argv) == 1:
+        if len(sys.argv) > 1:
+            check_folder(Path(sys.argv[1]).resolve())
+        else:
             root = Path(__file__).resolve().parents[2]
-            command = ["cargo", "run", "-q", "-p", "torse-exchange", "--example", "files", "--", str(folder)]
-            subprocess.run(command, cwd=root, check=True)
-        manifest = json.loads((folder / "manifest.json").read_text())
-        for entry in manifest["drawings"]:
-            check_dxf(folder, entry)
-            check_svg(folder, entry)
-        for entry in manifest["patterns"]:
-            check_pattern(folder, entry)
-        for entry in manifest["meshes"]:
-            check_mesh(folder, entry)
-            check_glb(folder, entry)
-        for entry in manifest["models"]:
-            check_model(folder, entry)
+            folders = [Path(temporary).resolve() / name for name in ("library", "designs")]
+            run = ["cargo", "run", "-q", "-p"]
+            library = ["torse-exchange", "--example", "files", "--", str(folders[0])]
+            designs = ["torse-designs", "--example", "formats", "--", "designs", str(folders[1])]
+            for arguments in (library, designs):
+                subprocess.run([*run, *arguments], cwd=root, check=True)
+            for folder in folders:
+                check_folder(folder)
     print(f"{failures} failed")
     return 1 if failures else 0
 

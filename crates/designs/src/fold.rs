@@ -1,8 +1,9 @@
 //! Folding a pattern file back into space and comparing it with the design.
 //!
 //! Nothing of the design enters the folding but the file: outline, rulings, bend angles. The sheet between two rulings
-//! is taken as flat, so the points miss the design by what falls with the square of the number of rulings; the pattern of
-//! the design itself, with as many rulings, misses it by as much, and that is the measure.
+//! is taken as flat, so the points miss the design by what falls with the square of the number of rulings. The pattern of
+//! the design itself, with as many rulings, misses it by as much: what is judged is how far the two folded patterns are
+//! from each other, or, where the file says `fold`, how far the points are from the design.
 
 use crate::design::Design;
 use crate::error::DesignError;
@@ -40,10 +41,10 @@ pub struct FoldedPiece {
     pub area_difference: f64,
     /// The largest distance of the folded points from the design, after the best rigid motion.
     pub deviation: f64,
-    /// The same of the design's own pattern with as many rulings.
+    /// The same of the design's own pattern with as many rulings: what flat facets cost.
     pub expected: f64,
-    /// What is allowed.
-    pub limit: f64,
+    /// The largest distance of the folded points from the design's own pattern, folded.
+    pub difference: f64,
 }
 
 impl FoldReport {
@@ -53,12 +54,12 @@ impl FoldReport {
         let mut text = String::new();
         for piece in &self.pieces {
             let words = format!(
-                "{} rulings of the file fold to within {} mm of the design ({} mm is what flat facets cost, {} mm allowed); \
-                 they end {} mm from the outline, whose area differs by {} mm2",
+                "{} rulings of the file fold to within {} mm of the design ({} mm is what flat facets cost), {} mm from the \
+                 design's own pattern; they end {} mm from the outline, whose area differs by {} mm2",
                 piece.rulings,
                 number(piece.deviation),
                 number(piece.expected),
-                number(piece.limit),
+                number(piece.difference),
                 number(piece.off_outline),
                 number(piece.area_difference)
             );
@@ -137,7 +138,7 @@ pub fn fold_text(design: &Design, shown: &str, text: &str) -> Result<FoldReport,
         let failed = |source: PatternError| wrong(source.to_string());
         report
             .pieces
-            .push(compared(design, &piece.name, pattern, &own.flat).map_err(failed)?);
+            .push(compared(&piece.name, pattern, &own.flat).map_err(failed)?);
     }
     report.missed = report
         .pieces
@@ -176,7 +177,6 @@ fn patterns(drawing: &Drawing) -> Vec<Pattern<'_>> {
 }
 
 fn compared(
-    design: &Design,
     name: &str,
     pattern: &Pattern<'_>,
     own: &FlatPattern,
@@ -186,6 +186,10 @@ fn compared(
     let wanted: Vec<[f64; 3]> = own.rulings_in_space().into_iter().flatten().collect();
     let reached = deviation(&folded, &wanted)?;
     let expected = own.fold_deviation()?;
+    let rulings: Vec<[[f64; 2]; 2]> = own.rulings().iter().map(|ruling| ruling.ends).collect();
+    let bends: Vec<f64> = own.rulings().iter().map(|ruling| ruling.bend).collect();
+    let own_folded: Vec<[f64; 3]> = fold(&rulings, &bends)?.into_iter().flatten().collect();
+    let difference = deviation(&folded, &own_folded)?;
     let vertices = pattern.outline.vertices();
     let next = vertices.iter().cycle().skip(1);
     let segments: Vec<Segment> = vertices
@@ -208,7 +212,6 @@ fn compared(
         .map(distance)
         .fold(0.0, f64::max);
     let area: f64 = segments.iter().map(Segment::area).sum();
-    let limits = &design.tolerances;
     Ok(FoldedPiece {
         name: name.to_owned(),
         rulings: pattern.rulings.len(),
@@ -216,18 +219,25 @@ fn compared(
         area_difference: area.abs() - own.outline().area(),
         deviation: reached,
         expected,
-        limit: limits.fold.unwrap_or(1.01 * expected + limits.outline),
+        difference,
     })
 }
 
 fn objections(design: &Design, piece: &FoldedPiece) -> Vec<String> {
     let mut missed = Vec::new();
     let name = &piece.name;
+    let (what, distance, limit) = match design.tolerances.fold {
+        Some(limit) => ("design", piece.deviation, limit),
+        None => (
+            "design's own pattern",
+            piece.difference,
+            design.tolerances.outline,
+        ),
+    };
     // NaN is no agreement.
-    if !(piece.deviation <= piece.limit) {
+    if !(distance <= limit) {
         missed.push(format!(
-            "{name}: the folded pattern is {:.6} mm from the design, {:.6} allowed",
-            piece.deviation, piece.limit
+            "{name}: the folded pattern is {distance:.6} mm from the {what}, {limit} allowed"
         ));
     }
     let outline = 2.0 * design.tolerances.outline;

@@ -1,4 +1,38 @@
 //! Design files: from control data to a part that can be cut.
+//!
+//! A design is a TOML file with points, planes, curves, families of planes, patches and chains of them; the format is
+//! described in `designs/README.md`. This room reads it and answers what the command asks; mathematics is that of
+//! `torse-geometry`, files are those of `torse-exchange`.
+//!
+//! | you want | take |
+//! |---|---|
+//! | the design of a file, or everything that is wrong in it | [`load`], [`read`] |
+//! | to know whether it can be made | [`inspect::inspect`] |
+//! | its flat pattern | [`unroll::unroll`], [`unroll::drawing`] |
+//! | a pattern file folded and compared with the design | [`fold::fold_back`] |
+//! | any file | [`export::bytes`] |
+//! | points, normals, curvatures | [`eval::eval`] |
+//! | a picture, or a page | [`draw::picture`], [`draw::page`] |
+//!
+//! ```
+//! use torse_designs::unroll::{Demand, drawing, unroll};
+//! let design = torse_designs::read("tube.toml", r#"
+//!     [curves.rim]
+//!     arc = { centre = [0, 0, 0], from = ["10*sqrt(2)", 0, 0], to = [0, "10*sqrt(2)", 0] }
+//!     [patches.tube]
+//!     cylinder = "rim"
+//!     direction = [0, 0, 30]
+//! "#)?;
+//! let report = torse_designs::inspect::inspect(&design)?;
+//! assert!(report.missed.is_empty());
+//! let pieces = unroll(&design, &Demand::default())?;
+//! let pattern = torse_exchange::dxf(&drawing(&design, &pieces)?)?;
+//! let folded = torse_designs::fold::fold_text(&design, "tube.dxf", &pattern)?;
+//! assert!(folded.missed.is_empty());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! All lengths are in millimetres once a file is read. The same file gives the same bytes everywhere.
 #![warn(missing_docs)]
 
 mod construct;

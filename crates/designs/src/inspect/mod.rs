@@ -271,7 +271,7 @@ fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchRepor
         .metal
         .zip(radius)
         .map(|(metal, radius)| metal.sheet.inside_radius(radius) / metal.sheet.thickness());
-    Ok(PatchReport {
+    let report = PatchReport {
         name: patch.name.clone(),
         kind: patch.kind,
         developable,
@@ -291,6 +291,20 @@ fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchRepor
         area: Some(whole.area),
         apexes,
         notes,
+    };
+    let numbers = [
+        report.gaussian,
+        report.radius,
+        report.inside_radius,
+        report.area,
+    ];
+    let numbers = numbers.into_iter().flatten().chain(report.rulings);
+    if numbers.chain(report.twist_measured).all(f64::is_finite) {
+        return Ok(report);
+    }
+    Err(GeometryError::NoValue {
+        what: "a measure of the patch",
+        at: torse_geometry::Place::Whole,
     })
 }
 
@@ -305,6 +319,9 @@ fn singular(
         let [p, q] = patch.sheet.ruling(f64::from(k) / 64.0)?;
         let length = norm(&sub(&q, &p));
         rulings = [rulings[0].min(length), rulings[1].max(length)];
+    }
+    if !rulings.iter().all(|length| length.is_finite()) {
+        return Err(error.clone());
     }
     let reason = certificate.singularity();
     let reason = reason.map_or_else(|| format!("it cannot be measured: {error}"), |s| words(&s));

@@ -1,0 +1,115 @@
+//! Every worked design in every format, with what an independent reader should find in it, as `manifest.json`:
+//!
+//! ```text
+//! cargo run -p torse-designs --example formats -- designs target/files
+//! python3 tests/exchange/check.py target/files
+//! ```
+
+use serde_json::{Value, json};
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use torse_designs::export::{bytes, mesh, model};
+use torse_designs::inspect::inspect;
+use torse_designs::unroll::{Demand, Summary, unroll};
+use torse_designs::{Design, load};
+use torse_exchange::write_file;
+use torse_geometry::pattern::Place;
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+fn main() -> Outcome<()> {
+    let mut arguments = std::env::args().skip(1).map(PathBuf::from);
+    let (Some(from), Some(to)) = (arguments.next(), arguments.next()) else {
+        return Err("name the folder of the designs and one for the files".into());
+    };
+    std::fs::create_dir_all(&to)?;
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(from)?
+        .map(|entry| Ok(entry?.path()))
+        .collect::<std::io::Result<_>>()?;
+    paths.retain(|path| path.extension().is_some_and(|ending| ending == "toml"));
+    paths.sort();
+    let (mut models, mut meshes, mut outlines) = (Vec::new(), Vec::new(), Vec::new());
+    for path in paths {
+        let design = load(&path)?;
+        models.push(surfaces(&design, &to)?);
+        meshes.push(triangles(&design, &to)?);
+        outlines.push(cuts(&design, &to)?);
+    }
+    let manifest = json!({ "models": models, "meshes": meshes, "outlines": outlines });
+    let text = serde_json::to_string_pretty(&manifest)?;
+    write_file(&to.join("manifest.json"), text.as_bytes())?;
+    Ok(())
+}
+
+fn write(design: &Design, folder: &Path, ending: &str) -> Outcome<String> {
+    let name = format!("{}.{ending}", design.name);
+    let made = bytes(design, ending, &Demand::default())?;
+    write_file(&folder.join(&name), &made)?;
+    Ok(name)
+}
+
+fn surfaces(design: &Design, folder: &Path) -> Outcome<Value> {
+    let model = model(design)?;
+    let mut points = Vec::new();
+    for patch in &design.patches {
+        for (i, j) in (0..=8).flat_map(|i| (0..=3).map(move |j| (i, j))) {
+            points.push(patch.sheet.point(f64::from(i) / 8.0, f64::from(j) / 3.0)?);
+        }
+    }
+    let area: f64 = inspect(design)?.patches.iter().filter_map(|p| p.area).sum();
+    Ok(json!({
+        "step": write(design, folder, "step")?,
+        "iges": write(design, folder, "igs")?,
+        "faces": design.patches.len(),
+        "area": area,
+        "error": model.error(),
+        "sewing": model.sewing(),
+        "points": points,
+    }))
+}
+
+fn triangles(design: &Design, folder: &Path) -> Outcome<Value> {
+    let mut files = Vec::new();
+    for ending in ["stl", "obj", "ply", "3mf", "glb"] {
+        files.push(write(design, folder, ending)?);
+    }
+    let mesh = mesh(design)?;
+    Ok(json!({
+        "files": files,
+        "triangles": mesh.triangles().len(),
+        "area": mesh.area(),
+        "volume": mesh.volume(),
+        "watertight": mesh.is_watertight(),
+    }))
+}
+
+/// The outlines with points of the exact development.
+fn cuts(design: &Design, folder: &Path) -> Outcome<Value> {
+    let pieces = unroll(design, &Demand::default())?;
+    let summary = Summary::of(design, &pieces);
+    let mut list = Vec::new();
+    for (piece, numbers) in pieces.iter().zip(&summary.pieces) {
+        let mut points = Vec::new();
+        for index in 0..piece.flat.pieces() {
+            for (k, v) in (0..=40).flat_map(|k| [(k, 0.0), (k, 1.0)]) {
+                let place = Place {
+                    piece: index,
+                    x: f64::from(k) / 40.0,
+                    v,
+                };
+                points.extend(piece.flat.flatten(place));
+            }
+        }
+        list.push(json!({
+            "name": numbers.name,
+            "length": numbers.cut,
+            "area": piece.flat.outline().area(),
+            "rulings": piece.flat.rulings().len(),
+            "error": numbers.outline_error,
+            "points": points,
+        }));
+    }
+    Ok(
+        json!({ "dxf": write(design, folder, "dxf")?, "svg": write(design, folder, "svg")?, "pieces": list }),
+    )
+}
