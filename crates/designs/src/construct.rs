@@ -85,8 +85,8 @@ pub fn cut(rail: &Rail, apex: &Point, plane: &[f64; 4]) -> Result<Rail> {
     }
     let weight = |b: &Point| dot(&normal, &sub(b, apex)) / reach;
     for (index, (b, _)) in control(rail).iter().enumerate() {
-        // Also NaN is refused.
-        if !(weight(b) > 0.0) {
+        let weight = weight(b);
+        if weight.is_nan() || weight <= 0.0 {
             let what = "control point";
             return Err(GeometryError::BehindApex { what, index });
         }

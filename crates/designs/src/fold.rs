@@ -235,13 +235,13 @@ fn objections(design: &Design, piece: &FoldedPiece) -> Vec<String> {
         ),
     };
     // NaN is no agreement.
-    if !(distance <= limit) {
+    if distance.is_nan() || distance > limit {
         missed.push(format!(
             "{name}: the folded pattern is {distance:.6} mm from the {what}, {limit} allowed"
         ));
     }
     let outline = 2.0 * design.tolerances.outline;
-    if !(piece.off_outline <= outline) {
+    if piece.off_outline.is_nan() || piece.off_outline > outline {
         missed.push(format!(
             "{name}: rulings end {:.6} mm from the outline, {outline:.6} allowed",
             piece.off_outline

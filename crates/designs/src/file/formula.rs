@@ -64,13 +64,11 @@ impl Value {
     }
 }
 
-/// The value of a formula, with the values of names from `lookup`: `None` for a name that has none, and the error
-/// for one whose own formula is wrong.
-pub fn evaluate(
-    formula: &Expr,
-    lookup: &mut dyn FnMut(&str, Place) -> Result<Option<Value>, Fault>,
-    names: &[&str],
-) -> Result<Value, Fault> {
+/// The value of a name at a place: `None` for one that has none, and the error for one whose own formula is wrong.
+pub type Lookup<'l> = dyn FnMut(&str, Place) -> Result<Option<Value>, Fault> + 'l;
+
+/// The value of a formula, with the values of names from `lookup`.
+pub fn evaluate(formula: &Expr, lookup: &mut Lookup<'_>, names: &[&str]) -> Result<Value, Fault> {
     let place = formula.place;
     match &formula.node {
         Node::Number { value, .. } => Ok(Value::Exact(value.clone())),

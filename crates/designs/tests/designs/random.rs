@@ -31,27 +31,43 @@ fn sound(report: &PatchReport) {
     assert!(report.rulings[0] <= report.rulings[1] && report.area.is_none_or(|a| a >= 0.0));
 }
 
-/// Looks for a place where the normal vanishes or turns, on a fine grid.
+/// Looks on a fine grid for a ruling on which the normals vanish or oppose, and for a place where they turn over however
+/// closely one looks.
 fn singular_on_a_grid(text: &str) -> bool {
     let design = read("x.toml", text).unwrap();
     let sheet = &design.patches[0].sheet;
-    let mut before: Option<[[f64; 3]; 2]> = None;
+    let dot = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    let normal = |u: f64, v: f64| sheet.partials(&u, &v, 1).map(|p| p.normal());
+    let mut before: Option<[f64; 3]> = None;
     for k in 0..=400 {
         let u = f64::from(k) / 400.0;
-        let normal = |v: f64| sheet.partials(&u, &v, 1).map(|p| p.normal());
-        let (Ok(n0), Ok(n1)) = (normal(0.0), normal(1.0)) else {
+        let (Ok(n0), Ok(n1)) = (normal(u, 0.0), normal(u, 1.0)) else {
             return true;
         };
-        let dot = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
         if norm(&n0) == 0.0 || norm(&n1) == 0.0 || dot(&n0, &n1) < 0.0 {
             return true;
         }
-        if let Some([m0, _]) = before
-            && dot(&m0, &n0) < 0.0
-        {
-            return true;
+        if let Some(m0) = before {
+            let (mut low, mut high) = ((u - 1.0 / 400.0, m0), (u, n0));
+            let mut steps = 0;
+            while dot(&low.1, &high.1) < 0.0 {
+                // A sheet that is bent tightly turns between samples, but not at one place.
+                steps += 1;
+                let middle = 0.5 * (low.0 + high.0);
+                let Ok(n) = normal(middle, 0.0) else {
+                    return true;
+                };
+                if steps > 40 {
+                    return true;
+                }
+                if dot(&low.1, &n) < dot(&n, &high.1) {
+                    high = (middle, n);
+                } else {
+                    low = (middle, n);
+                }
+            }
         }
-        before = Some([n0, n1]);
+        before = Some(n0);
     }
     false
 }

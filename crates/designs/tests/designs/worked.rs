@@ -89,7 +89,7 @@ fn worked_designs_are_written_in_every_format() {
             "{}",
             design.name
         );
-        if design.metal.is_some() {
+        if let Some(metal) = design.metal {
             let mesh = mesh(&design).unwrap();
             assert!(mesh.is_watertight(), "{}", design.name);
             let volume: f64 = inspect(&design)
@@ -98,7 +98,7 @@ fn worked_designs_are_written_in_every_format() {
                 .iter()
                 .filter_map(|p| p.area)
                 .sum();
-            let volume = volume * design.metal.unwrap().sheet.thickness();
+            let volume = volume * metal.sheet.thickness();
             // Up to the bends, where the faces are longer outside and shorter inside.
             assert!(
                 (mesh.volume().abs() - volume).abs() < 0.02 * volume,
