@@ -228,7 +228,9 @@ def check_model(folder, entry):
         check(faces == entry["faces"], f"OCCT {name}: {faces} faces, {edges} edges")
         measured = GProp_GProps()
         BRepGProp.SurfaceProperties_s(shape, measured, 1e-9)
-        check(close(measured.Mass(), entry["area"], 2e-5), f"OCCT {name}: area {measured.Mass()}, library {entry['area']}")
+        # OCCT integrates tight bends to a few digits only; what is approximated has another area.
+        share = entry.get("area_within", 2e-5)
+        check(close(measured.Mass(), entry["area"], share), f"OCCT {name}: area {measured.Mass()}, library {entry['area']}")
         # OCCT measures to 1e-7.
         farthest = 0.0
         for point in entry["points"]:

@@ -62,6 +62,7 @@ fn surfaces(design: &Design, folder: &Path) -> Outcome<Value> {
         "iges": write(design, folder, "igs")?,
         "faces": design.patches.len(),
         "area": area,
+        "area_within": 5e-4,
         "error": model.error(),
         "sewing": model.sewing(),
         "points": points,

@@ -145,8 +145,13 @@ pub fn csv(rows: &[Row]) -> String {
             for k in 0..count {
                 text.push(',');
                 if let Some(value) = values.and_then(|list| list.get(k)) {
-                    // Plus zero: no negative zero.
-                    let _ = write!(text, "{}", value + 0.0);
+                    // Plus zero: no negative zero. Small numbers have an exponent, not a row of zeros.
+                    let value = value + 0.0;
+                    let _ = if value != 0.0 && value.abs() < 1e-4 {
+                        write!(text, "{value:e}")
+                    } else {
+                        write!(text, "{value}")
+                    };
                 }
             }
         };
