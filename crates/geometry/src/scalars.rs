@@ -7,7 +7,7 @@ use crate::curve::{Curve, RationalCurve};
 use crate::developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch, unit_plane};
 use crate::error::Result;
 use crate::planes::PlaneFamily;
-use crate::surface::{RotationSurface, RuledSurface, TensorSurface};
+use crate::surface::{Part, RotationSurface, RuledSurface, TensorSurface};
 use torse_algebra::{Ball, Integer, Rational};
 
 /// Carries an object over the scalar `S` to the scalar `T`.
@@ -242,6 +242,17 @@ impl<S, T: Coordinate> Over<S, T> for HermiteCone<S> {
             ratio: convert(&self.ratio),
             p: data(&self.p),
             q: data(&self.q),
+        })
+    }
+}
+
+impl<S: Coordinate, T: Coordinate, P: Over<S, T>> Over<S, T> for Part<P, S> {
+    type Object = Part<P::Object, T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
+        Ok(Part {
+            whole: self.whole.over(convert)?,
+            range: self.range.each_ref().map(convert),
         })
     }
 }

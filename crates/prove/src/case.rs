@@ -167,7 +167,7 @@ impl<'a> Ground<'a> {
                     relation,
                     left,
                     right,
-                } => self.compare(opposite(*relation), left, right),
+                } => self.compare(relation.opposite(), left, right),
                 _ => Err(Fault::limit(NOWHERE, "an assumption that is no comparison")),
             },
             _ => Err(Fault::limit(NOWHERE, "an assumption that is no comparison")),
@@ -421,19 +421,6 @@ fn has_equation(statement: &core::Statement) -> bool {
         core::Statement::Compare { relation, .. } => *relation == Relation::Equal,
         core::Statement::Join(_, a, b) => has_equation(a) || has_equation(b),
         _ => false,
-    }
-}
-
-/// The relation that holds where the other one does not.
-#[must_use]
-pub fn opposite(relation: Relation) -> Relation {
-    match relation {
-        Relation::Equal => Relation::Different,
-        Relation::Different => Relation::Equal,
-        Relation::Less => Relation::AtLeast,
-        Relation::AtMost => Relation::Greater,
-        Relation::Greater => Relation::AtMost,
-        Relation::AtLeast => Relation::Less,
     }
 }
 

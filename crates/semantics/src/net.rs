@@ -14,7 +14,6 @@ use crate::real::Real;
 use std::collections::BTreeMap;
 use torse_language::core::{Claim, Hypothesis, Source, Statement};
 use torse_language::derivation::{Origin, Source as Text};
-use torse_language::syntax::Relation;
 
 /// Attempts for each wanted point, and at least.
 const ATTEMPTS_PER_POINT: u64 = 12;
@@ -375,14 +374,7 @@ fn excepting(claim: &Claim, condition: &Statement) -> Option<Claim> {
     else {
         return None;
     };
-    let relation = match relation {
-        Relation::Equal => Relation::Different,
-        Relation::Different => Relation::Equal,
-        Relation::Less => Relation::AtLeast,
-        Relation::AtMost => Relation::Greater,
-        Relation::Greater => Relation::AtMost,
-        Relation::AtLeast => Relation::Less,
-    };
+    let relation = relation.opposite();
     let nowhere = std::sync::Arc::new(Text {
         name: "condition".to_owned(),
         text: String::new(),

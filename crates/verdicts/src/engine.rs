@@ -15,8 +15,8 @@ use torse_prove::decide::{Decision, Refutation};
 use torse_prove::evidence::Evidence;
 use torse_prove::{decide_statement, formula};
 
-/// The work that a claim may cost unless more is asked for: ten times what the hardest claims of the papers take.
-pub const STANDARD_WORK: u64 = 100_000_000;
+/// The work that a claim may cost unless more is asked for: many times what the hardest claims of the papers take.
+pub const STANDARD_WORK: u64 = 500_000_000;
 /// Formulas with more terms than this are not shown.
 const MAX_SHOWN_TERMS: usize = 120;
 

@@ -6,21 +6,29 @@ use torse_numbers::work::spend;
 /// Products of more pairs of terms than this also cost memory.
 const LARGE: u64 = 1 << 18;
 
+/// What any operation costs besides, for the lists that it makes.
+const OVERHEAD: u64 = 16;
+
 /// Spends what a product will cost: a unit a pair of terms, more for long coefficients, and more than in proportion once
 /// the result may be too large to hold.
 pub(super) fn product(a: &Polynomial, b: &Polynomial) {
     let pairs = number(a.len()).saturating_mul(number(b.len()));
     let words = 1 + words(a).saturating_mul(words(b)) / 4;
-    spend(
-        pairs
-            .saturating_mul(words)
-            .saturating_mul(1 + pairs / LARGE),
-    );
+    let all = pairs
+        .saturating_mul(words)
+        .saturating_mul(1 + pairs / LARGE);
+    spend(all.saturating_add(OVERHEAD));
 }
 
 /// Spends what a sum or a multiple will cost: a unit a term.
 pub(super) fn sum(a: &Polynomial, b: &Polynomial) {
-    spend(number(a.len()) + number(b.len()));
+    spend(number(a.len()) + number(b.len()) + OVERHEAD);
+}
+
+/// Spends what the images of two polynomials modulo a prime will cost, by which a common divisor is looked for.
+pub(super) fn gcd(a: &Polynomial, b: &Polynomial) {
+    let symbols = number(a.symbols.len() + b.symbols.len());
+    spend((number(a.len()) + number(b.len())).saturating_mul(symbols));
 }
 
 /// Spends what one step of a division will cost.

@@ -8,8 +8,8 @@
 //! above.** Most pairs are coprime or one divides the other, and the bounds show it; what is left goes
 //! through a primitive remainder sequence in the symbol of the smallest bound, within a budget.
 
-use super::Polynomial;
 use super::modular;
+use super::{Polynomial, cost};
 use crate::rational::integer;
 use crate::symbol::Symbol;
 use num_traits::Zero;
@@ -38,6 +38,7 @@ impl Polynomial {
         if other.is_zero() {
             return self.primitive().1;
         }
+        cost::gcd(self, other);
         let shared: Vec<&Symbol> = self
             .symbols
             .iter()

@@ -1,13 +1,12 @@
 //! Space curves.
 
-use super::planes::joint;
+use super::joints::joint;
 use super::points::{list, point};
-use super::reader::{Dimension, Entries, Named, Reader, Value};
+use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
 use super::{MOST_CONTROLS, keys, named};
-use std::ops::Range;
 use toml::de::DeValue;
 use torse_geometry::basis::Shape;
-use torse_geometry::prelude::{GeometryError, Point, Rail};
+use torse_geometry::prelude::{Point, Rail};
 
 pub fn curves(
     reader: &mut Reader,
@@ -126,14 +125,4 @@ fn weights(reader: &mut Reader, value: Value<'_>) -> Option<Vec<f64>> {
         .map(|item| reader.number_in(item, Dimension::None, "(0, infinity)", |w| w > 0.0))
         .collect();
     all.into_iter().collect()
-}
-
-/// What the geometry made, or its objection at this place.
-pub fn accepted<T>(
-    reader: &mut Reader,
-    span: &Range<usize>,
-    made: Result<T, GeometryError>,
-) -> Option<T> {
-    made.map_err(|error| reader.complain(span, error.to_string(), ""))
-        .ok()
 }

@@ -8,6 +8,7 @@
 mod chains;
 mod curves;
 mod formula;
+mod joints;
 pub mod keys;
 mod patches;
 mod planes;

@@ -1,9 +1,9 @@
 //! Patches.
 
-use super::curves::{self, accepted};
+use super::curves;
 use super::planes::{continued, pair, plane};
 use super::points::{list, point};
-use super::reader::{Dimension, Entries, Named, Reader, Value};
+use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
 use super::{Parts, keys, named};
 use crate::construct;
 use crate::design::{Ends, Mark, Patch};

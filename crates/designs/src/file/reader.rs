@@ -6,12 +6,23 @@ use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+use torse_geometry::prelude::GeometryError;
 use torse_language::derivation::{DerivationError, Origin, Source};
 use torse_language::fault::{Fault, Problem};
 use torse_language::similar::similar;
 use torse_language::syntax::ast::Place;
 use torse_language::syntax::parse;
 use torse_numbers::rational::Rational;
+
+/// What the geometry made, or its objection at this place.
+pub fn accepted<T>(
+    reader: &mut Reader,
+    span: &Range<usize>,
+    made: Result<T, GeometryError>,
+) -> Option<T> {
+    made.map_err(|error| reader.complain(span, error.to_string(), ""))
+        .ok()
+}
 
 /// A part of a file as TOML, not yet read.
 pub type Value<'s> = Spanned<DeValue<'s>>;

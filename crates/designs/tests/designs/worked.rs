@@ -23,6 +23,17 @@ fn designs() -> Vec<Design> {
     paths.iter().map(design).collect()
 }
 
+/// Width, height and bytes of a picture.
+fn pixels(png: &[u8]) -> (u32, u32, Vec<u8>) {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(png))
+        .read_info()
+        .unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let frame = reader.next_frame(&mut bytes).unwrap();
+    bytes.truncate(frame.buffer_size());
+    (frame.width, frame.height, bytes)
+}
+
 #[test]
 fn worked_designs_meet_their_tolerances_and_the_committed_files_are_theirs() {
     for design in designs() {
@@ -63,7 +74,12 @@ fn worked_designs_meet_their_tolerances_and_the_committed_files_are_theirs() {
         let pattern = bytes(&design, "dxf", &demand).unwrap();
         same(&pattern, "dxf");
         let picture = draw::picture(&design, &demand).unwrap();
-        same(&picture.png().unwrap(), "png");
+        // The same pixels: how well they are packed depends on who else uses the packer.
+        assert!(
+            pixels(&picture.png().unwrap()) == pixels(&committed("png")),
+            "{}.png is another picture: cargo run -p torse-designs --example worked -- designs",
+            design.name
+        );
         let folded = fold_text(&design, "pattern", std::str::from_utf8(&pattern).unwrap()).unwrap();
         assert!(
             folded.missed.is_empty(),

@@ -9,7 +9,7 @@ use crate::space::dash::dashes;
 use crate::space::grid::Grid;
 use crate::space::raster::{Material, Mesh, Segment, Triangle, Vertex};
 use crate::space::shade::Finish;
-use crate::space::vector::{V3, add, cross, lerp, sub, times, unit};
+use crate::space::vector::{V3, add, cross, sub, times, unit};
 use crate::space::view::{Border, Paint, Solid, Surface, View};
 
 /// Radius of a marked point and of a vertex of a control net, in pixels.

@@ -3,7 +3,6 @@
 use super::{Partials, Rails, Surface, partials_between};
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result};
-use crate::scalars::Over;
 use torse_algebra::Jet;
 
 /// The rulings of another patch from `from` to `to`, with a parameter of their own in [0, 1].
@@ -21,8 +20,8 @@ use torse_algebra::Jet;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part<P, S> {
-    whole: P,
-    range: [S; 2],
+    pub(crate) whole: P,
+    pub(crate) range: [S; 2],
 }
 
 impl<P, S: Coordinate> Part<P, S> {
@@ -95,16 +94,5 @@ impl<S: Coordinate, P: Rails<S>> Rails<S> for Part<P, S> {
 impl<S: Coordinate, P: Rails<S>> Surface<S> for Part<P, S> {
     fn partials(&self, u: &S, v: &S, order: usize) -> Result<Partials<S>> {
         partials_between(self, u, v, order)
-    }
-}
-
-impl<S: Coordinate, T: Coordinate, P: Over<S, T>> Over<S, T> for Part<P, S> {
-    type Object = Part<P::Object, T>;
-
-    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
-        Ok(Part {
-            whole: self.whole.over(convert)?,
-            range: self.range.each_ref().map(convert),
-        })
     }
 }

@@ -83,6 +83,19 @@ impl Relation {
             Self::AtLeast => ">=",
         }
     }
+
+    /// The relation that holds where this one does not.
+    #[must_use]
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Equal => Self::Different,
+            Self::Different => Self::Equal,
+            Self::Less => Self::AtLeast,
+            Self::AtMost => Self::Greater,
+            Self::Greater => Self::AtMost,
+            Self::AtLeast => Self::Less,
+        }
+    }
 }
 
 /// How two statements are joined.

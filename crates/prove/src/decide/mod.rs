@@ -20,7 +20,6 @@ pub mod sign;
 pub mod variation;
 pub mod witness;
 
-use crate::case::opposite;
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{Statement, Value};
 use crate::evidence::{Evidence, Witness};
@@ -212,7 +211,7 @@ fn failure(statement: &Statement) -> Option<Vec<Constraint>> {
                 return None;
             };
             let value = x.minus(y).as_fraction()?.clone();
-            let relation = opposite(*relation);
+            let relation = relation.opposite();
             Some(vec![Constraint { value, relation }])
         }
         Statement::Join(Connective::Or, a, b) => Some([failure(a)?, failure(b)?].concat()),

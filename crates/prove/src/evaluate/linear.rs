@@ -51,9 +51,19 @@ pub(super) fn inverse(rows: &[Vec<Fraction>], place: Place) -> Result<Value, Fau
     Ok(Value::Matrix(quantities(&inverted(rows, place)?)))
 }
 
+/// The most terms that the determinant may have in all entries of an inverse together: each of them has it as a divisor.
+const MAX_INVERSE: usize = 100_000;
+
 fn inverted(rows: &[Vec<Fraction>], place: Place) -> Result<Matrix<Fraction>, Fault> {
     let matrix = matrix(rows, place)?;
     let determinant = matrix.determinant().map_err(|e| fault(&e, place))?;
+    let terms = determinant.numerator().len();
+    if terms.saturating_mul(rows.len() * rows.len()) > MAX_INVERSE {
+        return Err(Fault::limit(
+            place,
+            format!("the inverse of a matrix whose determinant has {terms} terms"),
+        ));
+    }
     let inverse = Fraction::integer(1)
         .over(&determinant)
         .map_err(|e| Fault::exact(place, e))?;

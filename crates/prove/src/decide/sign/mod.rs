@@ -15,7 +15,6 @@ mod samples;
 
 use super::domain::Domain;
 use super::{Decision, Refutation, witness};
-use crate::case::opposite;
 use crate::evaluate::quantity::Quantity;
 use crate::evaluate::value::{NOWHERE, Value};
 use crate::evidence::Evidence;
@@ -137,7 +136,7 @@ pub fn compare(
         ));
     };
     let difference = x.clone() - y.clone();
-    let opposite = opposite(relation);
+    let opposite = relation.opposite();
     if relation == Relation::Different
         && domain.pivots.is_empty()
         && domain.assumes_nonzero(difference.numerator())
