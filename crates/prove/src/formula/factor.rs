@@ -4,10 +4,12 @@
 //! The factors are multiplied out again before they are trusted.
 
 use num_traits::{Signed, ToPrimitive};
-use torse_algebra::{Integer, Polynomial, Rational, Symbol};
+use torse_algebra::{Integer, Polynomial, Rational, Symbol, work};
 
 /// Longer polynomials are not factored: greatest common divisors get slow.
 const MAX_TERMS: usize = 60;
+/// The most work on one polynomial; what needs more is left as it is.
+const MAX_WORK: u64 = 3_000_000;
 
 /// Ends of a polynomial in one variable above this are not searched for rational roots.
 const MAX_END: u32 = 10_000;
@@ -30,8 +32,11 @@ impl Factored {
         if p.as_constant().is_some() {
             return result;
         }
-        split(&primitive, &mut result);
-        if result.expanded() != *p {
+        let factored = work::within(MAX_WORK, || {
+            split(&primitive, &mut result);
+            result.expanded() == *p
+        });
+        if factored != Ok(true) {
             result.content = p.primitive().0;
             result.factors = vec![(primitive, 1)];
         }
