@@ -240,7 +240,8 @@ impl Drawing {
         })
     }
 
-    fn push(
+    /// Adds a path, without the sides of it that have no length.
+    pub(crate) fn push(
         &mut self,
         layer: Layer,
         vertices: &[Vertex],
@@ -292,17 +293,6 @@ impl Drawing {
             bend,
         });
         Ok(())
-    }
-
-    /// Adds a path as a file describes it.
-    pub(crate) fn restore(
-        &mut self,
-        layer: Layer,
-        vertices: &[Vertex],
-        closed: bool,
-        bend: Option<f64>,
-    ) -> Result<()> {
-        self.push(layer, vertices, closed, bend)
     }
 }
 

@@ -144,7 +144,7 @@ impl Entity {
             return Ok(());
         };
         if self.kind != Kind::Text {
-            return drawing.restore(layer, &self.vertices, self.closed, self.bend);
+            return drawing.push(layer, &self.vertices, self.closed, self.bend);
         }
         let unplaced = ExchangeError::Unreadable {
             line: self.line,
