@@ -9,7 +9,7 @@ use crate::construct;
 use crate::design::{Ends, Mark, Patch};
 use std::ops::Range;
 use torse_geometry::developable::{HermiteCone, QuarticData, QuinticData};
-use torse_geometry::prelude::{Connected, Cut, Planes, Point, Rail, Reason, Sheet};
+use torse_geometry::prelude::{Connected, Cut, GeometryError, Planes, Point, Rail, Reason, Sheet};
 
 /// The ways to make a patch.
 const KINDS: [&str; 8] = [
@@ -119,8 +119,8 @@ fn patch(
                 connected(reader, &place, &first, &second)?
             }
         }
-        "cylinder" => cylinder(reader, entries, value, parts)?,
-        "cone" => cone(reader, entries, value, parts)?,
+        "cylinder" => swept(reader, entries, value, parts, &CYLINDER)?,
+        "cone" => swept(reader, entries, value, parts, &CONE)?,
         "hermite" => {
             let mut data = reader.entries(value, "a Hermite cone", keys::HERMITE)?;
             hermite(reader, entries, &mut data, parts)?
@@ -293,57 +293,60 @@ fn stretch(
     }
 }
 
-fn cylinder(
-    reader: &mut Reader,
-    entries: &mut Entries<'_>,
-    value: Value<'_>,
-    parts: &Parts,
-) -> Option<Raw> {
-    let span = entries.span.clone();
-    let curve = reader.named(value, "curve", &parts.curves).cloned();
-    let Some(direction) = entries.take("direction") else {
-        reader.complain(
-            &span,
-            "a cylinder lacks its `direction`",
-            "a vector: `direction = [0, 0, 100]`",
-        );
-        return None;
-    };
-    let direction = point(reader, direction, &parts.points);
-    let stretch = stretch(reader, entries, parts, [0.0, 1.0]);
-    let (curve, direction) = (curve?, direction?);
-    let rails = match stretch? {
-        Stretch::Range(range) => range.map(|t| construct::moved(&curve, &direction.map(|c| t * c))),
-        Stretch::Between(planes) => {
-            planes.map(|plane| construct::projected(&curve, &direction, &plane))
-        }
-    };
-    let [first, second] = rails.map(|rail| accepted(reader, &span, rail));
-    Some(Raw::between(first?, second?))
+/// A surface of straight lines from a curve to its image: along a direction, or through an apex.
+struct Sweep {
+    /// What gives the lines: key, what is said without it, and what would be right.
+    by: [&'static str; 3],
+    /// Where the surface begins and ends unless the file says so.
+    whole: [f64; 2],
+    /// The image of the curve at a share of the way.
+    at: fn(&Rail, &Point, f64) -> Result<Rail, GeometryError>,
+    /// The image of the curve in a plane.
+    on: fn(&Rail, &Point, &[f64; 4]) -> Result<Rail, GeometryError>,
 }
 
-fn cone(
+const CYLINDER: Sweep = Sweep {
+    by: [
+        "direction",
+        "a cylinder lacks its `direction`",
+        "a vector: `direction = [0, 0, 100]`",
+    ],
+    whole: [0.0, 1.0],
+    at: |curve, direction, share| construct::moved(curve, &direction.map(|c| share * c)),
+    on: construct::projected,
+};
+
+const CONE: Sweep = Sweep {
+    by: [
+        "apex",
+        "a cone lacks its `apex`",
+        "a point: `apex = [0, 0, 100]`",
+    ],
+    whole: [1.0, 0.0],
+    at: construct::dilated,
+    on: construct::cut,
+};
+
+fn swept(
     reader: &mut Reader,
     entries: &mut Entries<'_>,
     value: Value<'_>,
     parts: &Parts,
+    sweep: &Sweep,
 ) -> Option<Raw> {
     let span = entries.span.clone();
     let curve = reader.named(value, "curve", &parts.curves).cloned();
-    let Some(apex) = entries.take("apex") else {
-        reader.complain(
-            &span,
-            "a cone lacks its `apex`",
-            "a point: `apex = [0, 0, 100]`",
-        );
+    let [key, lacking, help] = sweep.by;
+    let Some(lines) = entries.take(key) else {
+        reader.complain(&span, lacking, help);
         return None;
     };
-    let apex = point(reader, apex, &parts.points);
-    let stretch = stretch(reader, entries, parts, [1.0, 0.0]);
-    let (curve, apex) = (curve?, apex?);
+    let lines = point(reader, lines, &parts.points);
+    let stretch = stretch(reader, entries, parts, sweep.whole);
+    let (curve, lines) = (curve?, lines?);
     let rails = match stretch? {
-        Stretch::Range(range) => range.map(|ratio| construct::dilated(&curve, &apex, ratio)),
-        Stretch::Between(planes) => planes.map(|plane| construct::cut(&curve, &apex, &plane)),
+        Stretch::Range(range) => range.map(|share| (sweep.at)(&curve, &lines, share)),
+        Stretch::Between(planes) => planes.map(|plane| (sweep.on)(&curve, &lines, &plane)),
     };
     let [first, second] = rails.map(|rail| accepted(reader, &span, rail));
     Some(Raw::between(first?, second?))
