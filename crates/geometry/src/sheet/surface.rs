@@ -270,45 +270,32 @@ impl Sheet {
     }
 }
 
-impl Rails<f64> for Sheet {
-    fn rail_jets(&self, x: &f64, order: usize) -> Result<[[Jet<f64>; 3]; 2]> {
-        match &self.construction {
-            Construction::Ruled(patch) => patch.rail_jets(x, order),
-            Construction::Envelope(patch) => patch.rail_jets(x, order),
-            Construction::Tangent(patch) => patch.rail_jets(x, order),
-            Construction::Connecting(patch) => patch.rail_jets(x, order),
-            Construction::Part(part) => part.rail_jets(x, order),
-        }
-    }
+/// A connecting patch has rails over these scalars alone, hence no sheet has them over all.
+macro_rules! rails_over {
+    ($($scalar:ty),*) => {$(
+        impl Rails<$scalar> for Sheet<$scalar> {
+            fn rail_jets(&self, x: &$scalar, order: usize) -> Result<[[Jet<$scalar>; 3]; 2]> {
+                match &self.construction {
+                    Construction::Ruled(patch) => patch.rail_jets(x, order),
+                    Construction::Envelope(patch) => patch.rail_jets(x, order),
+                    Construction::Tangent(patch) => patch.rail_jets(x, order),
+                    Construction::Connecting(patch) => patch.rail_jets(x, order),
+                    Construction::Part(part) => part.rail_jets(x, order),
+                }
+            }
 
-    fn is_developable_by_construction(&self) -> bool {
-        match &self.construction {
-            Construction::Ruled(_) => false,
-            Construction::Part(part) => part.is_developable_by_construction(),
-            _ => true,
+            fn is_developable_by_construction(&self) -> bool {
+                match &self.construction {
+                    Construction::Ruled(_) => false,
+                    Construction::Part(part) => part.is_developable_by_construction(),
+                    _ => true,
+                }
+            }
         }
-    }
+    )*};
 }
 
-impl Rails<Ball> for Sheet<Ball> {
-    fn rail_jets(&self, x: &Ball, order: usize) -> Result<[[Jet<Ball>; 3]; 2]> {
-        match &self.construction {
-            Construction::Ruled(patch) => patch.rail_jets(x, order),
-            Construction::Envelope(patch) => patch.rail_jets(x, order),
-            Construction::Tangent(patch) => patch.rail_jets(x, order),
-            Construction::Connecting(patch) => patch.rail_jets(x, order),
-            Construction::Part(part) => part.rail_jets(x, order),
-        }
-    }
-
-    fn is_developable_by_construction(&self) -> bool {
-        match &self.construction {
-            Construction::Ruled(_) => false,
-            Construction::Part(part) => part.is_developable_by_construction(),
-            _ => true,
-        }
-    }
-}
+rails_over!(f64, Ball);
 
 impl Surface<f64> for Sheet {
     fn partials(&self, u: &f64, v: &f64, order: usize) -> Result<Partials<f64>> {
