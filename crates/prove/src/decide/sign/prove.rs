@@ -122,26 +122,19 @@ fn combined(
     assumed: &[(Polynomial, bool)],
     numbers: &[usize],
 ) -> Option<Certificate> {
-    let parts: Vec<&(Polynomial, bool)> = numbers
-        .iter()
-        .map(|n| assumed.get(*n))
-        .collect::<Option<_>>()?;
+    let name = |place: usize| Symbol::named(&format!("#{place}"));
     let mut rest = polynomial.clone();
-    let mut parts: Vec<(usize, Polynomial, Polynomial)> = numbers
-        .iter()
-        .zip(&parts)
-        .enumerate()
-        .map(|(place, (_, (p, _)))| {
-            (
-                place,
-                p.clone(),
-                Polynomial::symbol(Symbol::named(&format!("#{place}"))),
-            )
-        })
-        .collect();
     // Each multiple is carried beside its assumption, so that the elimination can be read off at the end.
+    let mut parts: Vec<(Polynomial, Polynomial)> = numbers
+        .iter()
+        .enumerate()
+        .map(|(place, number)| {
+            let (part, _) = assumed.get(*number)?;
+            Some((part.clone(), Polynomial::symbol(name(place))))
+        })
+        .collect::<Option<_>>()?;
     let mut goal = Polynomial::zero();
-    while let Some((_, part, name)) = parts.pop() {
+    while let Some((part, own)) = parts.pop() {
         let Some(lead) = part.terms().find(|t| !t.powers.is_empty()) else {
             continue;
         };
@@ -150,22 +143,22 @@ fn combined(
             let own = p.terms().find(|t| t.powers == powers);
             own.map(|t| t.coefficient / below.clone())
         };
-        for (_, other, other_name) in &mut parts {
+        for (other, of_other) in &mut parts {
             if let Some(factor) = ratio(other) {
                 *other = &*other - &part.scaled(&factor);
-                *other_name = &*other_name - &name.scaled(&factor);
+                *of_other = &*of_other - &own.scaled(&factor);
             }
         }
         if let Some(factor) = ratio(&rest) {
             rest = &rest - &part.scaled(&factor);
-            goal = &goal + &name.scaled(&factor);
+            goal = &goal + &own.scaled(&factor);
         }
     }
     let rest = rest.as_constant()?;
     let mut multipliers = vec![];
     let mut strict = rest > integer(0);
     for (place, number) in numbers.iter().enumerate() {
-        let name = Symbol::named(&format!("#{place}"));
+        let name = name(place);
         let own = goal
             .terms()
             .find(|t| matches!(t.powers.as_slice(), [(s, 1)] if **s == name));
