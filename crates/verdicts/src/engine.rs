@@ -146,7 +146,11 @@ fn decided(
         Ok(decision) => {
             let decision =
                 decision.map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
-            conclude(&mut outcome, claim, statement, decision, budget);
+            conclude(&mut outcome, decision);
+            if outcome.verdict == Verdict::False {
+                // A correction that is not found within the budget is none; the verdict stands.
+                let _ = work::within(budget / 5, || correct(&mut outcome, claim, statement));
+            }
         }
         Err(out) => outcome.steps = vec![out.to_string()],
     }
@@ -167,13 +171,7 @@ fn drawn(outcome: &mut Outcome, figure: &Figure) {
 }
 
 /// Writes a decision into the outcome.
-fn conclude(
-    outcome: &mut Outcome,
-    claim: &Claim,
-    statement: &Written,
-    decision: Decision,
-    budget: u64,
-) {
+fn conclude(outcome: &mut Outcome, decision: Decision) {
     match decision {
         Decision::Proven {
             evidence,
@@ -196,8 +194,6 @@ fn conclude(
             outcome.verdict = Verdict::False;
             outcome.evidence = Some(Evidence::Witness);
             refute(outcome, *refutation);
-            // A correction that is not found within the budget is none; the verdict stands.
-            let _ = work::within(budget / 5, || correct(outcome, claim, statement));
         }
         Decision::Vacuous { reason } => {
             outcome.verdict = Verdict::Vacuous;
