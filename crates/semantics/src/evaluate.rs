@@ -11,6 +11,7 @@ use crate::series::Series;
 use crate::value::Value;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 use std::sync::Arc;
 use torse_language::core::{BuiltIn, Claim, Family, Node, Points, Term};
 use torse_language::syntax::Operator;
@@ -118,7 +119,7 @@ struct Row<N> {
     family: usize,
     degree: i64,
     arguments: Vec<Value<N>>,
-    functions: Vec<Series<N>>,
+    functions: Rc<[Series<N>]>,
 }
 
 /// Evaluates terms at one point.
@@ -422,7 +423,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         degree: i64,
         arguments: Vec<Value<A::Number>>,
         scope: &Sc<'_, A>,
-    ) -> Result<Vec<Series<A::Number>>, Gap> {
+    ) -> Result<Rc<[Series<A::Number>]>, Gap> {
         let steps = degree - i64::from(family.degree);
         if steps < 0 {
             return Err(Undefined::BelowSeeds {
@@ -442,10 +443,12 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                 row.family == key && row.degree == degree && row.arguments == arguments
             });
             if let Some(known) = known {
-                return Ok(known.functions.clone());
+                return Ok(Rc::clone(&known.functions));
             }
         }
-        let functions = self.recursion(family, steps, &family.variables, &arguments, scope)?;
+        let functions: Rc<[_]> = self
+            .recursion(family, steps, &family.variables, &arguments, scope)?
+            .into();
         if !scope.symbols {
             let mut rows = self.rows.borrow_mut();
             if rows.len() >= 24 {
@@ -455,7 +458,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                 family: key,
                 degree,
                 arguments,
-                functions: functions.clone(),
+                functions: Rc::clone(&functions),
             });
         }
         Ok(functions)

@@ -75,7 +75,8 @@ fn functions(
         .iter()
         .map(|v| Value::Number(Series::Number(v.clone())))
         .collect();
-    at.functions(family, degree, arguments, &Scope::outermost())
+    let functions = at.functions(family, degree, arguments, &Scope::outermost())?;
+    Ok(functions.to_vec())
 }
 
 fn nonnegative(

@@ -86,7 +86,7 @@ pub use judgement::Judgement;
 pub use name::Name;
 pub use net::{Beyond, Tally, beyond, check, judge, tally};
 pub use polynomial::{Polynomials, Quotient};
-pub use real::{Real, Reals};
+pub use real::{Real, Reals, Turned};
 pub use series::Series;
 pub use value::Value;
 pub use witness::{Unreadable, Witness, check_witness, read};

@@ -20,6 +20,8 @@ const ATTEMPTS_PER_POINT: u64 = 12;
 const LEAST_ATTEMPTS: u64 = 60;
 /// No further points are drawn if the statement is decided at none of the first so many.
 const HOPELESS: u64 = 40;
+/// No further points are drawn if each of the first so many costs more than its share.
+const COSTLY: u64 = 3;
 /// Every how many-th point lies at the edges of the declared sets: where a statement holds, and where a condition fails.
 const EDGES: u64 = 6;
 const EDGES_BEYOND: u64 = 2;
@@ -148,8 +150,8 @@ impl Beyond {
     }
 }
 
-/// Judges `statement` at points of the domain of the claim at which `condition` fails, until it is judged at `wanted`
-/// of them or the budget is spent. `None` if the condition is no comparison.
+/// Judges `statement` at points of the domain of the claim at which `condition` fails, until it is false at one, judged
+/// at `wanted` of them, or the budget is spent. `None` if the condition is no comparison.
 ///
 /// Points that satisfy `condition`'s denial only nearly lie on the other side: they do not count.
 #[must_use]
@@ -195,7 +197,8 @@ pub fn beyond(
             }
             Judgement::Undecided | Judgement::Unknown(_) => beyond.open += 1,
         }
-        beyond.judged() < wanted
+        // One point at which it is false says all.
+        beyond.failing == 0 && beyond.judged() < wanted
     });
     beyond.needed_at = beyond.needed_at.or(undefined_at);
     Some(beyond)
@@ -275,14 +278,16 @@ impl<'a> Survey<'a> {
         denied: &BTreeMap<usize, ()>,
         each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
     ) -> u64 {
+        let mut costly = 0;
         for attempt in 0..self.attempts {
             let available = self.share.min(self.work.left());
-            if available == 0 {
+            if available == 0 || (attempt == COSTLY && costly == COSTLY) {
                 return attempt;
             }
             let own = Work::new(available);
             let go_on = self.one(statement, conditions, denied, attempt, &own, each);
             let _ = self.work.spend(available - own.left());
+            costly += u64::from(own.left() == 0);
             if !go_on {
                 return attempt + 1;
             }

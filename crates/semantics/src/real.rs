@@ -6,8 +6,10 @@ use crate::arithmetic::Arithmetic;
 use crate::gap::{Gap, Undefined, Unknown, Work};
 use dashu_int::ops::{BitTest, SquareRoot};
 use num_traits::{One, Signed, Zero};
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
+use std::sync::Arc;
 use torse_numbers::rational::{integer, ratio};
 use torse_numbers::{Ball, Integer, Rational, Scalar};
 
@@ -16,34 +18,42 @@ const MAX_EXACT_BITS: usize = 3000;
 /// The largest integer part of an enclosed number, in bits.
 const MAX_SIZE_BITS: u64 = 20_000;
 
-/// A real number.
+/// A real number. A copy costs little, for most of the work is copying.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Real {
+    /// A rational number.
+    Rational(Rational),
     /// `rational + turns * pi`.
-    Exact {
-        /// The rational part.
-        rational: Rational,
-        /// The multiple of pi.
-        turns: Rational,
-    },
+    Turned(Arc<Turned>),
     /// A number of this ball.
-    Enclosed(Ball),
+    Enclosed(Arc<Ball>),
+}
+
+/// `rational + turns * pi`, where turns is not zero.
+#[derive(Debug, PartialEq)]
+pub struct Turned {
+    rational: Rational,
+    turns: Rational,
 }
 
 impl From<Rational> for Real {
     fn from(rational: Rational) -> Self {
-        Self::Exact {
-            rational,
-            turns: Rational::zero(),
-        }
+        Self::Rational(rational)
+    }
+}
+
+impl From<Ball> for Real {
+    fn from(ball: Ball) -> Self {
+        Self::Enclosed(Arc::new(ball))
     }
 }
 
 impl fmt::Display for Real {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Exact { rational, turns } if turns.is_zero() => write!(f, "{rational}"),
-            Self::Exact { rational, turns } => {
+            Self::Rational(rational) => write!(f, "{rational}"),
+            Self::Turned(number) => {
+                let Turned { rational, turns } = &**number;
                 if !rational.is_zero() {
                     write!(f, "{rational}")?;
                 }
@@ -70,17 +80,38 @@ impl fmt::Display for Real {
 }
 
 impl Real {
+    /// `rational + turns * pi`.
+    #[must_use]
+    pub fn exact(rational: Rational, turns: Rational) -> Self {
+        if turns.is_zero() {
+            return Self::Rational(rational);
+        }
+        Self::Turned(Arc::new(Turned { rational, turns }))
+    }
+
+    /// The rational part and the multiple of pi, if the number is exact.
+    pub(crate) fn parts(&self) -> Option<(Cow<'_, Rational>, Cow<'_, Rational>)> {
+        match self {
+            Self::Rational(rational) => {
+                Some((Cow::Borrowed(rational), Cow::Owned(Rational::zero())))
+            }
+            Self::Turned(number) => Some((
+                Cow::Borrowed(&number.rational),
+                Cow::Borrowed(&number.turns),
+            )),
+            Self::Enclosed(_) => None,
+        }
+    }
+
     /// The ball of this precision.
     #[must_use]
     pub fn ball(&self, bits: usize) -> Ball {
         match self {
-            Self::Exact { rational, turns } if turns.is_zero() => {
-                Ball::from_rational(rational, bits)
+            Self::Rational(rational) => Ball::from_rational(rational, bits),
+            Self::Turned(number) => {
+                Ball::from_rational(&number.rational, bits) + Ball::pi(bits).scaled(&number.turns)
             }
-            Self::Exact { rational, turns } => {
-                Ball::from_rational(rational, bits) + Ball::pi(bits).scaled(turns)
-            }
-            Self::Enclosed(ball) => ball.clone(),
+            Self::Enclosed(ball) => (**ball).clone(),
         }
     }
 
@@ -90,10 +121,10 @@ impl Real {
     #[must_use]
     pub fn sign(&self) -> Option<Ordering> {
         match self {
-            Self::Exact { rational, turns } if turns.is_zero() => {
-                Some(rational.cmp(&Rational::zero()))
-            }
-            Self::Exact { .. } => [128, 1024, 8192]
+            Self::Rational(rational) if rational.is_zero() => Some(Ordering::Equal),
+            Self::Rational(rational) if rational.is_negative() => Some(Ordering::Less),
+            Self::Rational(_) => Some(Ordering::Greater),
+            Self::Turned(_) => [128, 1024, 8192]
                 .into_iter()
                 .find_map(|bits| self.ball(bits).sign()),
             Self::Enclosed(ball) => ball.sign(),
@@ -104,8 +135,8 @@ impl Real {
     #[must_use]
     pub fn as_rational(&self) -> Option<&Rational> {
         match self {
-            Self::Exact { rational, turns } => turns.is_zero().then_some(rational),
-            Self::Enclosed(_) => None,
+            Self::Rational(rational) => Some(rational),
+            Self::Turned(_) | Self::Enclosed(_) => None,
         }
     }
 
@@ -131,22 +162,26 @@ fn length(q: &Rational) -> usize {
 }
 
 impl Reals<'_> {
-    fn exact(&self, rational: Rational, turns: Rational) -> Real {
-        let real = Real::Exact { rational, turns };
-        match &real {
-            Real::Exact { rational, turns }
-                if length(rational).max(length(turns)) > MAX_EXACT_BITS =>
-            {
-                Real::Enclosed(real.ball(self.bits))
-            }
-            _ => real,
+    /// The number, enclosed if it is long.
+    fn bounded(&self, real: Real) -> Real {
+        let bits = match &real {
+            Real::Rational(rational) => length(rational),
+            Real::Turned(number) => length(&number.rational).max(length(&number.turns)),
+            Real::Enclosed(_) => 0,
+        };
+        if bits > MAX_EXACT_BITS {
+            return real.ball(self.bits).into();
         }
+        real
     }
 }
 
-/// Whether a number is known to be this integer.
-fn is_exactly(a: &Real, n: i64) -> bool {
-    a.as_rational().is_some_and(|q| *q == integer(n))
+fn is_known_zero(a: &Real) -> bool {
+    a.as_rational().is_some_and(Rational::is_zero)
+}
+
+fn is_known_one(a: &Real) -> bool {
+    a.as_rational().is_some_and(Rational::is_one)
 }
 
 /// `sin(pi t)` where it is rational and t is rational.
@@ -180,71 +215,64 @@ impl Arithmetic for Reals<'_> {
     type Number = Real;
 
     fn rational(&self, value: &Rational) -> Real {
-        self.exact(value.clone(), Rational::zero())
+        self.bounded(value.clone().into())
     }
 
     fn pi(&self) -> Real {
-        Real::Exact {
-            rational: Rational::zero(),
-            turns: Rational::one(),
-        }
+        Real::exact(Rational::zero(), Rational::one())
     }
 
     fn plus(&self, a: &Real, b: &Real) -> Result<Real, Gap> {
         // Nothing is done where a side is zero, or a factor one.
-        if is_exactly(a, 0) {
+        if is_known_zero(a) {
             return Ok(b.clone());
         }
-        if is_exactly(b, 0) {
+        if is_known_zero(b) {
             return Ok(a.clone());
         }
         self.work.spend(1)?;
-        Ok(match (a, b) {
-            (
-                Real::Exact { rational, turns },
-                Real::Exact {
-                    rational: r,
-                    turns: t,
-                },
-            ) => self.exact(rational + r, turns + t),
-            _ => Real::Enclosed(a.ball(self.bits) + b.ball(self.bits)),
+        if let (Real::Rational(p), Real::Rational(q)) = (a, b) {
+            return Ok(self.bounded((p + q).into()));
+        }
+        Ok(match (a.parts(), b.parts()) {
+            (Some((p, s)), Some((q, t))) => self.bounded(Real::exact(&*p + &*q, &*s + &*t)),
+            _ => (a.ball(self.bits) + b.ball(self.bits)).into(),
         })
     }
 
     fn negated(&self, a: &Real) -> Real {
         match a {
-            Real::Exact { rational, turns } => Real::Exact {
-                rational: -rational,
-                turns: -turns,
-            },
-            Real::Enclosed(ball) => Real::Enclosed(-ball),
+            Real::Rational(rational) => Real::Rational(-rational),
+            Real::Turned(number) => Real::exact(-&number.rational, -&number.turns),
+            Real::Enclosed(ball) => (-&**ball).into(),
         }
     }
 
     fn times(&self, a: &Real, b: &Real) -> Result<Real, Gap> {
-        if is_exactly(a, 0) || is_exactly(b, 0) {
+        if is_known_zero(a) || is_known_zero(b) {
             return Ok(Rational::zero().into());
         }
-        if is_exactly(a, 1) {
+        if is_known_one(a) {
             return Ok(b.clone());
         }
-        if is_exactly(b, 1) {
+        if is_known_one(b) {
             return Ok(a.clone());
         }
         self.work.spend(1)?;
         for (a, b) in [(a, b), (b, a)] {
-            if let (Some(q), Real::Exact { rational, turns }) = (a.as_rational(), b) {
-                let turns = match turns.is_zero() {
-                    true => Rational::zero(),
-                    false => q * turns,
-                };
-                return Ok(self.exact(q * rational, turns));
+            match (a, b) {
+                (Real::Rational(p), Real::Rational(q)) => return Ok(self.bounded((p * q).into())),
+                (Real::Rational(q), Real::Turned(number)) => {
+                    let product = Real::exact(q * &number.rational, q * &number.turns);
+                    return Ok(self.bounded(product));
+                }
+                _ => {}
             }
         }
         if self.bit_length(a).unwrap_or(0) + self.bit_length(b).unwrap_or(0) > MAX_SIZE_BITS {
             return Err(Unknown::Large { what: "a number" }.into());
         }
-        Ok(Real::Enclosed(a.ball(self.bits) * b.ball(self.bits)))
+        Ok((a.ball(self.bits) * b.ball(self.bits)).into())
     }
 
     fn over(&self, a: &Real, b: &Real) -> Result<Real, Gap> {
@@ -254,28 +282,20 @@ impl Arithmetic for Reals<'_> {
             Some(Ordering::Equal) => return Err(Undefined::ZeroDivisor.into()),
             Some(_) => {}
         }
-        if let (
-            Real::Exact { rational, turns },
-            Real::Exact {
-                rational: r,
-                turns: t,
-            },
-        ) = (a, b)
-        {
+        if let (Real::Rational(p), Real::Rational(q)) = (a, b) {
+            return Ok(self.bounded((p / q).into()));
+        }
+        if let (Some((p, s)), Some((q, t))) = (a.parts(), b.parts()) {
             if t.is_zero() {
-                let turns = match turns.is_zero() {
-                    true => Rational::zero(),
-                    false => turns / r,
-                };
-                return Ok(self.exact(rational / r, turns));
+                return Ok(self.bounded(Real::exact(&*p / &*q, &*s / &*q)));
             }
-            if rational * t == turns * r {
-                return Ok(self.exact(turns / t, Rational::zero()));
+            if &*p * &*t == &*s * &*q {
+                return Ok(self.bounded((&*s / &*t).into()));
             }
         }
         let quotient = a.ball(self.bits).divided_by(&b.ball(self.bits));
         quotient
-            .map(Real::Enclosed)
+            .map(Real::from)
             .map_err(|_| Unknown::Precision.into())
     }
 
@@ -288,28 +308,28 @@ impl Arithmetic for Reals<'_> {
             return Ok(root.into());
         }
         let root = a.ball(self.bits).sqrt();
-        root.map(Real::Enclosed)
-            .map_err(|_| Unknown::Precision.into())
+        root.map(Real::from).map_err(|_| Unknown::Precision.into())
     }
 
     fn sine_cosine(&self, a: &Real) -> Result<(Real, Real), Gap> {
         self.work.spend(16)?;
-        let Real::Exact { rational, turns } = a else {
-            let (sine, cosine) = a.ball(self.bits).sin_cos();
-            return Ok((Real::Enclosed(sine), Real::Enclosed(cosine)));
+        let turns = match a.parts() {
+            Some((rational, turns)) if rational.is_zero() => turns,
+            _ => {
+                let (sine, cosine) = a.ball(self.bits).sin_cos();
+                return Ok((sine.into(), cosine.into()));
+            }
         };
-        if !rational.is_zero() {
-            let (sine, cosine) = a.ball(self.bits).sin_cos();
-            return Ok((Real::Enclosed(sine), Real::Enclosed(cosine)));
-        }
         // The quarter turns of a rational number of half turns are enclosed best from the number itself.
         let half = Rational::new(1.into(), 2.into());
-        let quarters = Ball::from_rational(&(turns * integer(2)), self.bits);
+        let quarters = Ball::from_rational(&(&*turns * integer(2)), self.bits);
         let (sine, cosine) = quarters.quarter_turn().map_err(|_| Unknown::Precision)?;
-        let known = |exact: Option<Rational>, ball| exact.map_or(Real::Enclosed(ball), Real::from);
+        let known = |exact: Option<Rational>, ball: Ball| {
+            exact.map_or_else(|| Real::from(ball), Real::from)
+        };
         Ok((
-            known(rational_sine(turns), sine),
-            known(rational_sine(&(turns + half)), cosine),
+            known(rational_sine(&turns), sine),
+            known(rational_sine(&(&*turns + half)), cosine),
         ))
     }
 
@@ -322,12 +342,10 @@ impl Arithmetic for Reals<'_> {
     }
 
     fn bit_length(&self, a: &Real) -> Option<u64> {
+        let whole = |q: &Rational| (q.numer().bit_len() + 1).saturating_sub(q.denom().bit_len());
         let bits = match a {
-            Real::Exact { rational, turns } => {
-                let whole =
-                    |q: &Rational| (q.numer().bit_len() + 1).saturating_sub(q.denom().bit_len());
-                whole(rational).max(whole(turns) + 2)
-            }
+            Real::Rational(rational) => whole(rational),
+            Real::Turned(number) => whole(&number.rational).max(whole(&number.turns) + 2),
             Real::Enclosed(ball) => {
                 let (low, high) = ball.to_f64_bounds();
                 let size = low.abs().max(high.abs());

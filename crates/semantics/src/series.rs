@@ -7,10 +7,11 @@
 
 use crate::arithmetic::Arithmetic;
 use crate::gap::{Gap, Undefined, Unknown};
+use std::rc::Rc;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// A number, or a series in the infinitesimal of its level.
+/// A number, or a series in the infinitesimal of its level. A copy shares the coefficients.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Series<N> {
     /// A number.
@@ -20,7 +21,7 @@ pub enum Series<N> {
         /// Which infinitesimal; the coefficients have lower ones only.
         level: usize,
         /// The coefficients, at least one.
-        terms: Vec<Series<N>>,
+        terms: Rc<[Series<N>]>,
     },
 }
 
@@ -46,7 +47,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         if let Some(slot) = terms.get_mut(0) {
             *slot = self;
         }
-        Self::Powers { level, terms }
+        Self::powers(level, terms)
     }
 
     /// The coefficient of `e^order` of the infinitesimal of this level, which is the highest.
@@ -81,34 +82,21 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         }
     }
 
-    /// The coefficients of both as series of the higher level of the two; `None` if both are numbers.
-    fn aligned<A: Arithmetic<Number = N>>(
-        x: &Self,
-        y: &Self,
-        a: &A,
-    ) -> Option<(usize, Vec<Self>, Vec<Self>)> {
-        let level = x.level().max(y.level());
-        let terms = |s: &Self| match s {
-            Self::Powers { level: own, terms } if *own == level => Some(terms.clone()),
-            _ => None,
-        };
-        let lifted = |s: &Self, count: usize| {
-            let mut all = vec![Self::integer(0, a); count];
-            if let Some(slot) = all.first_mut() {
-                *slot = s.clone();
-            }
-            all
-        };
-        match (terms(x), terms(y)) {
-            _ if level == 0 => None,
-            (Some(xs), Some(ys)) => Some((level, xs, ys)),
-            (Some(xs), None) => {
-                let ys = lifted(y, xs.len());
-                Some((level, xs, ys))
-            }
-            (None, Some(ys)) => Some((level, lifted(x, ys.len()), ys)),
-            (None, None) => None,
+    fn powers(level: usize, terms: Vec<Self>) -> Self {
+        Self::Powers {
+            level,
+            terms: terms.into(),
         }
+    }
+
+    /// The level and the coefficients of both as series of the higher level of the two: one of a lower level has only the first.
+    fn aligned<'s>(x: &'s Self, y: &'s Self) -> (usize, &'s [Self], &'s [Self]) {
+        let level = x.level().max(y.level());
+        let terms = |s: &'s Self| match s {
+            Self::Powers { level: own, terms } if *own == level => &**terms,
+            _ => std::slice::from_ref(s),
+        };
+        (level, terms(x), terms(y))
     }
 
     /// `self + other`.
@@ -116,22 +104,25 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         if let (Self::Number(x), Self::Number(y)) = (self, other) {
             return Ok(Self::Number(a.plus(x, y)?));
         }
-        let (level, xs, ys) = Self::aligned(self, other, a).ok_or(Unknown::Precision)?;
-        let terms = xs.iter().zip(&ys).map(|(x, y)| x.plus(y, a));
-        Ok(Self::Powers {
-            level,
-            terms: terms.collect::<Result<_, _>>()?,
-        })
+        let (level, xs, ys) = Self::aligned(self, other);
+        let (longer, shorter) = if xs.len() < ys.len() {
+            (ys, xs)
+        } else {
+            (xs, ys)
+        };
+        let sums = longer.iter().zip(shorter).map(|(x, y)| x.plus(y, a));
+        let rest = longer.iter().skip(shorter.len()).cloned().map(Ok);
+        let terms = sums.chain(rest).collect::<Result<_, Gap>>()?;
+        Ok(Self::powers(level, terms))
     }
 
     /// `-self`.
     pub fn negated<A: Arithmetic<Number = N>>(&self, a: &A) -> Self {
         match self {
             Self::Number(x) => Self::Number(a.negated(x)),
-            Self::Powers { level, terms } => Self::Powers {
-                level: *level,
-                terms: terms.iter().map(|t| t.negated(a)).collect(),
-            },
+            Self::Powers { level, terms } => {
+                Self::powers(*level, terms.iter().map(|t| t.negated(a)).collect())
+            }
         }
     }
 
@@ -142,26 +133,13 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
 
     /// `self * other`: `c_k = sum of x_j y_(k-j)`.
     pub fn times<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Outcome<N> {
-        match (self, other) {
-            (Self::Number(x), Self::Number(y)) => Ok(Self::Number(a.times(x, y)?)),
-            (Self::Powers { level, terms }, factor) | (factor, Self::Powers { level, terms })
-                if factor.level() < *level =>
-            {
-                let terms = terms.iter().map(|t| t.times(factor, a));
-                Ok(Self::Powers {
-                    level: *level,
-                    terms: terms.collect::<Result<_, _>>()?,
-                })
-            }
-            _ => {
-                let (level, xs, ys) = Self::aligned(self, other, a).ok_or(Unknown::Precision)?;
-                let terms = (0..xs.len()).map(|k| Self::convolution(&xs, &ys, 0, k, a));
-                Ok(Self::Powers {
-                    level,
-                    terms: terms.collect::<Result<_, _>>()?,
-                })
-            }
+        if let (Self::Number(x), Self::Number(y)) = (self, other) {
+            return Ok(Self::Number(a.times(x, y)?));
         }
+        let (level, xs, ys) = Self::aligned(self, other);
+        let terms = (0..xs.len().max(ys.len())).map(|k| Self::convolution(xs, ys, 0, k, a));
+        let terms = terms.collect::<Result<_, _>>()?;
+        Ok(Self::powers(level, terms))
     }
 
     /// `sum of x_j y_(k-j)` for j from `first` to k, as far as there are coefficients.
@@ -193,17 +171,15 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         if let (Self::Number(x), Self::Number(y)) = (self, other) {
             return Ok(Self::Number(a.over(x, y)?));
         }
-        let (level, xs, ys) = Self::aligned(self, other, a).ok_or(Unknown::Precision)?;
-        let leading = ys.first().ok_or(Unknown::Precision)?;
+        let (level, xs, ys) = Self::aligned(self, other);
+        let (leading, none) = (ys.first().ok_or(Unknown::Precision)?, Self::integer(0, a));
         let mut quotient: Vec<Self> = vec![];
-        for (k, x) in xs.iter().enumerate() {
-            let known = Self::convolution(&ys, &quotient, 1, k, a)?;
+        for k in 0..xs.len().max(ys.len()) {
+            let x = xs.get(k).unwrap_or(&none);
+            let known = Self::convolution(ys, &quotient, 1, k, a)?;
             quotient.push(x.minus(&known, a)?.over(leading, a)?);
         }
-        Ok(Self::Powers {
-            level,
-            terms: quotient,
-        })
+        Ok(Self::powers(level, quotient))
     }
 
     /// `self^exponent` by squaring; `x^0` is 1.
@@ -258,7 +234,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
             let next = x.minus(&known, a)?.over(&twice, a)?;
             root.push(next);
         }
-        Ok(Self::Powers { level, terms: root })
+        Ok(Self::powers(level, root))
     }
 
     /// `(sin, cos)`: from `s' = c f'` and `c' = -s f'`.
@@ -292,16 +268,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
             sines.push(s);
             cosines.push(c);
         }
-        Ok((
-            Self::Powers {
-                level,
-                terms: sines,
-            },
-            Self::Powers {
-                level,
-                terms: cosines,
-            },
-        ))
+        Ok((Self::powers(level, sines), Self::powers(level, cosines)))
     }
 
     /// Whether every coefficient is zero; `None` if that is not known.

@@ -20,26 +20,14 @@ const FAR: i64 = 4;
 
 /// `a + share * b`, exactly.
 fn moved(a: &Real, b: &Real, share: &Rational) -> Real {
-    match (a, b) {
-        (
-            Real::Exact { rational, turns },
-            Real::Exact {
-                rational: r,
-                turns: t,
-            },
-        ) => Real::Exact {
-            rational: rational + share * r,
-            turns: turns + share * t,
-        },
+    match (a.parts(), b.parts()) {
+        (Some((p, s)), Some((q, t))) => Real::exact(&*p + share * &*q, &*s + share * &*t),
         _ => a.clone(),
     }
 }
 
 fn value(bound: &Bound) -> Real {
-    Real::Exact {
-        rational: bound.value.rational.clone(),
-        turns: bound.value.turns.clone(),
-    }
+    Real::exact(bound.value.rational.clone(), bound.value.turns.clone())
 }
 
 /// The number at this share of the way through an interval; infinite ends are replaced by near ones.

@@ -13,7 +13,6 @@ use crate::gradient::{Gradient, Gradients};
 use crate::name::Name;
 use crate::real::{Real, Reals};
 use num_traits::{Signed, Zero};
-use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_language::core::{Claim, Set, Statement, Term};
@@ -84,14 +83,16 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
     let unknowns = unknowns(claim, draft, work)?;
     let mut rounded = false;
     for round in 0..ROUNDS {
-        // The unknowns alone mostly suffice.
-        let some = expanded(&equations, draft, &|name| unknowns.contains(name), work)?;
-        if let Some(solved) = solved(&some.gaps, rounded) {
+        // The values alone cost a fraction of the rates, which are not needed where the equations hold.
+        let gaps = expanded(&equations, draft, &|_| false, work)?.gaps;
+        if let Some(solved) = solved(&gaps, rounded) {
             return match solved {
                 Solved::Exactly => Some(solved),
                 Solved::Nearly => Some(snapped(&equations, draft, work).unwrap_or(solved)),
             };
         }
+        // The unknowns alone mostly suffice.
+        let some = expanded(&equations, draft, &|name| unknowns.contains(name), work)?;
         let reals = Reals { bits: BITS, work };
         let few = columns(claim, &some, draft, &unknowns);
         let changes = match eliminated(few, &some.gaps, &reals) {
@@ -103,7 +104,7 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         };
         for (name, change) in changes {
             let moved = reals.plus(&draft.value(&name)?, &change).ok()?;
-            let exact = matches!(moved, Real::Exact { .. }) && round < EXACT_ROUNDS;
+            let exact = !matches!(moved, Real::Enclosed(_)) && round < EXACT_ROUNDS;
             rounded |= !exact;
             let value = if exact {
                 moved
@@ -131,7 +132,7 @@ fn unknowns(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<BTreeSet<Na
 }
 
 /// How the equations hold, if they do.
-fn solved(gaps: &[Gradient], rounded: bool) -> Option<Solved> {
+fn solved(gaps: &[Slope], rounded: bool) -> Option<Solved> {
     if gaps.iter().all(|g| g.value.sign() == Some(Ordering::Equal)) {
         return Some(if rounded {
             Solved::Nearly
@@ -200,9 +201,18 @@ fn is_near(gap: &Real) -> bool {
     gap.ball(BITS).abs().upper() <= bound
 }
 
-/// Left minus right of every entry of every equation, to first order.
+/// Left minus right of an entry of an equation, to first order.
+struct Slope {
+    value: Real,
+    /// The rates that are not zero.
+    rates: BTreeMap<Name, Real>,
+    /// The numbers that do not occur linearly.
+    curved: BTreeSet<Name>,
+}
+
+/// All entries of all equations.
 struct Expanded {
-    gaps: Vec<Gradient>,
+    gaps: Vec<Slope>,
     /// Numbers that cannot be moved a little.
     discrete: BTreeSet<Name>,
 }
@@ -214,18 +224,20 @@ fn expanded(
     moves: &dyn Fn(&Name) -> bool,
     work: &Work,
 ) -> Option<Expanded> {
-    let gradients = Gradients {
-        reals: Reals { bits: BITS, work },
-        discrete: RefCell::default(),
-    };
+    let gradients = Gradients::new(Reals { bits: BITS, work });
     let values = |name: &Name| {
         let value = draft.value(name)?;
         Some(match moves(name) {
-            true => Gradient::of(name.clone(), value),
+            true => gradients.variable(name, value),
             false => value.into(),
         })
     };
     let at = Evaluator::new(&gradients, &values);
+    let slope = |gap: &Gradient| Slope {
+        value: gap.value.clone(),
+        rates: gradients.rates(gap),
+        curved: gradients.curved(gap),
+    };
     let mut gaps = vec![];
     for (left, right) in equations {
         let pairs = at
@@ -234,10 +246,10 @@ fn expanded(
             .pairs(&at.value(right).ok()?, &gradients)
             .ok()?;
         for (x, y) in pairs {
-            gaps.extend(x.minus(&y, &gradients).ok()?.as_number().cloned());
+            gaps.extend(x.minus(&y, &gradients).ok()?.as_number().map(slope));
         }
     }
-    let discrete = gradients.discrete.take();
+    let discrete = gradients.discrete();
     Some(Expanded { gaps, discrete })
 }
 
@@ -263,7 +275,7 @@ fn columns(
         .collect();
     let mut columns = vec![];
     for name in names.into_iter().take(MAX_CANDIDATES) {
-        let rate = |gap: &Gradient| {
+        let rate = |gap: &Slope| {
             let rate = gap.rates.get(name).cloned();
             rate.unwrap_or_else(|| Rational::zero().into())
         };
@@ -291,11 +303,7 @@ fn columns(
 }
 
 /// Eliminates: what the columns have to be changed by; `None` if they cannot make all gaps zero.
-fn eliminated(
-    columns: Vec<Column>,
-    gaps: &[Gradient],
-    a: &Reals<'_>,
-) -> Option<BTreeMap<Name, Real>> {
+fn eliminated(columns: Vec<Column>, gaps: &[Slope], a: &Reals<'_>) -> Option<BTreeMap<Name, Real>> {
     // Rows: the rates of all columns, then minus the gap.
     let mut rows: Vec<Vec<Real>> = gaps
         .iter()
