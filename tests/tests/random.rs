@@ -13,14 +13,10 @@ use torse_tests::random::variants::Variant;
 
 const SEED: u64 = 1;
 
-/// How many claims of a kind: 500, and fewer where the prover is slow.
-fn claims(kind: Kind) -> u64 {
-    match kind {
-        Kind::Integers => 50,
-        Kind::Assumptions => 250,
-        _ => 500,
-    }
-}
+/// How many claims of a kind.
+const CLAIMS: u64 = 500;
+/// How many in a hundred may stay open.
+const MOST_OPEN: u64 = 10;
 
 /// How many in a hundred the semantics has to decide by itself: fewer where a claim may deny something everywhere, or
 /// speaks of functions.
@@ -32,37 +28,25 @@ fn least_seconded(kind: Kind) -> u64 {
     }
 }
 
-/// How many in a hundred may stay open: ten, and more where procedures are known to be missing (a point at which two
-/// alternatives fail, signs under two nonlinear assumptions, total positivity).
-fn most_open(kind: Kind) -> u64 {
-    match kind {
-        Kind::Logic => 30,
-        Kind::Assumptions => 22,
-        Kind::Properties => 18,
-        _ => 10,
-    }
-}
-
 /// Never wrong, and seldom open.
 #[track_caller]
 fn never_wrong(kind: Kind) {
-    let count = claims(kind);
-    let tally = run(kind, SEED, 0, count);
+    let tally = run(kind, SEED, 0, CLAIMS);
     assert!(
         tally.wrong.is_empty(),
-        "{} of {count} are wrong, such as\n{}",
+        "{} of {CLAIMS} are wrong, such as\n{}",
         tally.wrong.len(),
         tally.wrong[..tally.wrong.len().min(3)].join("\n")
     );
     assert!(
-        tally.open * 100 <= count * most_open(kind),
-        "{} of {count} are open, such as\n{}",
+        tally.open * 100 <= CLAIMS * MOST_OPEN,
+        "{} of {CLAIMS} are open, such as\n{}",
         tally.open,
         tally.undecided[..tally.undecided.len().min(3)].join("\n")
     );
     assert!(
-        tally.seconded * 100 >= count * least_seconded(kind),
-        "the semantics decides {} of {count} by itself",
+        tally.seconded * 100 >= CLAIMS * least_seconded(kind),
+        "the semantics decides {} of {CLAIMS} by itself",
         tally.seconded
     );
 }

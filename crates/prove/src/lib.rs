@@ -5,6 +5,7 @@
 //! leads from exact values back to a formula as one would write it by hand.
 #![warn(missing_docs)]
 
+mod alternatives;
 pub mod case;
 pub mod decide;
 pub mod evaluate;

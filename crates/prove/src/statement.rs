@@ -4,17 +4,19 @@
 //! decided part by part, and `not p` is proved by one point at which p fails. Every other statement is decided
 //! symbolically, or, where a symbolic degree cannot be carried, at small values of the integers.
 
+use crate::alternatives;
 use crate::case::Ground;
 use crate::decide::contradiction::contradiction;
 use crate::decide::{self, Decision, conditions, instances, sign};
 use crate::evaluate::value::{Statement, Value};
+use crate::evidence::{Evidence, Witness};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::core::{self, Elaborator};
 use torse_language::derivation::declarations::SymbolKind;
-use torse_language::derivation::{Claim, Written};
+use torse_language::derivation::{Claim, Origin, Written};
 use torse_language::fault::{Fault, Problem};
 use torse_language::syntax::{Connective, Relation};
 
@@ -25,11 +27,17 @@ use torse_language::syntax::{Connective, Relation};
 pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, Fault> {
     let elaborator = Rc::new(Elaborator::new(&claim.declarations));
     let core = core::Claim::elaborated(&elaborator, claim, statement)?;
-    let decider = Decider {
-        claim: &core,
-        elaborator,
+    let parts = Parts {
+        deciders: alternatives::parts(&core)
+            .into_iter()
+            .map(|claim| Decider {
+                claim,
+                elaborator: Rc::clone(&elaborator),
+            })
+            .collect(),
+        origin: &statement.origin,
     };
-    let decision = decider
+    let decision = parts
         .decide(&core.statement)
         .map_err(|fault| fault.within(&statement.origin))?;
     Ok(match decision {
@@ -50,12 +58,20 @@ pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, 
 /// The values of some integers.
 type Instance = BTreeMap<String, i64>;
 
+/// The domain of a claim, cut into parts without alternatives.
+struct Parts<'a> {
+    deciders: Vec<Decider<'a>>,
+    /// Where the statement is written.
+    origin: &'a Origin,
+}
+
+/// A claim whose hypotheses are comparisons.
 struct Decider<'a> {
-    claim: &'a core::Claim,
+    claim: core::Claim,
     elaborator: Rc<Elaborator<'a>>,
 }
 
-impl Decider<'_> {
+impl Parts<'_> {
     fn decide(&self, statement: &core::Statement) -> Result<Decision, Fault> {
         match statement {
             core::Statement::Join(Connective::And, a, b) => {
@@ -66,42 +82,177 @@ impl Decider<'_> {
                 Ok(decide::both(first, self.decide(b)?))
             }
             core::Statement::Not(inner) => {
-                let decided = self.everywhere_defined(self.decide(inner)?);
-                Ok(decide::negated(decided, || self.anywhere(inner)))
+                let decided = self.decide(inner)?;
+                let own_alone = self.deciders.iter().all(Decider::brings_no_divisors);
+                let decided = if own_alone {
+                    everywhere_defined(decided)
+                } else {
+                    decided
+                };
+                let anywhere = || self.deciders.iter().find_map(|part| part.anywhere(inner));
+                Ok(decide::negated(decided, anywhere))
             }
-            other => self.single(other),
-        }
-    }
-
-    /// A proof without the conditions that only say where its own terms are defined: those that no eliminated symbol
-    /// brought in.
-    fn everywhere_defined(&self, decision: Decision) -> Decision {
-        let own_alone = || {
-            let ground = self.ground(&Instance::new());
-            ground.is_ok_and(|g| {
-                g.domain.pivots.is_empty()
-                    && g.domain
-                        .solved
-                        .iter()
-                        .all(|(_, v)| v.conditions().is_empty())
-            })
-        };
-        match decision {
-            Decision::Proven {
-                evidence,
-                conditions,
-                steps,
-            } if !conditions.is_empty() && own_alone() => Decision::Proven {
-                evidence,
-                conditions: vec![],
-                steps,
+            core::Statement::Join(Connective::Implies, premise, conclusion) => {
+                match self.under(&[premise], true, conclusion)? {
+                    Some(decision) => Ok(decision),
+                    None => self.everywhere(statement),
+                }
+            }
+            core::Statement::Join(Connective::Or, ..) => match alternatives::clauses(statement) {
+                Some(clauses) => {
+                    let clauses = clauses.iter().map(|clause| self.alternative(clause));
+                    conjoined(clauses)
+                }
+                None => self.everywhere(statement),
             },
-            other => other,
+            other => self.everywhere(other),
         }
     }
 
+    /// Alternatives: proved if one is, or one is where all others fail. A denial among them is true or false of the whole
+    /// domain: a false one is no alternative.
+    fn alternative(&self, literals: &[&core::Statement]) -> Result<Decision, Fault> {
+        let (mut left, mut decisions, mut false_denial) = (vec![], vec![], None);
+        for literal in literals {
+            let decision = self.decide(literal)?;
+            match &decision {
+                Decision::Proven { conditions, .. } if conditions.is_empty() => {
+                    return Ok(decision);
+                }
+                Decision::Refuted(_) if denies(literal) => false_denial = Some(decision),
+                _ => {
+                    left.push(*literal);
+                    decisions.push(decision);
+                }
+            }
+        }
+        if left.len() <= 1
+            && let Some(decision) = decisions.pop().or(false_denial)
+        {
+            return Ok(decision);
+        }
+        for (place, conclusion) in left.iter().enumerate().rev() {
+            let others = [&left[..place], &left[place + 1..]].concat();
+            let found = self.under(&others, false, conclusion)?;
+            let settles = |found: &Decision| match found {
+                Decision::Proven { conditions, .. } => conditions.is_empty(),
+                found => found.is_refuted(),
+            };
+            if let Some(found) = found.filter(settles) {
+                return Ok(found);
+            }
+        }
+        Ok(Decision::Open {
+            reason: "no alternative is proved on the whole domain".to_owned(),
+            tried: vec!["each alternative on its own, and where the others fail".to_owned()],
+        })
+    }
+
+    /// A statement that is decided as it is, on every part.
+    fn everywhere(&self, statement: &core::Statement) -> Result<Decision, Fault> {
+        conjoined(self.deciders.iter().map(|part| part.single(statement)))
+    }
+
+    /// The conclusion where all premises are true, or all are false: at every other point the statement is true. `None` if
+    /// a premise cannot be assumed, or one of them denies something of the whole domain.
+    fn under(
+        &self,
+        premises: &[&core::Statement],
+        truth: bool,
+        conclusion: &core::Statement,
+    ) -> Result<Option<Decision>, Fault> {
+        if premises.iter().any(|p| denies(p)) || denies(conclusion) {
+            return Ok(None);
+        }
+        let mut there = vec![];
+        for part in &self.deciders {
+            let Some(claims) = alternatives::under(&part.claim, premises, truth, self.origin)
+            else {
+                return Ok(None);
+            };
+            there.extend(claims.into_iter().map(|claim| Decider {
+                claim,
+                elaborator: Rc::clone(&part.elaborator),
+            }));
+        }
+        let there = Parts {
+            deciders: there,
+            origin: self.origin,
+        };
+        Ok(Some(match there.decide(conclusion) {
+            // No point, or none at which the premises are so: the second is a proof.
+            Ok(Decision::Vacuous { reason }) => match self.everywhere(conclusion)? {
+                vacuous @ Decision::Vacuous { .. } => vacuous,
+                _ => Decision::Proven {
+                    evidence: Evidence::Identity,
+                    conditions: vec![],
+                    steps: vec![format!("no point is to be looked at: {reason}")],
+                },
+            },
+            Ok(decision) => decision,
+            Err(fault) if fault.is_limit() => Decision::Open {
+                reason: fault.problem.to_string(),
+                tried: vec![],
+            },
+            Err(fault) => return Err(fault),
+        }))
+    }
+}
+
+/// Whether something is denied of the whole domain.
+fn denies(statement: &core::Statement) -> bool {
+    match statement {
+        core::Statement::Not(_) => true,
+        core::Statement::Join(_, a, b) => denies(a) || denies(b),
+        _ => false,
+    }
+}
+
+/// The decision from those on all parts of a domain, or of all parts of a statement. A part without points says nothing.
+fn conjoined(parts: impl Iterator<Item = Result<Decision, Fault>>) -> Result<Decision, Fault> {
+    let mut whole: Option<Decision> = None;
+    for part in parts {
+        let part = part?;
+        if part.is_refuted() {
+            return Ok(part);
+        }
+        whole = Some(match (whole, part) {
+            (None, part) | (Some(Decision::Vacuous { .. }), part) => part,
+            (Some(known), Decision::Vacuous { .. }) => known,
+            (Some(known), part) => decide::both(known, part),
+        });
+    }
+    Ok(whole.unwrap_or(Decision::Open {
+        reason: "no part of the domain".to_owned(),
+        tried: vec![],
+    }))
+}
+
+/// A proof without the conditions that only say where its own terms are defined.
+fn everywhere_defined(decision: Decision) -> Decision {
+    match decision {
+        Decision::Proven {
+            evidence, steps, ..
+        } => Decision::Proven {
+            evidence,
+            conditions: vec![],
+            steps,
+        },
+        other => other,
+    }
+}
+
+impl Decider<'_> {
+    /// Whether no eliminated symbol brought in a divisor.
+    fn brings_no_divisors(&self) -> bool {
+        let ground = self.ground(&Instance::new());
+        ground.is_ok_and(|g| {
+            let mut solved = g.domain.solved.iter();
+            g.domain.pivots.is_empty() && solved.all(|(_, v)| v.conditions().is_empty())
+        })
+    }
     /// A point of the domain at which both sides of the first comparison are defined.
-    fn anywhere(&self, statement: &core::Statement) -> Option<crate::evidence::Witness> {
+    fn anywhere(&self, statement: &core::Statement) -> Option<Witness> {
         let at = |instance: &Instance| {
             let ground = self.ground(instance).ok()?;
             let value = ground.evaluator.truth(statement).ok()?;
@@ -137,7 +288,7 @@ impl Decider<'_> {
 
     fn ground(&self, instance: &Instance) -> Result<Ground<'_>, Fault> {
         Ground::new(
-            self.claim,
+            &self.claim,
             Rc::clone(&self.elaborator),
             &instances::fixed(instance),
         )

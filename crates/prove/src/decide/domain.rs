@@ -162,6 +162,9 @@ impl Domain<'_> {
     /// of factors of quantities that are assumed to be different from zero.
     #[must_use]
     pub fn assumes_nonzero(&self, polynomial: &Polynomial) -> bool {
+        if polynomial.is_zero() {
+            return false;
+        }
         let mut rest = polynomial.clone();
         for constraint in &self.constraints {
             if !matches!(

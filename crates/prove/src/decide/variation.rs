@@ -133,8 +133,8 @@ pub fn diminishing(
     })
 }
 
-/// Functions that do not sum to one move the curve of a constant polygon: where their sum has two values, the curve
-/// crosses a line between them that the polygon does not meet.
+/// Functions that do not sum to one move the curve of a constant polygon, or leave the unit interval: where a curve is on
+/// both sides of a level beyond all control values, it crosses a line that the polygon does not meet.
 fn not_affine(
     basis: &Family,
     domain: &Domain<'_>,
@@ -143,53 +143,106 @@ fn not_affine(
 ) -> Decision {
     let variable = Symbol::named(basis.variable());
     let places = domain.candidates(&variable, Turns::Quarter);
+    let (zero, one) = (Fraction::zero(), Fraction::integer(1));
     for raise in 0..DEGREES {
         let row = functions(step, seeds, raise);
-        let sum = row.into_iter().fold(Fraction::zero(), |sum, f| sum + f);
+        let sum = row.iter().cloned().fold(zero.clone(), |sum, f| sum + f);
+        let constant = ("the constant polygon 1".to_owned(), sum, &one);
+        let single = row.into_iter().enumerate().map(|(i, function)| {
+            let polygon = format!("the polygon with control value {i} = 1 and all others 0");
+            (polygon, function, &zero)
+        });
+        let curves: Vec<(String, Fraction, &Fraction)> =
+            std::iter::once(constant).chain(single).collect();
         for point in parameter_points(basis, domain) {
-            let at = |place: &Fraction| {
-                let mut all = point.clone();
-                all.insert(variable.clone(), place.clone());
-                Some((place.clone(), witness::at_point(&sum, &all)?))
-            };
-            let values: Vec<(Fraction, Fraction)> = places.iter().filter_map(at).collect();
-            let Some((first, low)) = values.first() else {
-                continue;
-            };
-            let Some((second, high)) = values.iter().find(|(_, v)| v != low) else {
-                continue;
-            };
-            let parts = [(1, 2), (1, 3)].map(|(n, d)| torse_algebra::rational::ratio(n, d));
-            let level = parts.into_iter().flatten().find_map(|part| {
-                let level = low.clone() + (high.clone() - low.clone()).scaled(&part);
-                (level != Fraction::integer(1)).then_some(level)
-            });
-            let Some(level) = level else { continue };
-            let degree = basis.degree + raise;
-            let mut at = vec![("degree".to_owned(), degree.to_string())];
-            at.extend(point.iter().map(|(s, v)| (s.to_string(), v.to_string())));
-            let decimal = |value: &Fraction| {
-                enclosure(value, 192).map_or_else(String::new, |b| b.decimal(12))
-            };
-            return Decision::Refuted(Box::new(Refutation {
-                witness: Witness {
-                    at,
-                    left: format!(
-                        "the curve of the constant polygon 1 is {low} at {first} and {high} at {second}: it crosses {level}"
-                    ),
-                    right: "the polygon does not".to_owned(),
-                    left_decimal: format!("{} and {}", decimal(low), decimal(high)),
-                    right_decimal: "1".to_owned(),
-                },
-                sides: None,
-                steps: vec!["the functions do not sum to one".to_owned()],
-            }));
+            for (polygon, curve, least) in &curves {
+                let at = |place: &Fraction| {
+                    let mut all = point.clone();
+                    all.insert(variable.clone(), place.clone());
+                    Some((place.clone(), witness::at_point(curve, &all)?))
+                };
+                let values: Vec<(Fraction, Fraction)> = places.iter().filter_map(at).collect();
+                let Some(crossing) = beyond(&values, least, &one) else {
+                    continue;
+                };
+                let Crossing { low, high, level } = crossing;
+                let degree = basis.degree + raise;
+                let mut at = vec![("degree".to_owned(), degree.to_string())];
+                at.extend(point.iter().map(|(s, v)| (s.to_string(), v.to_string())));
+                let decimal = |value: &Fraction| {
+                    enclosure(value, 192).map_or_else(String::new, |b| b.decimal(12))
+                };
+                return Decision::Refuted(Box::new(Refutation {
+                    witness: Witness {
+                        at,
+                        left: format!(
+                            "the curve of {polygon} is {} at {} and {} at {}: it crosses {level}",
+                            low.1, low.0, high.1, high.0
+                        ),
+                        right: "the polygon does not".to_owned(),
+                        left_decimal: format!("{} and {}", decimal(&low.1), decimal(&high.1)),
+                        right_decimal: "1".to_owned(),
+                    },
+                    sides: None,
+                    steps: vec!["the functions do not sum to one".to_owned()],
+                }));
+            }
         }
     }
     Decision::Open {
         reason: "the functions do not sum to one".to_owned(),
-        tried: vec!["the curve of a constant polygon".to_owned()],
+        tried: vec!["the curves of a constant polygon and of single control values".to_owned()],
     }
+}
+
+/// A level that a curve crosses between two places.
+struct Crossing {
+    /// A place, and the value below the level there.
+    low: (Fraction, Fraction),
+    /// A place, and the value above.
+    high: (Fraction, Fraction),
+    level: Fraction,
+}
+
+/// Two of these places and values, with a level between the values that lies above the greatest or below the least control
+/// value.
+fn beyond(
+    values: &[(Fraction, Fraction)],
+    least: &Fraction,
+    greatest: &Fraction,
+) -> Option<Crossing> {
+    let exceeds = |x: &Fraction, y: &Fraction| {
+        truth(&(x.clone() - y.clone()), Relation::Greater) == Some(true)
+    };
+    let half = torse_algebra::rational::ratio(1, 2)?;
+    let middle = |x: &Fraction, y: &Fraction| (x.clone() + y.clone()).scaled(&half);
+    for (x, low) in values {
+        for (y, high) in values {
+            if !exceeds(high, low) {
+                continue;
+            }
+            let level = if exceeds(high, greatest) {
+                middle(
+                    high,
+                    if exceeds(low, greatest) {
+                        low
+                    } else {
+                        greatest
+                    },
+                )
+            } else if exceeds(least, low) {
+                middle(low, if exceeds(least, high) { high } else { least })
+            } else {
+                continue;
+            };
+            return Some(Crossing {
+                low: (x.clone(), low.clone()),
+                high: (y.clone(), high.clone()),
+                level,
+            });
+        }
+    }
+    None
 }
 
 /// Whether the seeds are positive multiples of `s a^(d-l) b^l`, all of them nonnegative, with b/a
@@ -325,10 +378,7 @@ fn two_changes(functions: &[Fraction], variable: &str, places: &[Fraction]) -> O
             let defined: Vec<((&Fraction, &Fraction), &Fraction)> = both
                 .filter(|((f, _), _)| truth(f, Relation::Greater) == Some(true))
                 .collect();
-            for triple in defined.windows(3) {
-                let [(a, x), (b, y), (c, z)] = triple else {
-                    continue;
-                };
+            for [(a, x), (b, y), (c, z)] in triples(&defined) {
                 let Some(between) = turning(&[*a, *b, *c]) else {
                     continue;
                 };
@@ -346,6 +396,17 @@ fn two_changes(functions: &[Fraction], variable: &str, places: &[Fraction]) -> O
         }
     }
     None
+}
+
+/// Three of a list, in its order.
+fn triples<T>(all: &[T]) -> impl Iterator<Item = [&T; 3]> {
+    all.iter().enumerate().flat_map(move |(k, last)| {
+        let before = all.get(..k).unwrap_or_default();
+        before.iter().enumerate().flat_map(move |(j, middle)| {
+            let first = before.get(..j).unwrap_or_default();
+            first.iter().map(move |first| [first, middle, last])
+        })
+    })
 }
 
 /// A simple positive number between the middle one of three quotients g/f and both others, if these lie on

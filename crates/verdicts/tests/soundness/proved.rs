@@ -169,3 +169,38 @@ fn a_condition_is_no_way_around_an_index_left_free() {
         "the term is undefined at i = 0: {found:#?}"
     );
 }
+
+#[test]
+fn an_alternative_of_hypotheses_proves_what_follows_from_each() {
+    let lines = |statement: &str| format!("assume = ['a > 0 or b > 0']\nstates = '{statement}'");
+    expect("each", &lines("not (a > 0 and b > 0)"), Holds);
+    expect("one", &lines("a + b > 0"), False);
+    let apart = "assume = ['a > b or a < b']\nstates = 'a != b'";
+    expect("apart", apart, Holds);
+    let lines = "assume = ['a > 0 implies b > 0', 'a > 0']\nstates = 'b > 0'";
+    expect("modus-ponens", lines, Holds);
+}
+
+#[test]
+fn an_implication_is_its_conclusion_where_its_premise_holds() {
+    expect("above-one", "states = 'a > 1 implies 2*a > 2'", Holds);
+    expect_refuted_where(
+        "above-minus-one",
+        "states = 'a > -1 implies a^2 > 1'",
+        "a",
+        |a| number(a) > -1.0,
+    );
+    expect(
+        "zero",
+        "states = 'a*b == 0 implies (a == 0 or b == 0)'",
+        Holds,
+    );
+    expect("empty", "states = 'a^2 < 0 implies b == 1'", Holds);
+}
+
+#[test]
+fn zero_is_no_product_of_what_differs_from_zero() {
+    // The only alternative that is left has the difference 0.
+    expect("zero", "states = 'a != a or b == 1'", False);
+    expect("zeros", "states = '(a != a or b != b) or b > 0'", False);
+}
