@@ -182,7 +182,7 @@ impl Resting {
     fn on(outcome: &Outcome, papers: &[Paper], budget: Budget, mistakes: &mut Mistakes) -> Self {
         let claims = papers.iter().flat_map(|paper| &paper.claims);
         let uses: Vec<(&str, Vec<String>)> = claims
-            .map(|claim| (claim.entry.id.get_ref().as_str(), claim.uses()))
+            .map(|claim| (claim.entry.id.get_ref().as_str(), claim.uses.clone()))
             .collect();
         let users = users(uses.iter().map(|(id, uses)| (*id, uses.as_slice())));
         if !matches!(outcome.verdict, Verdict::False | Verdict::Misprint) {

@@ -20,11 +20,12 @@ pub struct Term {
 }
 
 /// Every verdict, in the order in which tables list them.
-pub const VERDICTS: [Verdict; 11] = [
+pub const VERDICTS: [Verdict; 12] = [
     Verdict::Holds,
     Verdict::Conditional,
     Verdict::Misprint,
     Verdict::False,
+    Verdict::Depends,
     Verdict::Undecided,
     Verdict::Vacuous,
     Verdict::Definition,
@@ -46,7 +47,7 @@ pub const EVIDENCE: [Evidence; 7] = [
 ];
 
 /// Every kind of statement.
-pub const KINDS: [Kind; 8] = [
+pub const KINDS: [Kind; 9] = [
     Kind::Definition,
     Kind::Identity,
     Kind::Inequality,
@@ -55,6 +56,7 @@ pub const KINDS: [Kind; 8] = [
     Kind::Construction,
     Kind::Figure,
     Kind::Prose,
+    Kind::Remark,
 ];
 
 /// What becomes of a claim that rests on a refuted one, in words.
@@ -100,6 +102,11 @@ pub const fn verdict(of: Verdict) -> Term {
             "false",
             "false",
             "False as printed, with an exact counterexample; no small edit was proved to repair it.",
+        ),
+        Verdict::Depends => (
+            "depends",
+            "depends on the reading",
+            "The sentence has more than one honest reading, and they have different verdicts; each is given. This says nothing against the statement.",
         ),
         Verdict::Undecided => (
             "undecided",
@@ -207,6 +214,11 @@ pub const fn kind(of: Kind) -> Term {
         Kind::Construction => ("construction", "construction", "Something that is built."),
         Kind::Figure => ("figure", "figure", "A figure."),
         Kind::Prose => ("prose", "prose", "A checkable remark."),
+        Kind::Remark => (
+            "remark",
+            "remark",
+            "A statement of ours that the paper does not make.",
+        ),
     };
     Term {
         key,

@@ -33,6 +33,7 @@ impl Fate {
             Verdict::False => Self::Falls,
             Verdict::Undecided
             | Verdict::Vacuous
+            | Verdict::Depends
             | Verdict::Underspecified
             | Verdict::OutOfScope
             | Verdict::Partial => Self::Open,

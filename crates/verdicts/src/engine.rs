@@ -94,7 +94,7 @@ fn undecided(paper: &str, claim: &Claim) -> Outcome {
         assumed: claim
             .assumptions
             .iter()
-            .map(|a| notation::formula(&a.expr))
+            .map(|a| notation::formula(&a.formula.expr))
             .collect(),
         correction: None,
         data: None,
@@ -106,7 +106,7 @@ fn undecided(paper: &str, claim: &Claim) -> Outcome {
         contradiction: None,
         steps: vec![],
         note: entry.note.clone(),
-        uses: claim.uses(),
+        uses: claim.uses.clone(),
         expect: entry.expect,
     }
 }
@@ -130,6 +130,11 @@ fn decided(
     if let Some(reason) = &entry.out_of_scope {
         outcome.verdict = Verdict::OutOfScope;
         outcome.steps.push(reason.clone());
+        return Ok(outcome);
+    }
+    if !claim.readings.is_empty() {
+        let reason = "the sentence has more than one reading";
+        outcome.steps.push(reason.to_owned());
         return Ok(outcome);
     }
     let Some(statement) = &claim.statement else {
