@@ -3,6 +3,7 @@
 //! One file a subcommand; no mathematics. Derivation files come from [`derivations`], the claims that
 //! the user names from [`selection`], outcomes from [`mod@run`]; [`exit`] says which exit code means what.
 
+mod against;
 mod derivations;
 mod derive;
 mod design;
@@ -70,7 +71,7 @@ Exit codes (of several that apply, the uppermost):
   4  a derivation or design file is wrong; all mistakes are shown with file, line and column
   5  an output could not be made or written
   8  the time limit has ended the run, without verdicts
-  1  a verdict differs from what its derivation file expects; a design misses a tolerance
+  1  a verdict differs from what its derivation file expects, or from an earlier run; a design misses a tolerance
   3  a claim named by its full id is undecided
   0  every verdict is as expected (or nothing is said about it)
 

@@ -85,6 +85,8 @@ pub struct Range {
     pub provenance: Provenance,
     /// What the name stands for outside, if it is declared there.
     pub outer: Option<SymbolKind>,
+    /// Where it stands.
+    pub origin: Origin,
 }
 
 /// A named formula or function.
@@ -247,8 +249,12 @@ impl Declarations {
             self.declare(name, kind);
             self.ranges.remove(name);
             if let Some(from) = entry.from() {
-                let provenance = provenance(source, &from, own, place, errors);
-                let range = Range { provenance, outer };
+                let origin = Origin::range(source, place.start, place.end);
+                let range = Range {
+                    provenance: provenance(source, &from, own, place, errors),
+                    outer,
+                    origin,
+                };
                 self.ranges.insert(name.clone(), range);
             }
         }
