@@ -182,6 +182,11 @@ fn add_witness(note: &mut Note, witness: &Witness) {
     if !point.is_empty() {
         note.add("fails at", &point.join(", "));
     }
+    if witness.left == witness.right {
+        let sides = side(&witness.left, &witness.left_decimal);
+        note.add("both sides", &format!("are equal there, {sides}"));
+        return;
+    }
     note.add("left there", &side(&witness.left, &witness.left_decimal));
     note.add("right there", &side(&witness.right, &witness.right_decimal));
 }
@@ -234,7 +239,7 @@ impl Resting {
         let rows = consequences(&outcome.id, &all)
             .into_iter()
             .map(|consequence| {
-                let fate = words::fate(consequence.fate);
+                let fate = words::consequence(&consequence);
                 match consequence.through.last() {
                     Some(nearest) => format!("{}: {fate} (rests on {nearest})", consequence.id),
                     None => format!("{}: {fate}", consequence.id),

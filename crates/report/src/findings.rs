@@ -154,7 +154,7 @@ pub(crate) fn fails_at(witness: &Witness) -> String {
     let left = told(&witness.left, &witness.left_decimal);
     let right = told(&witness.right, &witness.right_decimal);
     if witness.left == witness.right {
-        format!("{place}both sides are {left}")
+        format!("{place}the two sides are equal")
     } else {
         format!("{place}the left side is {left}, the right side {right}")
     }

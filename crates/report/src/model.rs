@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 use torse_language::notation::Formula;
 use torse_language::words::Verdict;
 use torse_prove::Witness;
-use torse_verdicts::consequences::{Fate, consequences};
+use torse_verdicts::consequences::consequences;
 use torse_verdicts::outcome::{ReadingOutcome, Role};
 use torse_verdicts::{Correction, DataCorrection, Outcome, PaperOutcome};
 
@@ -177,7 +177,7 @@ pub struct ConsequenceView {
     /// The claim.
     pub claim: Reference,
     /// What becomes of it, in words.
-    pub fate: &'static str,
+    pub fate: String,
     /// The claim in between that it rests on, if it does not rest on the refuted one itself.
     pub through: Option<Reference>,
 }
@@ -445,10 +445,10 @@ impl<'a> Builder<'a> {
         let found = consequences(id, &claims);
         let (distant, listed): (Vec<_>, Vec<_>) = found
             .iter()
-            .partition(|of| !of.through.is_empty() && of.fate == Fate::Survives);
+            .partition(|of| !of.through.is_empty() && of.fate.survives());
         let views = listed.into_iter().map(|of| ConsequenceView {
             claim: self.reference(&of.id),
-            fate: words::fate(of.fate),
+            fate: visible(&words::consequence(of)),
             through: of.through.last().map(|id| self.reference(id)),
         });
         let told = (!distant.is_empty()).then(|| words::distant_survivors(distant.len()));

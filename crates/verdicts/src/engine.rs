@@ -2,7 +2,7 @@
 
 use crate::condition::{self, nonzero};
 use crate::outcome::{Outcome, PaperOutcome, ReadingOutcome, SaidBy};
-use crate::{net, provenance, readings, repair, table};
+use crate::{conjunction, net, provenance, readings, repair, table};
 use rayon::prelude::*;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -153,6 +153,8 @@ fn decided(
             provenance::record(&mut outcome, claim, &weighed.needed);
             rest_on(&mut outcome, provenance::conditions(claim, &weighed.needed));
             if outcome.verdict == Verdict::False {
+                let parts = conjunction::part_by_part(claim, statement, budget / 50);
+                outcome.steps.extend(parts);
                 // A correction that is not found within the budget is none; the verdict stands.
                 let _ = work::within(budget / 5, || correct(&mut outcome, claim, statement));
                 correction_rests_on(&mut outcome, claim, budget / 5);

@@ -6,7 +6,7 @@ mod common;
 
 use torse_language::words::Verdict;
 use torse_prove::evidence::Evidence;
-use torse_verdicts::consequences::Fate;
+use torse_verdicts::consequences::{Fate, consequences};
 use torse_verdicts::outcome::Outcome;
 
 fn read(name: &str, first: &str, second: &str) -> Outcome {
@@ -61,4 +61,40 @@ fn readings_that_agree_give_the_verdict_with_the_weakest_evidence_and_all_condit
         (Verdict::False, Some(Evidence::Witness))
     );
     assert!(found.witness.is_some());
+}
+
+#[test]
+fn of_a_refuted_conjunction_each_part_is_told() {
+    let symbols = "[symbols]\nx = { in = '[0, 1]' }\n";
+    let claim = "states = 'x >= 0 and x > 0 and 2*x == x + x'";
+    let found = common::outcomes("parts", symbols, &[claim]).remove(0);
+    assert_eq!(found.verdict, Verdict::False);
+    let told: Vec<&String> = found
+        .steps
+        .iter()
+        .filter(|s| s.starts_with("the part"))
+        .collect();
+    assert_eq!(
+        told,
+        [
+            "the part `x >= 0` holds, by a certificate of sign",
+            "the part `x > 0` fails",
+            "the part `2*x == x + x` holds, by an identity",
+        ]
+    );
+}
+
+#[test]
+fn what_survives_under_a_condition_says_so() {
+    let symbols = "[symbols]\nx = { in = '[0, 1]' }\n";
+    let claims = [
+        "states = 'x > 0'",
+        "states = 'x/x == 1'\nuses = ['survives/1']",
+    ];
+    let outcomes = common::outcomes("survives", symbols, &claims);
+    let outcomes: Vec<&Outcome> = outcomes.iter().collect();
+    let resting = consequences("survives/1", &outcomes);
+    assert_eq!(resting[0].fate, Fate::SurvivesIf);
+    assert_eq!(resting[0].conditions[0].text, "x != 0");
+    assert!(resting[0].fate.survives());
 }

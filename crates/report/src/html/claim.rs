@@ -222,7 +222,7 @@ fn witness(out: &mut String, witness: &Witness, denied: Option<&str>) -> fmt::Re
     let left = (&witness.left, &witness.left_decimal);
     let right = (&witness.right, &witness.right_decimal);
     let sides = match left == right {
-        true => vec![("both sides", left)],
+        true => vec![("equal sides", left)],
         false => vec![("left side", left), ("right side", right)],
     };
     for (name, (exact, decimal)) in sides {
