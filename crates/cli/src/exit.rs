@@ -19,7 +19,7 @@ pub enum Exit {
     AsExpected,
     /// 3: a claim that was named by its full id is undecided.
     Undecided,
-    /// 1: a verdict differs from what its derivation file expects, a design misses a tolerance of its file.
+    /// 1: a verdict differs from what its derivation file expects or from an earlier run, a design misses a tolerance of its file.
     Differs,
     /// 8: the time limit ended the run.
     TimeLimit,
@@ -101,6 +101,15 @@ pub enum Failure {
         name: String,
         /// The claims it means.
         ids: Vec<String>,
+    },
+    /// Verdicts of an earlier run that cannot be read.
+    #[error("{} holds no verdicts: {reason}", path.display())]
+    #[diagnostic(help("`--against` takes what `torse verify --format json` has written"))]
+    Against {
+        /// The path as given.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
     },
     /// The folder of derivations could not be loaded.
     #[error(transparent)]
@@ -185,6 +194,7 @@ impl Failure {
             Failure::NoDerivations
             | Failure::NotAFolder { .. }
             | Failure::UnknownName { .. }
+            | Failure::Against { .. }
             | Failure::UnknownBasis { .. }
             | Failure::Ambiguous { .. } => Exit::Usage,
             Failure::Derive(error) => match **error {

@@ -11,9 +11,9 @@ use torse_language::derivation::Paper;
 use torse_language::notation::Formula;
 use torse_language::words::Verdict;
 use torse_prove::evidence::Witness;
-use torse_report::words;
+use torse_report::{rests, words};
 use torse_verdicts::consequences::{consequences, resting, users};
-use torse_verdicts::outcome::{Correction, Outcome, PaperOutcome};
+use torse_verdicts::outcome::{Correction, Outcome, PaperOutcome, Role};
 
 /// Explain one claim: what is printed, how it was understood, what is true, and why.
 ///
@@ -70,7 +70,10 @@ impl Explain {
         note.add("printed", &outcome.printed);
         note.option("our reading", outcome.reading.as_deref());
         note.option("understood", self.formula(outcome.parsed.as_ref()));
-        note.list("assuming", self.formulas(&outcome.assumed));
+        let assumed = outcome.assumed.iter();
+        let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
+        note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
+        self.rests(&mut note, outcome);
         note.gap();
         note.add("verdict", &verdict(outcome));
         note.option(
@@ -86,6 +89,7 @@ impl Explain {
         };
         note.list(condition, self.formulas(&outcome.conditions));
         note.list("steps", outcome.steps.iter().cloned());
+        self.readings(&mut note, outcome);
         note.gap();
         if let Some(witness) = &outcome.witness {
             add_witness(&mut note, witness);
@@ -102,10 +106,37 @@ impl Explain {
             note.list("right if", data.in_words().into_iter());
         }
         note.gap();
+        note.option("copy at hand", outcome.garbled.as_deref());
         note.option("note", outcome.note.as_deref());
         note.list("uses", outcome.uses.iter().cloned());
         note.list(resting.label, resting.rows.into_iter());
         format!("{}\n\n{}", terminal::heading(&outcome.id), note.text())
+    }
+
+    fn rests(&self, note: &mut Note, outcome: &Outcome) {
+        for group in rests(outcome) {
+            note.list(group.label, group.lines.iter().map(|line| self.cut(line)));
+        }
+    }
+
+    /// Each reading like a small note.
+    fn readings(&self, note: &mut Note, outcome: &Outcome) {
+        for reading in &outcome.readings {
+            let of = &reading.outcome;
+            note.gap();
+            note.add("read as", &format!("{}: {}", reading.name, reading.says));
+            note.option("understood", self.formula(of.parsed.as_ref()));
+            let assumed = of.assumed.iter();
+            let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
+            note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
+            self.rests(note, of);
+            note.add("verdict", &verdict(of));
+            note.list("on condition", self.formulas(&of.conditions));
+            note.list("steps", of.steps.iter().cloned());
+            if let Some(witness) = &of.witness {
+                add_witness(note, witness);
+            }
+        }
     }
 
     fn formula(&self, formula: Option<&Formula>) -> Option<String> {
@@ -151,6 +182,11 @@ fn add_witness(note: &mut Note, witness: &Witness) {
     if !point.is_empty() {
         note.add("fails at", &point.join(", "));
     }
+    if witness.left == witness.right {
+        let sides = side(&witness.left, &witness.left_decimal);
+        note.add("both sides", &format!("are equal there, {sides}"));
+        return;
+    }
     note.add("left there", &side(&witness.left, &witness.left_decimal));
     note.add("right there", &side(&witness.right, &witness.right_decimal));
 }
@@ -182,7 +218,7 @@ impl Resting {
     fn on(outcome: &Outcome, papers: &[Paper], budget: Budget, mistakes: &mut Mistakes) -> Self {
         let claims = papers.iter().flat_map(|paper| &paper.claims);
         let uses: Vec<(&str, Vec<String>)> = claims
-            .map(|claim| (claim.entry.id.get_ref().as_str(), claim.uses()))
+            .map(|claim| (claim.entry.id.get_ref().as_str(), claim.uses.clone()))
             .collect();
         let users = users(uses.iter().map(|(id, uses)| (*id, uses.as_slice())));
         if !matches!(outcome.verdict, Verdict::False | Verdict::Misprint) {
@@ -203,7 +239,7 @@ impl Resting {
         let rows = consequences(&outcome.id, &all)
             .into_iter()
             .map(|consequence| {
-                let fate = words::fate(consequence.fate);
+                let fate = words::consequence(&consequence);
                 match consequence.through.last() {
                     Some(nearest) => format!("{}: {fate} (rests on {nearest})", consequence.id),
                     None => format!("{}: {fate}", consequence.id),

@@ -3,6 +3,8 @@
 //! One file a subcommand; no mathematics. Derivation files come from [`derivations`], the claims that
 //! the user names from [`selection`], outcomes from [`mod@run`]; [`exit`] says which exit code means what.
 
+mod against;
+mod audit;
 mod derivations;
 mod derive;
 mod design;
@@ -47,6 +49,7 @@ Examples:
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
   torse recheck                          every verdict again, by the semantics
+  torse audit gbt-developable            signs that a statement is not what is printed
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
 
@@ -61,6 +64,7 @@ Examples:
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
   torse recheck                          every verdict again, by the semantics
+  torse audit gbt-developable            signs that a statement is not what is printed
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
 
@@ -70,7 +74,8 @@ Exit codes (of several that apply, the uppermost):
   4  a derivation or design file is wrong; all mistakes are shown with file, line and column
   5  an output could not be made or written
   8  the time limit has ended the run, without verdicts
-  1  a verdict differs from what its derivation file expects; a design misses a tolerance
+  1  a verdict differs from what its derivation file expects, or from an earlier run; a flag is open; a design
+     misses a tolerance
   3  a claim named by its full id is undecided
   0  every verdict is as expected (or nothing is said about it)
 
@@ -83,6 +88,7 @@ enum Command {
     Report(report::Report),
     Derive(derive::Derive),
     Recheck(recheck::Replay),
+    Audit(audit::Audit),
     Inspect(design::Inspect),
     Unroll(design::Unroll),
     Fold(design::Fold),
@@ -99,6 +105,7 @@ impl Command {
             Command::Report(command) => command.run(),
             Command::Derive(command) => command.run(),
             Command::Recheck(command) => command.run(),
+            Command::Audit(command) => command.run(),
             Command::Inspect(command) => command.run(),
             Command::Unroll(command) => command.run(),
             Command::Fold(command) => command.run(),

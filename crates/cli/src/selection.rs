@@ -93,7 +93,8 @@ fn ids(papers: &[Paper]) -> impl Iterator<Item = &str> {
         .map(|claim| claim.entry.id.get_ref().as_str())
 }
 
-fn means(name: &str, id: &str) -> bool {
+/// Whether a name means the claim of this id.
+pub fn means(name: &str, id: &str) -> bool {
     let name = name.strip_suffix('/').unwrap_or(name);
     match id.strip_prefix(name) {
         Some(rest) => !name.is_empty() && !rest.starts_with(char::is_alphanumeric),

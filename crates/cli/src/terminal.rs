@@ -94,7 +94,7 @@ pub fn verdict(of: Verdict) -> String {
         Verdict::Conditional | Verdict::Partial => style.cyan(),
         Verdict::Misprint => style.yellow().bold(),
         Verdict::False => style.red().bold(),
-        Verdict::Undecided | Verdict::Vacuous => style.magenta().bold(),
+        Verdict::Undecided | Verdict::Vacuous | Verdict::Depends => style.magenta().bold(),
         Verdict::Definition | Verdict::Underspecified | Verdict::OutOfScope => style.dimmed(),
     };
     words::verdict(of).label.style(style).to_string()

@@ -1,11 +1,13 @@
 //! `torse verify`: what is true of the claims.
 
+use crate::against::{self, Verdicts};
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
 use crate::run::{Budget, Run};
 use crate::{figures, guard, selection, terminal, verdicts};
 use clap::{Args, ValueEnum};
-use torse_report::verdicts_json;
+use std::path::PathBuf;
+use torse_report::{ReportError, verdicts_json};
 
 /// Decide claims and show their verdicts.
 ///
@@ -23,6 +25,10 @@ pub struct Verify {
     /// A table for readers, or JSON for programs
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Show what differs from this earlier run (its JSON) instead; any difference of a verdict, its evidence or its
+    /// conditions makes the exit code 1
+    #[arg(long, value_name = "FILE.json")]
+    against: Option<PathBuf>,
     /// List the ten slowest claims on standard error
     #[arg(long)]
     timings: bool,
@@ -37,6 +43,7 @@ Examples:
   torse verify
   torse verify gbt-developable hermite-developable/ex-4
   torse verify --format json > verdicts.json
+  torse verify --against verdicts.json
   torse verify --timings --derivations my-papers";
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -54,20 +61,35 @@ impl Verify {
             mut mistakes,
         } = self.derivations.load()?;
         let papers = selection::select(papers, &self.names, &left_out)?;
+        let before = self.against.as_deref().map(Verdicts::read).transpose()?;
         let run = Run::of(&papers, self.budget, &mut mistakes);
         figures::check(&papers, &mut mistakes);
         guard::finished();
+        let mut exit = Exit::of(run.outcomes(), &self.names);
         // Where nothing is right there is nothing to show.
         if mistakes.is_empty() || run.outcomes().next().is_some() {
             terminal::print(&match self.format {
+                Format::Text if before.is_some() => String::new(),
                 Format::Text => verdicts::text(&run.papers),
                 Format::Json => verdicts_json(run.outcomes())?,
             })?;
         }
+        if let Some(before) = before {
+            let now = Verdicts::parse(&verdicts_json(run.outcomes())?);
+            let now = now.map_err(ReportError::from)?;
+            let found = against::differences(&before.named(&self.names), &now);
+            match self.format {
+                Format::Text => terminal::print(&against::text(&found))?,
+                Format::Json => terminal::remark(&against::text(&found)),
+            }
+            if !found.is_empty() {
+                exit = exit.max(Exit::Differs);
+            }
+        }
         if self.timings {
             terminal::remark(&slowest(&run));
         }
-        Ok(mistakes.tell(Exit::of(run.outcomes(), &self.names)))
+        Ok(mistakes.tell(exit))
     }
 }
 

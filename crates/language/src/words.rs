@@ -26,6 +26,8 @@ pub enum Kind {
     Figure,
     /// A checkable remark.
     Prose,
+    /// A statement of ours that the paper does not make.
+    Remark,
 }
 
 /// What is true of the printed statement.
@@ -56,4 +58,48 @@ pub enum Verdict {
     Reproduced,
     /// A figure redrawn under listed assumptions.
     Partial,
+    /// The sentence has more than one reading, and what is true of it depends on the reading.
+    Depends,
+}
+
+/// A sign that a statement may not be what the paper prints.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, serde::Deserialize,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Flag {
+    /// The sides of an equation are equal as they are written.
+    EqualSides,
+    /// Nothing occurs in the statement that the paper defines.
+    NothingOfThePaper,
+    /// A number of the print does not occur in the statement.
+    LacksNumber,
+    /// A name of the print does not occur in the statement.
+    LacksName,
+    /// A relation of the print does not occur in the statement.
+    LacksRelation,
+    /// A number of the statement does not occur in the print.
+    AddsNumber,
+    /// A name of the statement does not occur in the print.
+    AddsName,
+    /// A relation of the statement does not occur in the print.
+    AddsRelation,
+    /// What is stated is among the hypotheses.
+    AssumedConclusion,
+    /// The statement has fewer parts than the sentence.
+    ShortConjunction,
+    /// A sentence about every degree is stated for one.
+    OneDegree,
+    /// A sentence about vectors is stated for one coordinate.
+    OneCoordinate,
+    /// A sentence about all is stated for one instance.
+    OneInstance,
+    /// No slip in the statement would be noticed.
+    NoMutant,
+    /// The reading speaks of what is not stated.
+    UnstatedReading,
+    /// Nothing is stated of a sentence with a relation.
+    UnstatedRelation,
+    /// A hypothesis of ours is not needed.
+    UnneededHypothesis,
 }

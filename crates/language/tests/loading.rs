@@ -5,7 +5,9 @@
 use miette::Diagnostic;
 use std::fs;
 use std::path::{Path, PathBuf};
-use torse_language::derivation::{LoadError, Loaded, MAX_BYTES, load, load_all};
+use std::sync::Arc;
+use torse_language::derivation::declarations::SymbolKind;
+use torse_language::derivation::{LoadError, Loaded, MAX_BYTES, Piece, Provenance, load, load_all};
 
 /// A folder of its own for each test, taken away afterwards.
 struct Folder(PathBuf);
@@ -306,4 +308,262 @@ fn pipes_devices_and_links_out_of_the_folder_are_refused() {
     fs::remove_file(folder.path("mini/paper.toml")).unwrap();
     symlink("/dev/zero", folder.path("mini/paper.toml")).unwrap();
     refused(&folder, "no regular file");
+}
+
+/// A folder with these claims in one file, and what is told of it.
+fn told_of(name: &str, claims: &[String]) -> (Loaded, Vec<String>) {
+    let folder = Folder::new(name);
+    folder.head(
+        "['claims.toml']",
+        "[symbols]\nx = {}\nnu = { in = '[-1, 1]' }\n",
+    );
+    folder.write("mini/claims.toml", &claims.concat());
+    let loaded = folder.load();
+    let (_, told) = told(&loaded);
+    (loaded, told)
+}
+
+#[test]
+fn a_hypothesis_says_whether_it_is_printed_and_where_or_ours_and_why() {
+    let more = "assume = ['x > 0', { states = 'x < 3', printed = \"p\\n\" }, { states = 'x < 2', printed = 'p', in = 'mini/b' }, { states = 'x < 1', ours = 'because' }]\n\
+                symbols = { nu = { in = '(0, 1]', printed = 'p', printed_in = 'mini/b' }, y = { ours = 'a line' } }";
+    let claims = [
+        claim("mini/a", "x == x", more),
+        claim("mini/b", "x == x", ""),
+    ];
+    let (loaded, told) = told_of("provenance", &claims);
+    assert_eq!(told, Vec::<String>::new());
+    let a = &loaded.papers[0].claims[0];
+    let from = a.assumptions.iter().map(|h| match &h.provenance {
+        Provenance::Stated => "stated".to_owned(),
+        Provenance::Printed(quote) => format!("{} in {}", quote.words.trim(), quote.claim),
+        Provenance::Ours { reason } => format!("ours: {reason}"),
+    });
+    assert_eq!(
+        from.collect::<Vec<_>>(),
+        ["stated", "p in mini/a", "p in mini/b", "ours: because"]
+    );
+    let narrowed = a.declarations.range("nu").unwrap();
+    assert!(matches!(
+        &narrowed.outer,
+        Some(SymbolKind::Real(interval)) if interval.lower.as_ref().unwrap().closed
+    ));
+    assert_eq!(narrowed.provenance.quote().unwrap().claim, "mini/b");
+    let new = a.declarations.range("y").unwrap();
+    assert!(new.outer.is_none() && new.provenance.is_ours());
+    assert!(
+        loaded.papers[0].claims[1]
+            .declarations
+            .range("nu")
+            .is_none()
+    );
+}
+
+#[test]
+fn a_quote_that_is_not_printed_is_a_mistake_at_its_words() {
+    let assume = |table: &str| claim("mini/a", "x == x", &format!("assume = [{table}]"));
+    for (table, expected) in [
+        (
+            "{ states = 'x > 0', printed = 'P' }",
+            "`P` is not in the print of `mini/a`|P",
+        ),
+        (
+            "{ states = 'x > 0', printed = 'p', in = 'mini/c' }",
+            "no claim has the id `mini/c`, so these are no words of its|p",
+        ),
+        (
+            "{ states = 'x > 0', printed = 'p', ours = 'o' }",
+            "a hypothesis is `printed` or `ours`, not both|o",
+        ),
+        (
+            "{ states = 'x > 0', in = 'mini/a' }",
+            "this names a claim, but no words of it are quoted|mini/a",
+        ),
+        (
+            "{ states = 'x > 0', ours = ' ' }",
+            "the reason is missing| ",
+        ),
+        (
+            "{ states = 'x > 0', printed = '' }",
+            "an empty quote says nothing|''",
+        ),
+        (
+            "{ states = 'x > 0' }",
+            "nothing says where this is from|'x > 0'",
+        ),
+        (
+            "{ states = 'x > ', ours = 'o' }",
+            "expected a number, a name or a bracket, found the end of the formula|",
+        ),
+        (
+            "{ state = 'x > 0', ours = 'o' }",
+            "unknown field `state`, expected one of `states`, `printed`, `in`, `ours`|state",
+        ),
+        (
+            "3",
+            "invalid type: integer `3`, expected a formula, or a table with `states` and `printed` or `ours`|3",
+        ),
+    ] {
+        let (_, told) = told_of("quotes", &[assume(table)]);
+        assert_eq!(told, [expected], "{table}");
+    }
+    let answered = "answers = [{ flag = 'one-degree', quote = 'q' }]";
+    let (_, told) = told_of("answers", &[claim("mini/a", "x == x", answered)]);
+    assert_eq!(told, ["`q` is not in the print of `mini/a`|q"]);
+    let unknown = "answers = [{ flag = 'one-degre', quote = 'p' }]";
+    let (_, told) = told_of("answers", &[claim("mini/a", "x == x", unknown)]);
+    assert!(
+        told[0].starts_with("unknown variant `one-degre`"),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn a_range_of_a_paper_names_the_claim_that_prints_it() {
+    for (range, expected) in [
+        ("printed = 'p', printed_in = 'mini/a'", None),
+        (
+            "printed = 'q', printed_in = 'mini/a'",
+            Some("`q` is not in the print of `mini/a`|q"),
+        ),
+        (
+            "printed = 'p'",
+            Some("nothing says where this is printed|p"),
+        ),
+        ("ours = 'o'", None),
+    ] {
+        let folder = Folder::new("ranges");
+        let symbols = format!("[symbols]\nx = {{ in = '[0, 1]', {range} }}\n");
+        folder.head("['claims.toml']", &symbols);
+        folder.write("mini/claims.toml", &claim("mini/a", "x == x", ""));
+        let (_, told) = told(&folder.load());
+        assert_eq!(told, expected.into_iter().collect::<Vec<_>>(), "{range}");
+    }
+}
+
+#[test]
+fn readings_are_claims_that_add_to_the_fields_of_the_sentence() {
+    let head = "[[claim]]\nid = 'mini/a'\nat = ''\nkind = 'property'\nprinted = 'p'\nassume = ['x > 0']\nlet = { c = '1' }\n";
+    let literal = "[[claim.readings]]\nname = 'literal'\nsays = 'one'\nstates = 'x == c'\n";
+    let other = "[[claim.readings]]\nname = 'other'\nsays = 'two'\nstates = 'x == d'\nassume = ['x < 1']\nlet = { d = 'c' }\n";
+    let (loaded, told) = told_of("readings", &[[head, literal, other].concat()]);
+    assert_eq!(told, Vec::<String>::new());
+    let claim = &loaded.papers[0].claims[0];
+    assert!(claim.statement.is_none());
+    let [one, two] = claim.readings.as_slice() else {
+        panic!("{:?}", claim.readings);
+    };
+    assert_eq!((one.name.as_str(), two.says.as_str()), ("literal", "two"));
+    assert_eq!(
+        (one.claim.assumptions.len(), two.claim.assumptions.len()),
+        (1, 2)
+    );
+    assert!(one.claim.declarations.definition("d").is_none());
+    assert!(two.claim.declarations.definition("c").is_some() && two.claim.statement.is_some());
+
+    let states = format!("{head}states = 'x == 1'\n{literal}{other}");
+    for (claims, expected) in [
+        (
+            format!("{head}{literal}"),
+            "one reading alone is the statement|literal",
+        ),
+        (
+            format!("{head}{literal}{literal}"),
+            "each reading has a name of its own|literal",
+        ),
+        (
+            states,
+            "a sentence with `readings` has no `states` of its own|x == 1",
+        ),
+    ] {
+        let (_, told) = told_of("readings", &[claims]);
+        assert_eq!(told, [expected]);
+    }
+}
+
+#[test]
+fn parts_are_called_after_their_sentence_and_used_together() {
+    let part = |id: &str, of: &str| claim(id, "x == x", &format!("part_of = '{of}'"));
+    let user = claim(
+        "mini/b",
+        "x == x",
+        "uses = ['mini/a']\nassume = [{ states = 'x > 0', printed = 'p', in = 'mini/a' }]",
+    );
+    let good = [
+        part("mini/a.one", "mini/a"),
+        part("mini/a.two", "mini/a"),
+        user,
+    ];
+    let (loaded, told) = told_of("parts", &good);
+    assert_eq!(told, Vec::<String>::new());
+    let claims = &loaded.papers[0].claims;
+    assert_eq!(claims[2].uses, ["mini/a.one", "mini/a.two"]);
+    assert_eq!(claims[0].whole().unwrap(), "mini/a");
+
+    let (_, told) = told_of("parts", &[part("mini/a.one", "mini/b")]);
+    assert_eq!(told, ["`mini/a.one` is no part of `mini/b`|mini/b"]);
+    let (_, told) = told_of(
+        "parts",
+        &[part("mini/a.one", "mini/a"), claim("mini/a", "x == x", "")],
+    );
+    assert_eq!(told, ["`mini/a` is a claim itself|mini/a"]);
+}
+
+#[test]
+fn a_finding_is_words_with_formulas_in_braces() {
+    let finding = |text: &str| claim("mini/a", "x == x", &format!("finding = '{text}'"));
+    let (loaded, told) = told_of(
+        "finding",
+        &[finding("$x^{2}$ is {x^2 : 3}, {x}{x : degrees}")],
+    );
+    assert_eq!(told, Vec::<String>::new());
+    let finding_of = |loaded: &Loaded| loaded.papers[0].claims[0].finding.clone().unwrap();
+    let pieces = finding_of(&loaded)
+        .pieces
+        .into_iter()
+        .map(|piece| match piece {
+            Piece::Words(words) => words,
+            Piece::Hole(_, form) => format!("{form:?}"),
+        });
+    assert_eq!(
+        pieces.collect::<Vec<_>>(),
+        ["$x^{2}$ is ", "Digits(3)", ", ", "Plain", "Degrees"]
+    );
+    for (text, expected) in [
+        ("is {x", "this `{` has no partner|{"),
+        ("is x}", "this `}` has no partner|}"),
+        ("is $x", "this `$` has no partner|$"),
+        ("is {x : many}", "`many` is no form of a number| many"),
+        (
+            "is {x +}",
+            "expected a number, a name or a bracket, found the end of the formula|",
+        ),
+        (" ", "this says nothing| "),
+    ] {
+        let (_, told) = told_of("finding", &[finding(text)]);
+        assert_eq!(told, [expected], "{text}");
+    }
+}
+
+#[test]
+fn names_are_displayed_as_the_paper_prints_them() {
+    let (loaded, told) = told_of(
+        "display",
+        &[claim("mini/a", "x == x", "display = { x = '$\\xi$' }")],
+    );
+    assert_eq!(told, Vec::<String>::new());
+    let claim_of = |loaded: &Loaded| Arc::clone(&loaded.papers[0].claims[0].declarations);
+    assert_eq!(claim_of(&loaded).display("x"), Some("$\\xi$"));
+    assert_eq!(claim_of(&loaded).display("nu"), None);
+    for (display, expected) in [
+        (
+            "y = '$y$'",
+            "`y` is not declared, so it is not displayed|$y$",
+        ),
+        ("x = 'xi'", "`xi` is no mathematics: write `$...$`|xi"),
+    ] {
+        let claim = claim("mini/a", "x == x", &format!("display = {{ {display} }}"));
+        let (_, told) = told_of("display", &[claim]);
+        assert_eq!(told, [expected]);
+    }
 }

@@ -83,6 +83,14 @@ fn sentence(claim: &Outcome) -> String {
             Some(conditions) => format!("True only under a condition: {conditions}."),
             None => "True only under a condition, which is stated with the claim.".to_owned(),
         },
+        Verdict::Depends => {
+            let each = claim.readings.iter().map(|reading| {
+                let verdict = words::verdict(reading.outcome.verdict).label;
+                format!("{verdict} if it says that {}", reading.says)
+            });
+            let each: Vec<String> = each.collect();
+            format!("Depends on the reading: {}.", each.join("; "))
+        }
         Verdict::Vacuous => "No point satisfies the assumptions.".to_owned(),
         _ => match &claim.note {
             Some(note) => format!("Not decided. {note}"),
@@ -132,7 +140,7 @@ fn repaired(repair: &Correction) -> String {
     format!(" Proved with this change: {edits}{others}.")
 }
 
-fn fails_at(witness: &Witness) -> String {
+pub(crate) fn fails_at(witness: &Witness) -> String {
     let values: Vec<String> = witness
         .at
         .iter()
@@ -146,7 +154,7 @@ fn fails_at(witness: &Witness) -> String {
     let left = told(&witness.left, &witness.left_decimal);
     let right = told(&witness.right, &witness.right_decimal);
     if witness.left == witness.right {
-        format!("{place}both sides are {left}")
+        format!("{place}the two sides are equal")
     } else {
         format!("{place}the left side is {left}, the right side {right}")
     }

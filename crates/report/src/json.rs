@@ -8,13 +8,17 @@ use crate::{ReportError, words};
 use serde::{Serialize, Serializer, ser::SerializeMap};
 use torse_language::notation::Formula;
 use torse_prove::evidence::Witness;
-use torse_verdicts::outcome::{Net, Outcome};
+use torse_verdicts::outcome::{Net, Outcome, Role, SaidBy};
 
 /// The verdicts of `outcomes` as pretty-printed JSON, ending in a newline.
 ///
 /// The fields of a claim are `id`, `kind`, `verdict`, `evidence`, `printed`, `parsed`, `corrected`,
 /// `corrected_condition` and `condition` (several are joined by ` and `), `witness` (`at`, an object from names to exact values,
-/// `left`, `right`, `left_decimal`, `right_decimal`), `note`, `net` and `contradiction`.
+/// `left`, `right`, `left_decimal`, `right_decimal`), `note`, `net` and `contradiction`; then what the statement rests on:
+/// `hypotheses` (`role`, `formula`, `from` with the `quote` and the `claim` in whose print it stands or the `reason`, and for
+/// those of ours whether they are `needed`), `symbols` with their sets, `definitions`, `bases` and `unknowns`, each in the
+/// order of use. `readings` has a `name`, what it `says` and the fields of a claim for each reading of the sentence.
+/// `part_of`, `reading` and `garbled` are those of the file.
 ///
 /// `net` says what was tried: whether the verdict is `netted`, the points that were `tried` and those at which it was
 /// `decided`, the `instances` that are identities, `why` it is not netted, and for each of the `conditions` what the
@@ -52,7 +56,10 @@ struct Entry<'a> {
     kind: &'static str,
     verdict: &'static str,
     evidence: Option<&'static str>,
+    part_of: Option<&'a str>,
     printed: &'a str,
+    reading: Option<&'a str>,
+    garbled: Option<&'a str>,
     parsed: Option<&'a str>,
     corrected: Option<&'a str>,
     corrected_condition: Option<String>,
@@ -61,6 +68,53 @@ struct Entry<'a> {
     note: Option<&'a str>,
     net: Option<&'a Net>,
     contradiction: Option<&'a str>,
+    hypotheses: Vec<HypothesisEntry<'a>>,
+    symbols: Vec<SymbolEntry<'a>>,
+    definitions: Vec<DefinitionEntry<'a>>,
+    bases: Vec<BasisEntry<'a>>,
+    unknowns: Vec<&'a str>,
+    readings: Vec<ReadingEntry<'a>>,
+}
+
+#[derive(Serialize)]
+struct HypothesisEntry<'a> {
+    role: Role,
+    formula: &'a str,
+    #[serde(flatten)]
+    from: &'a SaidBy,
+    needed: Option<bool>,
+}
+
+#[derive(Serialize)]
+struct SymbolEntry<'a> {
+    name: &'a str,
+    set: &'a str,
+    display: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct DefinitionEntry<'a> {
+    head: &'a str,
+    body: &'a str,
+    own: bool,
+    display: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct BasisEntry<'a> {
+    head: &'a str,
+    degree: u8,
+    seeds: Vec<&'a str>,
+    step: [&'a str; 2],
+    display: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct ReadingEntry<'a> {
+    name: &'a str,
+    says: &'a str,
+    #[serde(flatten)]
+    claim: Entry<'a>,
 }
 
 impl<'a> From<&'a Outcome> for Entry<'a> {
@@ -70,12 +124,16 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
             (!texts.is_empty()).then(|| texts.join(" and "))
         };
         let correction = outcome.correction.as_ref();
+        let table = &outcome.table;
         Entry {
             id: &outcome.id,
             kind: words::kind(outcome.kind).key,
             verdict: words::verdict(outcome.verdict).key,
             evidence: outcome.evidence.map(|of| words::evidence(of).key),
+            part_of: outcome.part_of.as_deref(),
             printed: &outcome.printed,
+            reading: outcome.reading.as_deref(),
+            garbled: outcome.garbled.as_deref(),
             parsed: outcome.parsed.as_ref().map(text),
             corrected: correction.map(|repair| text(&repair.statement)),
             corrected_condition: correction.and_then(|repair| joined(&repair.conditions)),
@@ -84,6 +142,41 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
             note: outcome.note.as_deref(),
             net: outcome.net.as_ref(),
             contradiction: outcome.contradiction.as_deref(),
+            hypotheses: (outcome.assumed.iter().map(|h| HypothesisEntry {
+                role: h.role,
+                formula: text(&h.formula),
+                from: &h.from,
+                needed: h.needed,
+            }))
+            .collect(),
+            symbols: (table.symbols.iter().map(|s| SymbolEntry {
+                name: &s.name,
+                set: &s.set,
+                display: s.display.as_deref(),
+            }))
+            .collect(),
+            definitions: (table.definitions.iter().map(|d| DefinitionEntry {
+                head: text(&d.head),
+                body: text(&d.body),
+                own: d.own,
+                display: d.display.as_deref(),
+            }))
+            .collect(),
+            bases: (table.bases.iter().map(|b| BasisEntry {
+                head: text(&b.head),
+                degree: b.degree,
+                seeds: b.seeds.iter().map(text).collect(),
+                step: [text(&b.step[0]), text(&b.step[1])],
+                display: b.display.as_deref(),
+            }))
+            .collect(),
+            unknowns: table.unknowns.iter().map(text).collect(),
+            readings: (outcome.readings.iter().map(|r| ReadingEntry {
+                name: &r.name,
+                says: &r.says,
+                claim: Entry::from(&r.outcome),
+            }))
+            .collect(),
         }
     }
 }

@@ -8,6 +8,7 @@
 use crate::FigureImage;
 use crate::edit::{self, Stretch};
 use crate::findings::{self, Finding};
+use crate::rests::{Rests, rests};
 use crate::tally::Tally;
 use crate::text::{anchor, counted, name, section_rank, section_title, visible};
 use crate::words::{self, Term};
@@ -16,7 +17,8 @@ use std::collections::BTreeMap;
 use torse_language::notation::Formula;
 use torse_language::words::Verdict;
 use torse_prove::Witness;
-use torse_verdicts::consequences::{Fate, consequences};
+use torse_verdicts::consequences::consequences;
+use torse_verdicts::outcome::{ReadingOutcome, Role};
 use torse_verdicts::{Correction, DataCorrection, Outcome, PaperOutcome};
 
 /// What a report says about one paper.
@@ -84,6 +86,12 @@ pub struct ClaimView {
     pub parsed: Option<FormulaView>,
     /// The assumptions, as understood.
     pub assumed: Vec<FormulaView>,
+    /// What in the finding may be a confusion of the copy at hand.
+    pub garbled: Option<String>,
+    /// What the statement rests on, in small print.
+    pub rests: Vec<Rests>,
+    /// Of a sentence with more than one reading: each of them.
+    pub readings: Vec<ReadingView>,
     /// Extra conditions.
     pub conditions: Vec<FormulaView>,
     /// A proved correction.
@@ -118,6 +126,29 @@ pub struct ClaimView {
     pub command: String,
 }
 
+/// One reading of a sentence.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ReadingView {
+    /// A word for it.
+    pub name: String,
+    /// The sentence as it is read here, in words.
+    pub says: String,
+    /// What is true of it.
+    pub verdict: Term,
+    /// What that rests on.
+    pub evidence: Option<Term>,
+    /// The statement as understood.
+    pub parsed: Option<FormulaView>,
+    /// Its assumptions.
+    pub assumed: Vec<FormulaView>,
+    /// Extra conditions.
+    pub conditions: Vec<FormulaView>,
+    /// The point at which it fails, in words.
+    pub fails_at: Option<String>,
+    /// What it rests on, in small print.
+    pub rests: Vec<Rests>,
+}
+
 /// A formula: its plain text, and where [`Report::formulas`] has its mathematics.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FormulaView {
@@ -146,7 +177,7 @@ pub struct ConsequenceView {
     /// The claim.
     pub claim: Reference,
     /// What becomes of it, in words.
-    pub fate: &'static str,
+    pub fate: String,
     /// The claim in between that it rests on, if it does not rest on the refuted one itself.
     pub through: Option<Reference>,
 }
@@ -297,16 +328,11 @@ impl<'a> Builder<'a> {
             printed: visible(&outcome.printed),
             reading: outcome.reading.as_deref().map(visible),
             parsed: outcome.parsed.as_ref().map(|formula| self.formula(formula)),
-            assumed: outcome
-                .assumed
-                .iter()
-                .map(|formula| self.formula(formula))
-                .collect(),
-            conditions: outcome
-                .conditions
-                .iter()
-                .map(|formula| self.formula(formula))
-                .collect(),
+            assumed: self.assumed(outcome),
+            garbled: outcome.garbled.as_deref().map(visible),
+            rests: cleared(rests(outcome)),
+            readings: self.readings(outcome),
+            conditions: self.formulas(&outcome.conditions),
             correction: outcome
                 .correction
                 .as_ref()
@@ -341,6 +367,37 @@ impl<'a> Builder<'a> {
             see_figures: elsewhere,
             command: format!("torse explain {}", visible(&outcome.id)),
         }
+    }
+
+    fn assumed(&mut self, outcome: &Outcome) -> Vec<FormulaView> {
+        let assumed = outcome.assumed.iter();
+        let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
+        assumed.map(|h| self.formula(&h.formula)).collect()
+    }
+
+    fn readings(&mut self, outcome: &Outcome) -> Vec<ReadingView> {
+        let view = |reading: &ReadingOutcome| {
+            let of = &reading.outcome;
+            ReadingView {
+                name: visible(&reading.name),
+                says: visible(&reading.says),
+                verdict: words::verdict(of.verdict),
+                evidence: of.evidence.map(words::evidence),
+                parsed: of.parsed.as_ref().map(|formula| self.formula(formula)),
+                assumed: self.assumed(of),
+                conditions: self.formulas(&of.conditions),
+                fails_at: of.witness.as_ref().map(|w| visible(&findings::fails_at(w))),
+                rests: cleared(rests(of)),
+            }
+        };
+        outcome.readings.iter().map(view).collect()
+    }
+
+    fn formulas(&mut self, formulas: &[Formula]) -> Vec<FormulaView> {
+        formulas
+            .iter()
+            .map(|formula| self.formula(formula))
+            .collect()
     }
 
     fn formula(&mut self, formula: &Formula) -> FormulaView {
@@ -388,10 +445,10 @@ impl<'a> Builder<'a> {
         let found = consequences(id, &claims);
         let (distant, listed): (Vec<_>, Vec<_>) = found
             .iter()
-            .partition(|of| !of.through.is_empty() && of.fate == Fate::Survives);
+            .partition(|of| !of.through.is_empty() && of.fate.survives());
         let views = listed.into_iter().map(|of| ConsequenceView {
             claim: self.reference(&of.id),
-            fate: words::fate(of.fate),
+            fate: visible(&words::consequence(of)),
             through: of.through.last().map(|id| self.reference(id)),
         });
         let told = (!distant.is_empty()).then(|| words::distant_survivors(distant.len()));
@@ -421,6 +478,16 @@ impl<'a> Builder<'a> {
             .filter(|figure| self.shown_at(*figure).is_none())
             .collect()
     }
+}
+
+/// The lines without characters that act on the text around them.
+fn cleared(groups: Vec<Rests>) -> Vec<Rests> {
+    let lines = |lines: Vec<String>| lines.iter().map(|line| visible(line)).collect();
+    let group = |of: Rests| Rests {
+        label: of.label,
+        lines: lines(of.lines),
+    };
+    groups.into_iter().map(group).collect()
 }
 
 fn witness(of: &Witness) -> Witness {

@@ -4,9 +4,9 @@
 //! and the label, the meaning and the colour class follow from that.
 
 use serde::Serialize;
-use torse_language::words::{Kind, Verdict};
+use torse_language::words::{Flag, Kind, Verdict};
 use torse_prove::evidence::Evidence;
-use torse_verdicts::consequences::Fate;
+use torse_verdicts::consequences::{Consequence, Fate};
 
 /// A key with its label and its meaning in one sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -20,11 +20,12 @@ pub struct Term {
 }
 
 /// Every verdict, in the order in which tables list them.
-pub const VERDICTS: [Verdict; 11] = [
+pub const VERDICTS: [Verdict; 12] = [
     Verdict::Holds,
     Verdict::Conditional,
     Verdict::Misprint,
     Verdict::False,
+    Verdict::Depends,
     Verdict::Undecided,
     Verdict::Vacuous,
     Verdict::Definition,
@@ -46,7 +47,7 @@ pub const EVIDENCE: [Evidence; 7] = [
 ];
 
 /// Every kind of statement.
-pub const KINDS: [Kind; 8] = [
+pub const KINDS: [Kind; 9] = [
     Kind::Definition,
     Kind::Identity,
     Kind::Inequality,
@@ -55,6 +56,7 @@ pub const KINDS: [Kind; 8] = [
     Kind::Construction,
     Kind::Figure,
     Kind::Prose,
+    Kind::Remark,
 ];
 
 /// What becomes of a claim that rests on a refuted one, in words.
@@ -62,9 +64,20 @@ pub const KINDS: [Kind; 8] = [
 pub const fn fate(of: Fate) -> &'static str {
     match of {
         Fate::Survives => "survives: true as printed all the same",
+        Fate::SurvivesIf => "survives under its own condition",
         Fate::Corrected => "survives with a correction of its own",
         Fate::Falls => "falls: false as printed",
         Fate::Open => "open",
+    }
+}
+
+/// What becomes of a claim that rests on a refuted one, with the conditions under which it survives.
+#[must_use]
+pub fn consequence(of: &Consequence) -> String {
+    let conditions: Vec<&str> = of.conditions.iter().map(|c| c.text.as_str()).collect();
+    match conditions.is_empty() {
+        true => fate(of.fate).to_owned(),
+        false => format!("{}: {}", fate(of.fate), conditions.join(" and ")),
     }
 }
 
@@ -100,6 +113,11 @@ pub const fn verdict(of: Verdict) -> Term {
             "false",
             "false",
             "False as printed, with an exact counterexample; no small edit was proved to repair it.",
+        ),
+        Verdict::Depends => (
+            "depends",
+            "depends on the reading",
+            "The sentence has more than one honest reading, and they have different verdicts; each is given. This says nothing against the statement.",
         ),
         Verdict::Undecided => (
             "undecided",
@@ -171,7 +189,7 @@ pub const fn evidence(of: Evidence) -> Term {
         Evidence::Witness => (
             "witness",
             "witness",
-            "An exact point at which the printed statement fails, with the values of both sides.",
+            "An exact point of the domain: one at which a refuted statement fails, or one that shows what is said to exist.",
         ),
         Evidence::CheckedRange => (
             "checked-range",
@@ -207,11 +225,40 @@ pub const fn kind(of: Kind) -> Term {
         Kind::Construction => ("construction", "construction", "Something that is built."),
         Kind::Figure => ("figure", "figure", "A figure."),
         Kind::Prose => ("prose", "prose", "A checkable remark."),
+        Kind::Remark => (
+            "remark",
+            "remark",
+            "A statement of ours that the paper does not make.",
+        ),
     };
     Term {
         key,
         label,
         meaning,
+    }
+}
+
+/// The name of a flag of the audit in files and outputs.
+#[must_use]
+pub const fn flag(of: Flag) -> &'static str {
+    match of {
+        Flag::EqualSides => "equal-sides",
+        Flag::NothingOfThePaper => "nothing-of-the-paper",
+        Flag::LacksNumber => "lacks-number",
+        Flag::LacksName => "lacks-name",
+        Flag::LacksRelation => "lacks-relation",
+        Flag::AddsNumber => "adds-number",
+        Flag::AddsName => "adds-name",
+        Flag::AddsRelation => "adds-relation",
+        Flag::AssumedConclusion => "assumed-conclusion",
+        Flag::ShortConjunction => "short-conjunction",
+        Flag::OneDegree => "one-degree",
+        Flag::OneCoordinate => "one-coordinate",
+        Flag::OneInstance => "one-instance",
+        Flag::NoMutant => "no-mutant",
+        Flag::UnstatedReading => "unstated-reading",
+        Flag::UnstatedRelation => "unstated-relation",
+        Flag::UnneededHypothesis => "unneeded-hypothesis",
     }
 }
 

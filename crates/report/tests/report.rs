@@ -283,7 +283,7 @@ fn findings_quote_the_beginning_of_what_is_printed_and_leave_long_points_to_the_
     let finding = Report::new(&sample, &[]).findings.remove(0);
     assert_eq!(
         finding.text,
-        "False: at the point stated with the claim both sides are 1."
+        "False: at the point stated with the claim the two sides are equal."
     );
     assert!(finding.printed.ends_with("word …") && finding.printed.chars().count() <= 112);
 }
@@ -370,7 +370,7 @@ fn a_denied_identity_is_refuted_everywhere_and_not_by_two_equal_numbers() {
     );
     assert_eq!(
         finding_about("x > 0").unwrap(),
-        "False: at x = 0 both sides are 0."
+        "False: at x = 0 the two sides are equal."
     );
 }
 
@@ -414,7 +414,7 @@ fn what_rests_on_a_refuted_claim_is_listed_with_its_fate() {
     let fates: Vec<(&str, &str)> = claim
         .consequences
         .iter()
-        .map(|of| (of.claim.shown.as_str(), of.fate))
+        .map(|of| (of.claim.shown.as_str(), of.fate.as_str()))
         .collect();
     assert_eq!(
         fates[..2],

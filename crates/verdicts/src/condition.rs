@@ -1,10 +1,11 @@
-//! Conditions as formulas.
+//! Conditions as formulas, and formulas read back.
 
 use std::sync::Arc;
 use torse_algebra::Polynomial;
 use torse_algebra::rational::integer;
+use torse_language::derivation::{Origin, Source, Written};
 use torse_language::notation::{self, Formula};
-use torse_language::syntax::{Expr, Node, Relation};
+use torse_language::syntax::{Expr, Node, Relation, parse};
 use torse_prove::formula;
 
 /// `p != 0`.
@@ -13,4 +14,15 @@ pub fn nonzero(polynomial: &Polynomial) -> Formula {
     let zero = Expr::number(&integer(0));
     let different = vec![(Relation::Different, zero)];
     notation::formula(&Expr::made(Node::Compare(Arc::new(left), different)))
+}
+
+/// A formula of an outcome read back; `name` stands for the file in messages.
+pub fn written(formula: &Formula, name: &str) -> Option<Written> {
+    let source = Arc::new(Source {
+        name: name.to_owned(),
+        text: formula.text.clone(),
+    });
+    let origin = Origin::range(&source, 0, formula.text.len());
+    let expr = parse(&formula.text).ok()?;
+    Some(Written { expr, origin })
 }

@@ -6,6 +6,7 @@
 
 use crate::outcome::Outcome;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use torse_language::notation::Formula;
 use torse_language::words::Verdict;
 
 /// What becomes of a claim that rests on a refuted one.
@@ -13,6 +14,8 @@ use torse_language::words::Verdict;
 pub enum Fate {
     /// It is true all the same.
     Survives,
+    /// It is true under a condition of its own.
+    SurvivesIf,
     /// It is false as printed, and true with a correction of its own.
     Corrected,
     /// It is false.
@@ -26,17 +29,23 @@ impl Fate {
     #[must_use]
     pub fn of(verdict: Verdict) -> Self {
         match verdict {
-            Verdict::Holds | Verdict::Conditional | Verdict::Definition | Verdict::Reproduced => {
-                Self::Survives
-            }
+            Verdict::Holds | Verdict::Definition | Verdict::Reproduced => Self::Survives,
+            Verdict::Conditional => Self::SurvivesIf,
             Verdict::Misprint => Self::Corrected,
             Verdict::False => Self::Falls,
             Verdict::Undecided
             | Verdict::Vacuous
+            | Verdict::Depends
             | Verdict::Underspecified
             | Verdict::OutOfScope
             | Verdict::Partial => Self::Open,
         }
+    }
+
+    /// Whether it stays true, be it under a condition.
+    #[must_use]
+    pub fn survives(self) -> bool {
+        matches!(self, Self::Survives | Self::SurvivesIf)
     }
 }
 
@@ -49,6 +58,8 @@ pub struct Consequence {
     pub through: Vec<String>,
     /// What becomes of it.
     pub fate: Fate,
+    /// The conditions under which it survives.
+    pub conditions: Vec<Formula>,
 }
 
 /// The claims that use each claim, by its id, in the order of the outcomes.
@@ -92,17 +103,24 @@ pub fn resting<'a>(
 #[must_use]
 pub fn consequences(id: &str, outcomes: &[&Outcome]) -> Vec<Consequence> {
     let users = users(outcomes.iter().map(|o| (o.id.as_str(), o.uses.as_slice())));
-    let verdicts: BTreeMap<&str, Verdict> = outcomes
+    let by_id: BTreeMap<&str, &Outcome> = outcomes
         .iter()
-        .map(|outcome| (outcome.id.as_str(), outcome.verdict))
+        .map(|outcome| (outcome.id.as_str(), *outcome))
         .collect();
     resting(id, &users)
         .into_iter()
         .filter_map(|(user, through)| {
+            let outcome = by_id.get(user)?;
+            let fate = Fate::of(outcome.verdict);
+            let conditions = match fate {
+                Fate::SurvivesIf => outcome.conditions.clone(),
+                _ => vec![],
+            };
             Some(Consequence {
                 id: user.to_owned(),
                 through: through.into_iter().map(str::to_owned).collect(),
-                fate: Fate::of(*verdicts.get(user)?),
+                fate,
+                conditions,
             })
         })
         .collect()

@@ -1,9 +1,8 @@
 //! Running claims: from a loaded paper to outcomes.
 
-use crate::condition::nonzero;
-use crate::net;
-use crate::outcome::{Outcome, PaperOutcome};
-use crate::repair;
+use crate::condition::{self, nonzero};
+use crate::outcome::{Outcome, PaperOutcome, ReadingOutcome, SaidBy};
+use crate::{conjunction, net, provenance, readings, repair, table};
 use rayon::prelude::*;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -89,13 +88,13 @@ fn undecided(paper: &str, claim: &Claim) -> Outcome {
         verdict: Verdict::Undecided,
         evidence: None,
         printed: entry.printed.clone(),
+        part_of: claim.whole().cloned(),
         reading: entry.reading.clone(),
+        garbled: entry.garbled.as_ref().map(|text| text.get_ref().clone()),
         parsed: claim.statement.as_ref().map(|s| notation::formula(&s.expr)),
-        assumed: claim
-            .assumptions
-            .iter()
-            .map(|a| notation::formula(&a.expr))
-            .collect(),
+        assumed: provenance::assumed(claim),
+        table: table::of(claim),
+        readings: vec![],
         correction: None,
         data: None,
         derived: None,
@@ -106,7 +105,7 @@ fn undecided(paper: &str, claim: &Claim) -> Outcome {
         contradiction: None,
         steps: vec![],
         note: entry.note.clone(),
-        uses: claim.uses(),
+        uses: claim.uses.clone(),
         expect: entry.expect,
     }
 }
@@ -132,6 +131,9 @@ fn decided(
         outcome.steps.push(reason.clone());
         return Ok(outcome);
     }
+    if !claim.readings.is_empty() {
+        return read(outcome, claim, budget);
+    }
     let Some(statement) = &claim.statement else {
         if entry.kind == Kind::Figure {
             outcome
@@ -146,16 +148,72 @@ fn decided(
         Ok(decision) => {
             let decision =
                 decision.map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
-            conclude(&mut outcome, decision);
+            let weighed = provenance::weigh(claim, statement, decision, budget / 5);
+            conclude(&mut outcome, weighed.decision);
+            provenance::record(&mut outcome, claim, &weighed.needed);
+            rest_on(&mut outcome, provenance::conditions(claim, &weighed.needed));
             if outcome.verdict == Verdict::False {
+                let parts = conjunction::part_by_part(claim, statement, budget / 50);
+                outcome.steps.extend(parts);
                 // A correction that is not found within the budget is none; the verdict stands.
                 let _ = work::within(budget / 5, || correct(&mut outcome, claim, statement));
+                correction_rests_on(&mut outcome, claim, budget / 5);
             }
         }
         Err(out) => outcome.steps = vec![out.to_string()],
     }
     net::cast(&mut outcome, claim, statement);
     Ok(outcome)
+}
+
+/// Decides the readings of a sentence, each as a claim.
+fn read(mut outcome: Outcome, claim: &Claim, budget: u64) -> Result<Outcome, Box<DerivationError>> {
+    let mut found = vec![];
+    for reading in &claim.readings {
+        let (name, says) = (reading.name.clone(), reading.says.clone());
+        let outcome = decide_claim_within(budget, &outcome.paper, &reading.claim)?;
+        found.push(ReadingOutcome {
+            name,
+            says,
+            outcome,
+        });
+    }
+    readings::conclude(&mut outcome, found);
+    Ok(outcome)
+}
+
+/// Hypotheses that are ours and that the proof needs are conditions.
+fn rest_on(outcome: &mut Outcome, needed: Vec<Formula>) {
+    if !needed.is_empty() {
+        outcome.verdict = Verdict::Conditional;
+        outcome.conditions.extend(needed);
+    }
+}
+
+/// The same of a correction.
+fn correction_rests_on(outcome: &mut Outcome, claim: &Claim, budget: u64) {
+    if !outcome
+        .assumed
+        .iter()
+        .any(|h| matches!(h.from, SaidBy::Ours { .. }))
+    {
+        return;
+    }
+    let Some(correction) = &mut outcome.correction else {
+        return;
+    };
+    let Some(statement) = condition::written(&correction.statement, &outcome.id) else {
+        return;
+    };
+    let decided = work::within(budget, || decide_statement(claim, &statement));
+    if let Ok(Ok(decision)) = decided {
+        let weighed = provenance::weigh(claim, &statement, decision, budget);
+        if let Decision::Proven { conditions, .. } = &weighed.decision {
+            correction.conditions = conditions.iter().map(nonzero).collect();
+        }
+        let needed = provenance::conditions(claim, &weighed.needed);
+        correction.conditions.extend(needed);
+    }
 }
 
 /// What had to be assumed or replaced makes the verdict of a figure.

@@ -1,18 +1,28 @@
 //! From claims to outcomes.
 //!
-//! [`engine`] runs all claims of a paper and writes [`outcome`]s, [`repair`] searches proved corrections of what
+//! [`engine`] runs all claims of a paper and writes [`outcome`]s, [`provenance`] says which hypotheses of ours a proof needs,
+//! [`readings`] what is true of a sentence that may be read in two ways, [`table`] what a statement rests on, [`audit`] what a statement leaves
+//! out of the print, [`repair`] searches proved corrections of what
 //! is refuted, [`consequences`] says what falls with it, [`mod@derive`] derives the conditions of joins anew,
 //! [`net`] judges every verdict by the semantics before it is shown, [`mutants`] are slips made on purpose, [`recheck`] replays proofs by other means.
 #![warn(missing_docs)]
 
+pub mod audit;
 mod condition;
+mod conjunction;
 pub mod consequences;
 pub mod derive;
 pub mod engine;
 pub mod mutants;
 pub mod net;
 pub mod outcome;
+pub mod provenance;
+pub mod readings;
 pub mod recheck;
 pub mod repair;
+pub mod table;
 
-pub use outcome::{Correction, DataChange, DataCorrection, Net, Outcome, PaperOutcome, Sides};
+pub use outcome::{
+    Assumed, Correction, DataChange, DataCorrection, Net, Outcome, PaperOutcome, ReadingOutcome,
+    Sides,
+};

@@ -14,10 +14,10 @@
 //! **Corrections** are proofs, with conditions of their own, and judged like proofs.
 
 use crate::outcome::{BEYOND, Net, Outcome, Sides};
+use crate::{condition, provenance};
 use torse_language::core;
-use torse_language::derivation::{Claim, Origin, Source, Written};
+use torse_language::derivation::{Claim, Written};
 use torse_language::notation::Formula;
-use torse_language::syntax::parse;
 use torse_language::words::Verdict;
 use torse_semantics::{
     Identity, Judgement, Outside, Tally, Witness, Work, beyond, check_witness, identity, instances,
@@ -89,9 +89,12 @@ pub fn judged(
     statement: &Written,
     effort: &Effort,
 ) -> Option<Result<Net, String>> {
+    // The proof does without what it was found not to need.
+    let claim = &provenance::without(claim, &provenance::unneeded(claim, outcome));
     let core = core::Claim::new(claim, statement).ok()?;
     let case = Case {
         claim,
+        statement,
         core: &core,
         seed: format!("{}{}", effort.seed, outcome.id),
         effort,
@@ -109,6 +112,7 @@ pub fn judged(
 /// A statement about the domain of a claim, to be judged.
 struct Case<'a> {
     claim: &'a Claim,
+    statement: &'a Written,
     core: &'a core::Claim,
     seed: String,
     effort: &'a Effort,
@@ -129,8 +133,7 @@ impl Case<'_> {
 
     /// A proof under conditions, at points of the domain.
     fn proof(&self, conditions: &[Formula]) -> Result<Net, String> {
-        let read: Option<Vec<core::Statement>> =
-            conditions.iter().map(|c| self.read(&c.text)).collect();
+        let read: Option<Vec<core::Statement>> = conditions.iter().map(|c| self.read(c)).collect();
         let Some(read) = read else {
             return Ok(Net::uncovered("a condition that cannot be read back"));
         };
@@ -165,9 +168,15 @@ impl Case<'_> {
         })
     }
 
-    /// The statement where a condition fails.
+    /// The statement where a condition fails. A condition that is a hypothesis fails nowhere on the domain; it is looked
+    /// at without it.
     fn sides(&self, formula: &Formula, condition: &core::Statement) -> Sides {
-        let (core, effort) = (self.core, self.effort);
+        let slot = provenance::slot_of(self.claim, formula);
+        let wider = slot.and_then(|slot| {
+            let wider = provenance::without(self.claim, &[slot]);
+            core::Claim::new(&wider, self.statement).ok()
+        });
+        let (core, effort) = (wider.as_ref().unwrap_or(self.core), self.effort);
         let found = beyond(
             core,
             &core.statement,
@@ -219,13 +228,18 @@ impl Case<'_> {
         let Some(correction) = &outcome.correction else {
             return Ok(net);
         };
-        let Some(corrected) = self.corrected(&correction.statement) else {
+        let statement = condition::written(&correction.statement, &self.seed);
+        let corrected = statement
+            .as_ref()
+            .and_then(|statement| core::Claim::new(self.claim, statement).ok());
+        let (Some(statement), Some(corrected)) = (&statement, &corrected) else {
             net.netted = false;
             net.why = Some("the correction cannot be read back".to_owned());
             return Ok(net);
         };
         let case = Case {
-            core: &corrected,
+            core: corrected,
+            statement,
             seed: self.seed.clone(),
             ..*self
         };
@@ -313,23 +327,11 @@ impl Case<'_> {
         }
     }
 
-    /// A formula of the outcome, read back in the place of the statement.
-    fn corrected(&self, formula: &Formula) -> Option<core::Claim> {
-        let source = Source {
-            name: self.seed.clone(),
-            text: formula.text.clone(),
-        };
-        let origin = Origin::range(&std::sync::Arc::new(source), 0, formula.text.len());
-        let expr = parse(&formula.text).ok()?;
-        core::Claim::new(self.claim, &Written { expr, origin }).ok()
-    }
-
-    fn read(&self, text: &str) -> Option<core::Statement> {
-        let formula = Formula {
-            text: text.to_owned(),
-            ..Formula::default()
-        };
-        self.corrected(&formula).map(|core| core.statement)
+    /// A formula of the outcome, read back as a statement about the same domain.
+    fn read(&self, formula: &Formula) -> Option<core::Statement> {
+        let written = condition::written(formula, &self.seed)?;
+        let core = core::Claim::new(self.claim, &written).ok()?;
+        Some(core.statement)
     }
 }
 

@@ -3,6 +3,7 @@
 //! Verdict and evidence are two axes and never merged: the verdict says what is true of the printed
 //! statement, the evidence says what the answer rests on.
 
+use crate::table::Table;
 use serde::Serialize;
 use torse_language::notation::Formula;
 use torse_language::words::{Kind, Verdict};
@@ -178,6 +179,62 @@ impl Sides {
     }
 }
 
+/// A hypothesis, and whose it is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Assumed {
+    /// In what form it stands in the file.
+    pub role: Role,
+    /// What is assumed, as understood; a set that is no range of numbers in words.
+    pub formula: Formula,
+    /// Where it is from.
+    pub from: SaidBy,
+    /// Whether the proof needs it, if it is ours and was tried.
+    pub needed: Option<bool>,
+}
+
+/// The form of a hypothesis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Role {
+    /// The declared set of a symbol.
+    Range,
+    /// An assumption.
+    Assume,
+    /// An equation that determines unknowns.
+    Given,
+}
+
+/// Where a hypothesis is from.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "from")]
+pub enum SaidBy {
+    /// It is part of the statement as the file states it; nothing is said of the print.
+    Stated,
+    /// The paper says it.
+    Printed {
+        /// In these words.
+        quote: String,
+        /// The id of the claim in whose print they stand.
+        claim: String,
+    },
+    /// The paper does not say it.
+    Ours {
+        /// Why it is assumed.
+        reason: String,
+    },
+}
+
+/// One reading of a sentence, decided.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ReadingOutcome {
+    /// A word for it.
+    pub name: String,
+    /// The sentence as it is read here, in words.
+    pub says: String,
+    /// What is true of it.
+    pub outcome: Outcome,
+}
+
 /// Everything known about one claim after a run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Outcome {
@@ -195,12 +252,21 @@ pub struct Outcome {
     pub evidence: Option<Evidence>,
     /// The statement as printed, verbatim.
     pub printed: String,
+    /// The id in the inventory of the sentence of which this is a part.
+    pub part_of: Option<String>,
     /// How our copy of the text was read, where it is garbled or unclear.
     pub reading: Option<String>,
+    /// What in the finding may be a confusion of the copy at hand.
+    pub garbled: Option<String>,
     /// The statement as the engine understood it.
     pub parsed: Option<Formula>,
-    /// The assumptions under which it was decided, as understood.
-    pub assumed: Vec<Formula>,
+    /// The hypotheses under which it was decided: ranges of which the files say where they are from, assumptions, given
+    /// equations.
+    pub assumed: Vec<Assumed>,
+    /// What the statement rests on besides: declared sets, definitions, unknowns.
+    pub table: Table,
+    /// Of a sentence with more than one reading: each of them, decided like a claim.
+    pub readings: Vec<ReadingOutcome>,
     /// A proved correction, for a refuted claim.
     pub correction: Option<Correction>,
     /// A change of the data that explains a refuted value.

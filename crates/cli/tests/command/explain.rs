@@ -109,3 +109,73 @@ fn a_claim_that_rests_on_nothing_stated_is_refused_at_its_place() {
     );
     assert!(ran.err.contains("mini/claims.toml:"), "{}", ran.err);
 }
+
+#[test]
+fn all_that_a_verdict_rests_on_is_on_the_table() {
+    let claim = r#"
+[[claim]]
+id = "mini/table"
+at = "Sect. 1"
+kind = "property"
+printed = "for small y, c is positive"
+garbled = "y for v"
+symbols = { y = { in = "(0, 1]", printed = "for small y" }, r = {} }
+let = { c = 'deep + y', deep = 'y^2' }
+given = ['r == y']
+solve_for = ['r']
+assume = [{ states = 'x < 1/2', ours = 'to try it' }]
+states = 'c + r > 0'
+
+[[claim]]
+id = "mini/readings"
+at = "Sect. 1"
+kind = "property"
+printed = "x is positive"
+readings = [
+    { name = 'literal', says = 'all x are', states = 'x > 0' },
+    { name = 'kind', says = 'x is not negative', states = 'x >= 0' },
+]
+"#;
+    let folder = mini(claim);
+    let ran = on(folder.path(), &["explain", "mini/table"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let plain = ran.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    for told in [
+        "assuming x < 1/2",
+        "given r == y",
+        "solved for r",
+        "where r, a real number; y in (0, 1]; x in [0, 1]",
+        "with c = deep + y deep = y^2",
+        "said by 0 < y <= 1: the paper, “for small y” (mini/table)",
+        "x < 1/2: ours, not needed, to try it",
+        "copy at hand y for v",
+    ] {
+        assert!(plain.contains(told), "{told} is not in {plain}");
+    }
+    let ran = on(folder.path(), &["explain", "mini/readings"]);
+    let plain = ran.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    for told in [
+        "verdict depends on the reading.",
+        "read as literal: all x are understood x > 0",
+        "read as kind: x is not negative understood x >= 0",
+        "fails at x = 0",
+    ] {
+        assert!(plain.contains(told), "{told} is not in {plain}");
+    }
+    let json = on(folder.path(), &["verify", "--format", "json"]).out;
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let table = &json["claims"][0];
+    assert_eq!(table["hypotheses"][0]["quote"], "for small y");
+    assert_eq!(table["hypotheses"][1]["needed"], false);
+    assert_eq!(table["hypotheses"][2]["role"], "given");
+    assert_eq!(table["symbols"][1]["set"], "y in (0, 1]");
+    assert_eq!(table["definitions"][0]["head"], "c");
+    assert_eq!(table["unknowns"][0], "r");
+    let read = &json["claims"][1];
+    assert_eq!(read["verdict"], "depends");
+    let verdicts = [
+        &read["readings"][0]["verdict"],
+        &read["readings"][1]["verdict"],
+    ];
+    assert_eq!(verdicts, ["false", "holds"]);
+}

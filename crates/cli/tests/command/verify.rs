@@ -234,3 +234,54 @@ fn flipping_one_coefficient_of_a_true_claim_flips_its_verdict() {
         assert!(after == "false" || after == "misprint", "{id}: {after}");
     }
 }
+
+#[test]
+fn what_differs_from_an_earlier_run_is_told_and_fails() {
+    let folder = mini(&[claim("right", TRUE, ""), claim("gone", TRUE, "")].concat());
+    let before = folder.path().join("before.json");
+    fs::write(
+        &before,
+        on(folder.path(), &["verify", "--format", "json"]).out,
+    )
+    .unwrap();
+    let against = |folder: &std::path::Path, names: &[&str]| {
+        let command = [&["verify", "--against", before.to_str().unwrap()], names].concat();
+        on(folder, &command)
+    };
+    let same = against(folder.path(), &[]);
+    assert_eq!(
+        (same.code, same.out.as_str()),
+        (Some(0), "no verdict, evidence or condition differs\n")
+    );
+
+    let divided = "x/x == 1";
+    let changed = mini(&[claim("right", divided, ""), claim("new", TRUE, "")].concat());
+    let ran = against(changed.path(), &[]);
+    assert_eq!(ran.code, Some(1));
+    let row = |id: &str| {
+        ran.out
+            .lines()
+            .find(|line| line.contains(id))
+            .unwrap()
+            .to_owned()
+    };
+    for (id, was, is) in [
+        (
+            "mini/right",
+            "holds (identity)",
+            "conditional (identity), if x != 0",
+        ),
+        ("mini/gone", "holds (identity)", "- (gone)"),
+        ("mini/new", "- (new)", "holds (identity)"),
+    ] {
+        assert!(row(id).contains(was) && row(id).contains(is), "{}", ran.out);
+    }
+    let one = against(changed.path(), &["mini/new"]);
+    assert_eq!(one.code, Some(1));
+    assert!(!one.out.contains("mini/gone"), "{}", one.out);
+
+    fs::write(&before, "{}").unwrap();
+    let none = against(folder.path(), &[]);
+    assert_eq!(none.code, Some(2));
+    assert!(none.err.contains("holds no verdicts"), "{}", none.err);
+}

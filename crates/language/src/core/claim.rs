@@ -77,9 +77,9 @@ impl Claim {
         ] {
             for text in texts {
                 hypotheses.push(Hypothesis {
-                    statement: within(text)?,
+                    statement: within(&text.formula)?,
                     source,
-                    origin: text.origin.clone(),
+                    origin: text.formula.origin.clone(),
                 });
             }
         }

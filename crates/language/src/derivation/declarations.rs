@@ -1,5 +1,7 @@
 //! What names mean: symbols with their domains, basis families, definitions.
 
+use super::provenance::{Provenance, provenance};
+use super::source::whole;
 use super::table::Errors;
 use crate::derivation::schema::{BasisEntry, Dimension, SymbolEntry};
 use crate::derivation::{DerivationError, LoadError, Origin, Source, Written, written};
@@ -76,6 +78,17 @@ pub enum SymbolKind {
     },
 }
 
+/// A declaration of which the file says where it is from.
+#[derive(Debug, Clone)]
+pub struct Range {
+    /// Where it is from.
+    pub provenance: Provenance,
+    /// What the name stands for outside, if it is declared there.
+    pub outer: Option<SymbolKind>,
+    /// Where it stands.
+    pub origin: Origin,
+}
+
 /// A named formula or function.
 #[derive(Debug, Clone)]
 pub struct Definition {
@@ -108,6 +121,10 @@ pub struct Declarations {
     symbols: BTreeMap<String, SymbolKind>,
     bases: BTreeMap<String, Arc<Basis>>,
     definitions: BTreeMap<String, Definition>,
+    /// Where declarations are from, as far as the files say it.
+    ranges: BTreeMap<String, Range>,
+    /// How names are printed.
+    displays: BTreeMap<String, String>,
     /// Names whose declaration is wrong.
     wrong: BTreeSet<String>,
 }
@@ -132,6 +149,25 @@ impl Declarations {
         self.symbols
             .iter()
             .map(|(name, kind)| (name.as_str(), kind))
+    }
+
+    /// Where the declaration of a symbol is from, if the file says it.
+    #[must_use]
+    pub fn range(&self, name: &str) -> Option<&Range> {
+        self.ranges.get(name)
+    }
+
+    /// The symbols of whose declaration the file says where it is from.
+    pub fn ranges(&self) -> impl Iterator<Item = (&str, &Range)> {
+        self.ranges
+            .iter()
+            .map(|(name, range)| (name.as_str(), range))
+    }
+
+    /// How a name is printed: mathematics between dollar signs.
+    #[must_use]
+    pub fn display(&self, name: &str) -> Option<&str> {
+        self.displays.get(name).map(String::as_str)
     }
 
     /// A basis family.
@@ -163,6 +199,7 @@ impl Declarations {
     /// Adds or replaces a definition; it hides a symbol of the same name.
     pub fn define(&mut self, name: String, definition: Definition) {
         self.symbols.remove(&name);
+        self.ranges.remove(&name);
         self.wrong.remove(&name);
         self.definitions.insert(name, definition);
     }
@@ -190,19 +227,62 @@ impl Declarations {
     }
 
     /// Adds or replaces symbols; they hide definitions of the same name. Those that are wrong are marked as such.
+    /// `own` is the id of the claim whose symbols they are, if they are those of one.
     pub(super) fn add_symbols(
         &mut self,
         source: &Arc<Source>,
         table: &BTreeMap<String, SymbolEntry>,
+        own: Option<&str>,
         errors: &mut Errors,
     ) {
         for (name, entry) in table {
-            match errors.keep(symbol_kind(source, name, entry)) {
-                Some(kind) => {
-                    self.wrong.remove(name);
-                    self.declare(name, kind);
+            let (kind, place) = match symbol_kind(source, name, entry) {
+                Ok(found) => found,
+                Err(error) => {
+                    errors.0.push(error);
+                    self.spoil([name.clone()]);
+                    continue;
                 }
-                None => self.spoil([name.clone()]),
+            };
+            let outer = self.symbols.get(name).cloned();
+            self.wrong.remove(name);
+            self.declare(name, kind);
+            self.ranges.remove(name);
+            if let Some(from) = entry.from() {
+                let origin = Origin::range(source, place.start, place.end);
+                let range = Range {
+                    provenance: provenance(source, &from, own, place, errors),
+                    outer,
+                    origin,
+                };
+                self.ranges.insert(name.clone(), range);
+            }
+        }
+    }
+
+    /// Adds or replaces how names are printed.
+    pub(super) fn add_displays(
+        &mut self,
+        source: &Arc<Source>,
+        table: &BTreeMap<String, Spanned<String>>,
+        errors: &mut Errors,
+    ) {
+        for (name, text) in table {
+            let at = |message: String| {
+                let error = DerivationError::at(&Origin::of(source, text), whole(text), message);
+                LoadError::Derivation(Box::new(error))
+            };
+            let inside = text.get_ref().strip_prefix('$');
+            let inside = inside.and_then(|rest| rest.strip_suffix('$'));
+            let known = self.names().any(|known| known == name) || self.wrong.contains(name);
+            if inside.is_none_or(|inside| inside.is_empty() || inside.contains('$')) {
+                let message = format!("`{}` is no mathematics: write `$...$`", text.get_ref());
+                errors.0.push(at(message));
+            } else if !known {
+                let message = format!("`{name}` is not declared, so it is not displayed");
+                errors.0.push(at(message));
+            } else {
+                self.displays.insert(name.clone(), text.get_ref().clone());
             }
         }
     }
@@ -366,7 +446,7 @@ fn symbol_kind(
     source: &Arc<Source>,
     name: &str,
     entry: &SymbolEntry,
-) -> Result<SymbolKind, LoadError> {
+) -> Result<(SymbolKind, std::ops::Range<usize>), LoadError> {
     let text = |text: &Option<Spanned<String>>| text.as_ref().map(Spanned::span);
     let dimensions = |d: &Option<Spanned<Dimension>>| d.as_ref().map(Spanned::span);
     let said: Vec<_> = [
@@ -379,6 +459,7 @@ fn symbol_kind(
     .flatten()
     .collect();
     let place = said.last().cloned().unwrap_or(0..0);
+    let found = |kind| Ok((kind, place.clone()));
     let origin = Origin::range(source, place.start, place.end);
     check_name(&origin, name)?;
     if said.len() > 1 {
@@ -400,10 +481,10 @@ fn symbol_kind(
                 ),
             )
         })?;
-        return Ok(SymbolKind::Integer { least, most });
+        return found(SymbolKind::Integer { least, most });
     }
     if let Some(vector) = &entry.vector {
-        return Ok(SymbolKind::Vector(dimension(vector)));
+        return found(SymbolKind::Vector(dimension(vector)));
     }
     if let Some(family) = &entry.family {
         let mut ranges = vec![];
@@ -419,26 +500,23 @@ fn symbol_kind(
                 }
             }
         }
-        return Ok(SymbolKind::Family {
+        return found(SymbolKind::Family {
             dimension: dimension(family),
             ranges,
         });
     }
     let Some(text) = &entry.interval else {
-        return Ok(SymbolKind::Real(Box::default()));
+        return found(SymbolKind::Real(Box::default()));
     };
     let origin = Origin::of(source, text);
-    interval(text.get_ref())
-        .map(|interval| SymbolKind::Real(Box::new(interval)))
-        .ok_or_else(|| {
-            complaint(
-                &origin,
-                format!(
-                    "`{}` is no interval: write `[-1, 1]`, `(0, inf)` and so on",
-                    text.get_ref()
-                ),
-            )
-        })
+    match interval(text.get_ref()) {
+        Some(interval) => found(SymbolKind::Real(Box::new(interval))),
+        None => {
+            let text = text.get_ref();
+            let message = format!("`{text}` is no interval: write `[-1, 1]`, `(0, inf)` and so on");
+            Err(complaint(&origin, message))
+        }
+    }
 }
 
 /// `>= 2`, `0..k`.

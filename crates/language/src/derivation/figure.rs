@@ -5,10 +5,14 @@
 //! had to be replaced.
 
 use super::declarations::Declarations;
+use super::definitions::add_definitions;
 use super::schema::figure::FigureEntry;
 use super::source::{Origin, Source};
+use super::table::Errors;
+use super::{folder, table};
 use crate::words::Verdict;
 use std::sync::Arc;
+use toml::Spanned;
 
 /// A figure of a file, not evaluated.
 #[derive(Debug, Clone)]
@@ -40,5 +44,57 @@ impl Figure {
             (true, false) => Verdict::Partial,
             (false, _) => Verdict::Underspecified,
         }
+    }
+}
+
+/// A figure that is not the paper's: it has an id of its own.
+pub(super) fn own_figure(
+    source: &Arc<Source>,
+    shared: &Arc<Declarations>,
+    slug: &str,
+    entry: Spanned<FigureEntry>,
+    errors: &mut Errors,
+) -> Option<Figure> {
+    let range = entry.span();
+    let entry = entry.into_inner();
+    let Some(id) = entry.id.clone() else {
+        let message = "a figure of its own needs an `id`".to_owned();
+        errors.0.push(table::complaint(source, range, message));
+        return None;
+    };
+    let origin = Origin::of(source, &id);
+    errors.keep(folder::check_id(source, &id, slug))?;
+    let claims = entry.claims.iter().map(|c| c.get_ref().clone()).collect();
+    Some(figure(
+        source,
+        origin,
+        shared,
+        id.into_inner(),
+        claims,
+        entry,
+        errors,
+    ))
+}
+
+/// The figure of a claim, or of our own.
+pub(super) fn figure(
+    source: &Arc<Source>,
+    origin: Origin,
+    shared: &Arc<Declarations>,
+    id: String,
+    claims: Vec<String>,
+    entry: FigureEntry,
+    errors: &mut Errors,
+) -> Figure {
+    let mut declarations = (**shared).clone();
+    declarations.add_symbols(source, &entry.symbols, None, errors);
+    add_definitions(&mut declarations, source, &entry.local, errors);
+    Figure {
+        id,
+        claims,
+        entry,
+        origin,
+        source: Arc::clone(source),
+        declarations: Arc::new(declarations),
     }
 }

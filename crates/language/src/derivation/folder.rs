@@ -1,8 +1,7 @@
 //! The files of a paper's folder: only regular files inside of it, and none that is too large.
 
 use super::error::{DerivationError, LoadError};
-use super::source::{Origin, Source};
-use crate::syntax::Place;
+use super::source::{Origin, Source, whole};
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -85,11 +84,4 @@ pub fn check_id(source: &Arc<Source>, id: &Spanned<String>, slug: &str) -> Resul
     );
     let error = DerivationError::at(&Origin::of(source, id), whole(id), message).with_help(help);
     Err(LoadError::Derivation(Box::new(error)))
-}
-
-fn whole(text: &Spanned<String>) -> Place {
-    Place {
-        start: 0,
-        end: text.get_ref().len(),
-    }
 }

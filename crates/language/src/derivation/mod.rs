@@ -3,19 +3,29 @@
 //! A folder of derivations holds one folder a paper. Its `paper.toml` names the paper, declares symbols,
 //! basis families and definitions, and lists the files with claims, in order.
 
+mod claim;
 pub mod declarations;
+mod definitions;
 mod error;
 mod figure;
+mod finding;
 mod folder;
 mod load;
+mod paper;
+mod provenance;
+mod references;
 pub mod schema;
 mod source;
 mod table;
 mod written;
 
+pub use claim::{Answer, Claim, Reading};
 pub use error::{DerivationError, LoadError};
 pub use figure::Figure;
+pub use finding::{Finding, Form, Piece};
 pub use folder::MAX_BYTES;
-pub use load::{Claim, Loaded, Paper, load, load_all, paper};
+pub use load::{Loaded, load, load_all, paper};
+pub use paper::Paper;
+pub use provenance::{Hypothesis, Provenance, Quote};
 pub use source::{Origin, Source};
 pub use written::{Written, parsed, written};

@@ -79,3 +79,11 @@ impl Origin {
         NamedSource::new(&self.source.name, self.source.text.clone()).with_language("toml")
     }
 }
+
+/// The whole of a text.
+pub(super) fn whole(text: &Spanned<String>) -> Place {
+    Place {
+        start: 0,
+        end: text.get_ref().len(),
+    }
+}

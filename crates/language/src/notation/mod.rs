@@ -4,6 +4,7 @@
 //! looks. What is written in the derivation language is read back as the same tree, so that every
 //! formula the engine shows can be put into a file.
 
+pub mod domain;
 mod latex;
 mod names;
 mod rust;

@@ -5,7 +5,8 @@ use torse_language::notation::Formula;
 use torse_language::words::{Kind, Verdict};
 use torse_prove::evidence::{Evidence, Witness};
 use torse_report::{FigureImage, Image};
-use torse_verdicts::outcome::{Correction, Outcome, PaperOutcome};
+use torse_verdicts::outcome::{Assumed, Correction, Outcome, PaperOutcome, Role, SaidBy};
+use torse_verdicts::table::Table;
 
 /// A string of everything that is markup somewhere.
 pub const HOSTILE: &str = "#panic(1) $x$ @ref <label> </article><script>alert(1)</script> & \\ ` * _ \" ' \u{202E} \u{E0F6} \u{0} 漢 ﷽ 🂡";
@@ -21,6 +22,15 @@ fn formula(text: &str, typst: &str) -> Formula {
     }
 }
 
+fn assumed(text: &str, typst: &str) -> Assumed {
+    Assumed {
+        role: Role::Assume,
+        formula: formula(text, typst),
+        from: SaidBy::Stated,
+        needed: None,
+    }
+}
+
 fn outcome(name: &str, at: &str, kind: Kind, verdict: Verdict, printed: &str) -> Outcome {
     Outcome {
         id: format!("sample/{name}"),
@@ -30,9 +40,13 @@ fn outcome(name: &str, at: &str, kind: Kind, verdict: Verdict, printed: &str) ->
         verdict,
         evidence: None,
         printed: printed.to_owned(),
+        part_of: None,
         reading: None,
+        garbled: None,
         parsed: None,
         assumed: Vec::new(),
+        table: Table::default(),
+        readings: Vec::new(),
         correction: None,
         data: None,
         derived: None,
@@ -94,8 +108,8 @@ fn basis() -> Vec<Outcome> {
             "sum_(i=0)^k f_(i,k)(x) = 1",
         )),
         assumed: vec![
-            formula("k >= 2", "k >= 2"),
-            formula("mu in [-1, 1]", "mu in [-1, 1]"),
+            assumed("k >= 2", "k >= 2"),
+            assumed("mu in [-1, 1]", "mu in [-1, 1]"),
         ],
         steps: vec![
             "The sum is taken through the recursion with the degree as a symbol.".to_owned(),
@@ -120,7 +134,7 @@ fn basis() -> Vec<Outcome> {
             "D(f[0,k], x, 2)(0) == pi^2/4*(mu + 2*k*mu + k^2)",
             "f''_(0,k)(0) = pi^2/4 (mu + 2 k mu + k^2)",
         )),
-        assumed: vec![formula("k >= 2", "k >= 2")],
+        assumed: vec![assumed("k >= 2", "k >= 2")],
         correction: Some(Correction {
             statement: formula(
                 "D(f[0,k], x, 2)(0) == pi^2/4*(2*mu + 2*(k-2)*(1+mu) + (k-2)*(k-3))",

@@ -1,7 +1,10 @@
 //! One claim of the page.
 
 use super::{Page, Prose, Text, badge};
-use crate::model::{ClaimView, ConsequenceView, CorrectionView, FormulaView, Reference};
+use crate::model::{
+    ClaimView, ConsequenceView, CorrectionView, FormulaView, ReadingView, Reference,
+};
+use crate::rests::Rests;
 use crate::{Change, Stretch};
 use std::fmt::{self, Write};
 use torse_prove::evidence::Witness;
@@ -44,6 +47,7 @@ pub(super) fn write(
     formulas(out, page, "understood", claim.parsed.as_slice())?;
     formulas(out, page, "assuming", &claim.assumed)?;
     formulas(out, page, "condition", &claim.conditions)?;
+    readings(out, page, &claim.readings)?;
     if let Some(repair) = &claim.correction {
         correction(out, page, repair)?;
     }
@@ -64,7 +68,9 @@ pub(super) fn write(
             Prose(&steps)
         )?;
     }
+    text(out, "copy at hand", claim.garbled.as_deref())?;
     text(out, "note", claim.note.as_deref())?;
+    rests(out, &claim.rests)?;
     references(out, "rests on", &claim.uses)?;
     references(out, "used by", &claim.used_by)?;
     consequences(out, &claim.consequences, claim.distant_survivors.as_deref())?;
@@ -120,6 +126,62 @@ fn formulas(
     Ok(())
 }
 
+/// What the sentence may mean, and what is true of each.
+fn readings(out: &mut String, page: &Page<'_>, readings: &[ReadingView]) -> fmt::Result {
+    for reading in readings {
+        writeln!(
+            out,
+            "<dt>read as</dt><dd class=\"reading\"><p><em>{}</em>: {} {}</p>",
+            Text(&reading.name),
+            Prose(&reading.says),
+            badge(reading.verdict)
+        )?;
+        for formula in reading.parsed.iter() {
+            page.formula(out, formula)?;
+        }
+        for (label, list) in [("assuming", &reading.assumed), ("if", &reading.conditions)] {
+            for formula in list {
+                write!(out, "{label} ")?;
+                page.formula(out, formula)?;
+            }
+        }
+        if let Some(point) = &reading.fails_at {
+            write!(out, "<p>{}.</p>", Prose(point))?;
+        }
+        small_print(out, &reading.rests)?;
+        out.push_str("</dd>\n");
+    }
+    Ok(())
+}
+
+/// What the statement rests on.
+fn rests(out: &mut String, groups: &[Rests]) -> fmt::Result {
+    if groups.is_empty() {
+        return Ok(());
+    }
+    out.push_str("<dt>understood with</dt><dd>");
+    small_print(out, groups)?;
+    out.push_str("</dd>\n");
+    Ok(())
+}
+
+fn small_print(out: &mut String, groups: &[Rests]) -> fmt::Result {
+    if groups.is_empty() {
+        return Ok(());
+    }
+    out.push_str("<div class=\"rests\">");
+    for Rests { label, lines } in groups {
+        write!(out, "<p>{label} ")?;
+        for (position, line) in lines.iter().enumerate() {
+            let separator = if position > 0 { "; " } else { "" };
+            write!(out, "{separator}<code>{}</code>", Text(line))?;
+        }
+        out.push_str("</p>");
+    }
+    out.push_str("</div>");
+    Ok(())
+}
+
 fn correction(out: &mut String, page: &Page<'_>, repair: &CorrectionView) -> fmt::Result {
     out.push_str("<dt>corrected</dt><dd class=\"corrected\">");
     page.formula(out, &repair.statement)?;
@@ -160,7 +222,7 @@ fn witness(out: &mut String, witness: &Witness, denied: Option<&str>) -> fmt::Re
     let left = (&witness.left, &witness.left_decimal);
     let right = (&witness.right, &witness.right_decimal);
     let sides = match left == right {
-        true => vec![("both sides", left)],
+        true => vec![("equal sides", left)],
         false => vec![("left side", left), ("right side", right)],
     };
     for (name, (exact, decimal)) in sides {

@@ -42,7 +42,7 @@ pub fn alphabet(claim: &Claim, statement: &Expr, edited: &Expr) -> Alphabet {
     let mut alphabet = Alphabet::default();
     let mut level: Vec<&Expr> = [edited, statement]
         .into_iter()
-        .chain(claim.given.iter().map(|w| &w.expr))
+        .chain(claim.given.iter().map(|h| &h.formula.expr))
         .collect();
     let mut first = true;
     while !level.is_empty() {

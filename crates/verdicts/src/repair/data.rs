@@ -77,7 +77,7 @@ fn data(claim: &Claim, statement: &Written) -> Vec<Datum> {
     let mut seen = BTreeSet::new();
     let mut found = vec![];
     let mut level: Vec<&Expr> = std::iter::once(statement)
-        .chain(&claim.given)
+        .chain(claim.given.iter().map(|h| &h.formula))
         .map(|w| &w.expr)
         .collect();
     while !level.is_empty() {

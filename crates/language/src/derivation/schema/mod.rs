@@ -1,9 +1,11 @@
 //! The shape of a derivation file, as TOML. See `derivations/README.md` for the language.
 
 pub mod figure;
+pub mod hypothesis;
 
-use crate::words::{Kind, Verdict};
+use crate::words::{Flag, Kind, Verdict};
 use figure::FigureEntry;
+use hypothesis::{FromEntry, HypothesisEntry};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use toml::Spanned;
@@ -45,6 +47,25 @@ pub struct SymbolEntry {
     pub family: Option<Spanned<Dimension>>,
     /// The range of each index of a family: `["0..k"]`.
     pub indices: Option<Vec<Text>>,
+    /// The words of the paper that say so.
+    pub printed: Option<Text>,
+    /// The claim in whose print they stand; the claim itself if left out.
+    pub printed_in: Option<Text>,
+    /// Why it is assumed though the paper does not say it.
+    pub ours: Option<Text>,
+}
+
+impl SymbolEntry {
+    /// Where the declaration is from, if the file says it.
+    #[must_use]
+    pub fn from(&self) -> Option<FromEntry> {
+        let said = [&self.printed, &self.printed_in, &self.ours];
+        said.iter().any(|text| text.is_some()).then(|| FromEntry {
+            printed: self.printed.clone(),
+            within: self.printed_in.clone(),
+            ours: self.ours.clone(),
+        })
+    }
 }
 
 /// The dimension of a vector.
@@ -94,8 +115,13 @@ pub struct ClaimEntry {
     pub kind: Kind,
     /// The statement as printed, verbatim.
     pub printed: String,
+    /// The id in the inventory of the sentence of which this is a part: `paper/name` for the parts `paper/name.a` and
+    /// `paper/name.b`.
+    pub part_of: Option<Text>,
     /// How a garbled or unclear print was read.
     pub reading: Option<String>,
+    /// What in the finding may be a confusion of the copy at hand.
+    pub garbled: Option<Text>,
     /// Symbols of this claim alone.
     #[serde(default)]
     pub symbols: BTreeMap<String, SymbolEntry>,
@@ -104,15 +130,18 @@ pub struct ClaimEntry {
     pub local: BTreeMap<String, Text>,
     /// Linear equations that determine the unknowns.
     #[serde(default)]
-    pub given: Vec<Text>,
+    pub given: Vec<HypothesisEntry>,
     /// The unknowns of the given equations.
     #[serde(default)]
     pub solve_for: Vec<Text>,
     /// Assumptions of the statement.
     #[serde(default)]
-    pub assume: Vec<Text>,
+    pub assume: Vec<HypothesisEntry>,
     /// The statement in the formula language.
     pub states: Option<Text>,
+    /// In place of `states`: what the sentence may mean, two readings or more.
+    #[serde(default)]
+    pub readings: Vec<ReadingEntry>,
     /// Why there is nothing to decide: what the paper does not print.
     pub underspecified: Option<String>,
     /// Why this is not a statement for this engine.
@@ -124,6 +153,56 @@ pub struct ClaimEntry {
     pub uses: Vec<Text>,
     /// The verdict that this claim is known to get; a run that differs fails.
     pub expect: Option<Verdict>,
+    /// What was found, in a sentence with holes for numbers.
+    pub finding: Option<Text>,
+    /// How names of this claim are printed.
+    #[serde(default)]
+    pub display: BTreeMap<String, Text>,
+    /// Why signs that the statement is not the print are none.
+    #[serde(default)]
+    pub answers: Vec<AnswerEntry>,
     /// Anything a reader should know.
     pub note: Option<String>,
+}
+
+/// One of the things that a sentence may mean. What it says is added to what the claim says.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ReadingEntry {
+    /// A word for it, such as `literal`.
+    pub name: Text,
+    /// The sentence as it is read here, in words.
+    pub says: Text,
+    /// The statement in the formula language.
+    pub states: Text,
+    /// More symbols.
+    #[serde(default)]
+    pub symbols: BTreeMap<String, SymbolEntry>,
+    /// More definitions.
+    #[serde(default, rename = "let")]
+    pub local: BTreeMap<String, Text>,
+    /// More equations for unknowns.
+    #[serde(default)]
+    pub given: Vec<HypothesisEntry>,
+    /// More unknowns.
+    #[serde(default)]
+    pub solve_for: Vec<Text>,
+    /// More assumptions.
+    #[serde(default)]
+    pub assume: Vec<HypothesisEntry>,
+}
+
+/// Why a sign that the statement is not the print is none: words of the paper.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AnswerEntry {
+    /// The sign.
+    pub flag: Spanned<Flag>,
+    /// The words.
+    pub quote: Text,
+    /// The claim in whose print they stand; the claim itself if left out.
+    #[serde(rename = "in")]
+    pub within: Option<Text>,
+    /// How they answer it, where that is not plain.
+    pub says: Option<String>,
 }

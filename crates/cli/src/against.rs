@@ -1,0 +1,90 @@
+//! Verdicts compared with those of an earlier run: what differs, what is new, what is gone.
+
+use crate::exit::Failure;
+use crate::{selection, terminal};
+use serde::Deserialize;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// Verdicts as `verify --format json` writes them; other fields are not looked at.
+#[derive(Debug, Deserialize)]
+pub struct Verdicts {
+    claims: Vec<Claim>,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+struct Claim {
+    id: String,
+    verdict: String,
+    evidence: Option<String>,
+    condition: Option<String>,
+}
+
+impl Claim {
+    fn told(&self) -> String {
+        let evidence = self.evidence.as_ref().map(|e| format!(" ({e})"));
+        let condition = self.condition.as_ref().map(|c| format!(", if {c}"));
+        let [evidence, condition] = [evidence, condition].map(Option::unwrap_or_default);
+        format!("{}{evidence}{condition}", self.verdict)
+    }
+}
+
+impl Verdicts {
+    /// The verdicts of a file.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let unreadable = |reason: String| Failure::Against {
+            path: path.to_owned(),
+            reason,
+        };
+        let text = std::fs::read_to_string(path).map_err(|error| unreadable(error.to_string()))?;
+        Self::parse(&text).map_err(|error| unreadable(error.to_string()))
+    }
+
+    /// The verdicts of a text.
+    pub fn parse(text: &str) -> Result<Self, serde_json::Error> {
+        serde_json::from_str(text)
+    }
+
+    /// The claims that one of these names means, or all if there is none.
+    pub fn named(mut self, names: &[String]) -> Self {
+        let meant = |claim: &Claim| names.iter().any(|name| selection::means(name, &claim.id));
+        self.claims.retain(|claim| names.is_empty() || meant(claim));
+        self
+    }
+}
+
+/// A claim with what it was and what it is; none where it is new or gone.
+type Difference = (String, Option<String>, Option<String>);
+
+/// What differs, by id.
+pub fn differences(before: &Verdicts, now: &Verdicts) -> Vec<Difference> {
+    let by_id = |of: &'_ Verdicts| -> BTreeMap<String, Claim> {
+        let pairs = of
+            .claims
+            .iter()
+            .map(|claim| (claim.id.clone(), claim.clone()));
+        pairs.collect()
+    };
+    let (before, now) = (by_id(before), by_id(now));
+    let ids: BTreeSet<&String> = before.keys().chain(now.keys()).collect();
+    let changed = ids.into_iter().filter(|id| before.get(*id) != now.get(*id));
+    let told = |of: Option<&Claim>| of.map(Claim::told);
+    changed
+        .map(|id| (id.clone(), told(before.get(id)), told(now.get(id))))
+        .collect()
+}
+
+/// The table of differences, or that there are none.
+pub fn text(differences: &[Difference]) -> String {
+    if differences.is_empty() {
+        return "no verdict, evidence or condition differs\n".to_owned();
+    }
+    let mut table = terminal::table();
+    table.set_header(["claim", "was", "is"]);
+    for (id, before, now) in differences {
+        let was = before.as_deref().unwrap_or("- (new)");
+        let is = now.as_deref().unwrap_or("- (gone)");
+        table.add_row([id.as_str(), was, is]);
+    }
+    terminal::lines(&table)
+}

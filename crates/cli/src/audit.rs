@@ -1,0 +1,247 @@
+//! `torse audit`: signs that a statement is not what the paper prints.
+
+use crate::derivations::{Derivations, Found};
+use crate::exit::{Exit, Failure};
+use crate::mistakes::Mistakes;
+use crate::run::{Budget, Run};
+use crate::{guard, selection, terminal};
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use torse_language::derivation::{Answer, Claim, DerivationError, Paper};
+use torse_language::syntax::Place;
+use torse_language::words::Flag;
+use torse_report::words;
+use torse_verdicts::audit::{Audited, audit};
+use torse_verdicts::outcome::Outcome;
+
+/// Look for signs that statements are not what the papers print.
+///
+/// A side that is compared with itself, a number of the print that the statement has not, one degree for all: each such
+/// sign is a flag. A flag is mended, or answered in the file of the claim by words of the paper (`answers`). The exit code is
+/// 1 when a flag is open, and 4 when an answer is to no flag.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Audit {
+    /// Papers, claims, or beginnings of ids
+    #[arg(value_name = "PAPER|ID")]
+    names: Vec<String>,
+    /// A table for readers, or JSON for programs
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    #[command(flatten)]
+    budget: Budget,
+    #[command(flatten)]
+    derivations: Derivations,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  torse audit
+  torse audit gbt-developable/thm-4 --format json";
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+impl Audit {
+    /// Decides, looks, prints the open flags and the answers.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let Found {
+            papers,
+            left_out,
+            mut mistakes,
+        } = self.derivations.load()?;
+        selection::select(papers.clone(), &self.names, &left_out)?;
+        // A part is looked at together with its sentence.
+        let wanted = |claim: &Claim| {
+            let id = claim.whole().unwrap_or(claim.entry.id.get_ref());
+            let named = |claim: &Claim| {
+                let id = claim.entry.id.get_ref();
+                self.names.is_empty() || self.names.iter().any(|name| selection::means(name, id))
+            };
+            let all = papers.iter().flat_map(|paper| &paper.claims);
+            named(claim) || all.filter(|c| c.whole() == Some(id)).any(named)
+        };
+        let ids = papers.iter().flat_map(|paper| &paper.claims);
+        let ids = ids.filter(|claim| wanted(claim));
+        let ids: Vec<&str> = ids.map(|claim| claim.entry.id.get_ref().as_str()).collect();
+        let papers = selection::only(&papers, &ids);
+        let run = Run::of(&papers, self.budget, &mut mistakes);
+        let pairs = pairs(&papers, &run);
+        let found = audit(&pairs);
+        guard::finished();
+        for audited in &found {
+            for answer in &audited.stale {
+                mistakes.add(stale(answer));
+            }
+        }
+        terminal::print(&match self.format {
+            Format::Text => text(&found),
+            Format::Json => json(&found)?,
+        })?;
+        let open = found.iter().any(|audited| !audited.open.is_empty());
+        Ok(tell(mistakes, open))
+    }
+}
+
+fn tell(mistakes: Mistakes, open: bool) -> Exit {
+    mistakes.tell(match open {
+        true => Exit::Differs,
+        false => Exit::AsExpected,
+    })
+}
+
+/// The claims that have outcomes, with them.
+fn pairs<'a>(papers: &'a [Paper], run: &'a Run) -> Vec<(&'a Claim, &'a Outcome)> {
+    let outcomes: BTreeMap<&str, &Outcome> = run
+        .outcomes()
+        .map(|outcome| (outcome.id.as_str(), outcome))
+        .collect();
+    let claims = papers.iter().flat_map(|paper| &paper.claims);
+    claims
+        .filter_map(|claim| {
+            let outcome = outcomes.get(claim.entry.id.get_ref().as_str())?;
+            Some((claim, *outcome))
+        })
+        .collect()
+}
+
+fn stale(answer: &Answer) -> Box<DerivationError> {
+    let flag = words::flag(answer.flag);
+    let message = format!("nothing is flagged as `{flag}` here, so there is nothing to answer");
+    let error = DerivationError::at(&answer.origin, Place::default(), message);
+    Box::new(error.with_help("take the answer out"))
+}
+
+/// Answers that are the same, and the claims that give them.
+type Classes<'a> = BTreeMap<(Flag, &'a str, &'a str), Vec<&'a str>>;
+
+fn classes<'a>(found: &'a [Audited<'a>]) -> Classes<'a> {
+    let mut classes = Classes::new();
+    for audited in found {
+        for (sign, answer) in &audited.answered {
+            let says = answer.says.as_deref().unwrap_or_default();
+            let class = classes
+                .entry((sign.flag, answer.quote.words.as_str(), says))
+                .or_default();
+            let id = audited.claim.entry.id.get_ref().as_str();
+            if !class.contains(&id) {
+                class.push(id);
+            }
+        }
+    }
+    classes
+}
+
+fn text(found: &[Audited<'_>]) -> String {
+    let mut text = String::new();
+    let mut table = terminal::table();
+    table.set_header(["claim", "flag", "what is to be seen"]);
+    let mut open = 0;
+    for audited in found {
+        for sign in &audited.open {
+            let id = audited.claim.entry.id.get_ref().as_str();
+            table.add_row([id, words::flag(sign.flag), sign.seen.as_str()]);
+            open += 1;
+        }
+    }
+    if open > 0 {
+        text.push_str(&terminal::lines(&table));
+        text.push('\n');
+    }
+    let classes = classes(found);
+    if !classes.is_empty() {
+        let mut table = terminal::table();
+        table.set_header(["claims", "flag", "answered by"]);
+        for ((flag, quote, says), ids) in &classes {
+            let says = match says.is_empty() {
+                true => String::new(),
+                false => format!(": {says}"),
+            };
+            let answer = format!("“{quote}”{says}");
+            let ids = match ids.as_slice() {
+                [one] => (*one).to_owned(),
+                [first, rest @ ..] => format!("{first} and {} more", rest.len()),
+                [] => String::new(),
+            };
+            table.add_row([ids.as_str(), words::flag(*flag), answer.as_str()]);
+        }
+        text.push_str(&terminal::lines(&table));
+        text.push('\n');
+    }
+    let answered: usize = classes.values().map(Vec::len).sum();
+    let stale: usize = found.iter().map(|audited| audited.stale.len()).sum();
+    text.push_str(&format!(
+        "{} claims, {open} open flags, {answered} answered in {} classes, {stale} answers to no flag\n",
+        found.len(),
+        classes.len()
+    ));
+    text
+}
+
+#[derive(Serialize)]
+struct Listing<'a> {
+    open: Vec<Open<'a>>,
+    answered: Vec<Class<'a>>,
+    stale: Vec<Stale<'a>>,
+}
+
+#[derive(Serialize)]
+struct Open<'a> {
+    id: &'a str,
+    flag: &'static str,
+    seen: &'a str,
+}
+
+#[derive(Serialize)]
+struct Class<'a> {
+    flag: &'static str,
+    quote: &'a str,
+    says: &'a str,
+    claims: Vec<&'a str>,
+}
+
+#[derive(Serialize)]
+struct Stale<'a> {
+    id: &'a str,
+    flag: &'static str,
+}
+
+fn json(found: &[Audited<'_>]) -> Result<String, Failure> {
+    let id = |audited: &'_ Audited<'_>| audited.claim.entry.id.get_ref().clone();
+    let ids: Vec<String> = found.iter().map(id).collect();
+    let mut listing = Listing {
+        open: vec![],
+        answered: vec![],
+        stale: vec![],
+    };
+    for (audited, id) in found.iter().zip(&ids) {
+        listing.open.extend(audited.open.iter().map(|sign| Open {
+            id,
+            flag: words::flag(sign.flag),
+            seen: &sign.seen,
+        }));
+        listing
+            .stale
+            .extend(audited.stale.iter().map(|answer| Stale {
+                id,
+                flag: words::flag(answer.flag),
+            }));
+    }
+    let answered = classes(found).into_iter();
+    listing.answered = answered
+        .map(|((flag, quote, says), claims)| Class {
+            flag: words::flag(flag),
+            quote,
+            says,
+            claims,
+        })
+        .collect();
+    let mut text =
+        serde_json::to_string_pretty(&listing).map_err(torse_report::ReportError::from)?;
+    text.push('\n');
+    Ok(text)
+}

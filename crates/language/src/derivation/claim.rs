@@ -1,0 +1,308 @@
+//! A claim of a file: its formulas parsed, its fields checked against each other.
+
+use super::declarations::Declarations;
+use super::definitions::add_definitions;
+use super::error::{DerivationError, LoadError};
+use super::figure::{Figure, figure};
+use super::finding::{Finding, finding};
+use super::folder;
+use super::provenance::{Hypothesis, Provenance, Quote, provenance};
+use super::schema::hypothesis::HypothesisEntry;
+use super::schema::{AnswerEntry, ClaimEntry, ReadingEntry};
+use super::source::{Origin, Source, whole};
+use super::table::Errors;
+use super::written::{Written, written};
+use crate::words::{Flag, Kind};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+use toml::Spanned;
+
+/// A claim, parsed but not decided.
+#[derive(Debug, Clone)]
+pub struct Claim {
+    /// The fields of the file.
+    pub entry: ClaimEntry,
+    /// Where the claim's id stands, for errors about the claim as a whole.
+    pub origin: Origin,
+    /// Symbols, bases and definitions it may use: its own, its file's, its paper's.
+    pub declarations: Arc<Declarations>,
+    /// The given equations.
+    pub given: Vec<Hypothesis>,
+    /// The unknowns.
+    pub unknowns: Vec<Written>,
+    /// The assumptions.
+    pub assumptions: Vec<Hypothesis>,
+    /// The statement, if it has one.
+    pub statement: Option<Written>,
+    /// What the sentence may mean; none if it has one meaning, the statement.
+    pub readings: Vec<Reading>,
+    /// What was found, in a sentence with holes for numbers.
+    pub finding: Option<Finding>,
+    /// Why signs that the statement is not the print are none.
+    pub answers: Vec<Answer>,
+    /// The ids of the claims that it rests on; of a sentence in parts all of them.
+    pub uses: Vec<String>,
+    /// The printed values of the same example, this one included: the values of the file whose ids agree
+    /// up to the first point. Empty in the members themselves.
+    pub example: Arc<[Claim]>,
+    /// The drawing of a figure.
+    pub figure: Option<Figure>,
+}
+
+/// One of the things that a sentence may mean.
+#[derive(Debug, Clone)]
+pub struct Reading {
+    /// A word for it.
+    pub name: String,
+    /// The sentence as it is read here, in words.
+    pub says: String,
+    /// The claim that it makes of the sentence: the fields of the claim and its own together, without readings.
+    pub claim: Claim,
+}
+
+/// Why a sign that the statement is not the print is none.
+#[derive(Debug, Clone)]
+pub struct Answer {
+    /// The sign.
+    pub flag: Flag,
+    /// Words of the paper.
+    pub quote: Quote,
+    /// How they answer it, where that is not plain.
+    pub says: Option<String>,
+    /// Where the flag stands in the file.
+    pub origin: Origin,
+}
+
+impl Claim {
+    /// The id in the inventory of the sentence of which this is a part.
+    #[must_use]
+    pub fn whole(&self) -> Option<&String> {
+        self.entry.part_of.as_ref().map(Spanned::get_ref)
+    }
+
+    /// All quotes of prints: of hypotheses, ranges and answers, those of its readings too.
+    pub(super) fn quotes(&self) -> Vec<&Quote> {
+        let hypotheses = self.assumptions.iter().chain(&self.given);
+        let from = hypotheses.map(|hypothesis| &hypothesis.provenance);
+        let ranges = self.declarations.ranges();
+        let from = from.chain(ranges.map(|(_, range)| &range.provenance));
+        let quotes = from.filter_map(Provenance::quote);
+        let answers = self.answers.iter().map(|answer| &answer.quote);
+        let mut quotes: Vec<&Quote> = quotes.chain(answers).collect();
+        quotes.extend(self.readings.iter().flat_map(|r| r.claim.quotes()));
+        quotes
+    }
+
+    /// Whether a formula of the claim mentions a declaration that is wrong, be it through others.
+    pub(super) fn rests_on_wrong(&self) -> bool {
+        let hypotheses = self.given.iter().chain(&self.assumptions);
+        let formulas = hypotheses.map(|h| &h.formula).chain(&self.unknowns);
+        let holes = self.finding.iter().flat_map(Finding::holes);
+        let formulas = formulas.chain(&self.statement).chain(holes);
+        let figure = self.figure.as_ref();
+        self.declarations.rest_on_wrong(formulas.map(|w| &w.expr))
+            || figure.is_some_and(|figure| figure.declarations.any_wrong())
+            || self.readings.iter().any(|r| r.claim.rests_on_wrong())
+    }
+}
+
+/// Shows every value of an example all values of it.
+pub(super) fn gather_examples(claims: &mut [Claim]) {
+    let mut examples: BTreeMap<String, Vec<Claim>> = BTreeMap::new();
+    for value in claims.iter().filter(|c| c.entry.kind == Kind::Value) {
+        let values = examples.entry(example(value).to_owned()).or_default();
+        values.push(value.clone());
+    }
+    for (name, values) in examples {
+        let values: Arc<[Claim]> = values.into();
+        for value in claims.iter_mut().filter(|c| example(c) == name) {
+            value.example = Arc::clone(&values);
+        }
+    }
+}
+
+/// The id up to the first point: `hermite-developable/ex-4` for `hermite-developable/ex-4.r0u`.
+fn example(claim: &Claim) -> &str {
+    let id = claim.entry.id.get_ref();
+    id.split_once('.')
+        .map_or(id.as_str(), |(example, _)| example)
+}
+
+/// A claim with those of its formulas that are well formed.
+pub(super) fn claim(
+    source: &Arc<Source>,
+    shared: &Arc<Declarations>,
+    slug: &str,
+    entry: ClaimEntry,
+    errors: &mut Errors,
+) -> Claim {
+    errors.keep(folder::check_id(source, &entry.id, slug));
+    check_fields(source, &entry, errors);
+    let readings = entry
+        .readings
+        .iter()
+        .map(|reading| Reading {
+            name: reading.name.get_ref().clone(),
+            says: reading.says.get_ref().clone(),
+            claim: formulas(source, shared, read_as(&entry, reading), errors),
+        })
+        .collect();
+    let answer = |answer: &AnswerEntry| Answer {
+        flag: *answer.flag.get_ref(),
+        quote: Quote::new(
+            source,
+            &answer.quote,
+            answer.within.as_ref(),
+            entry.id.get_ref(),
+        ),
+        says: answer.says.clone(),
+        origin: Origin::range(source, answer.flag.span().start, answer.flag.span().end),
+    };
+    let answers = entry.answers.iter().map(answer).collect();
+    let told = entry.finding.as_ref().map(|text| finding(source, text));
+    let mut claim = formulas(source, shared, entry, errors);
+    claim.readings = readings;
+    claim.answers = answers;
+    claim.finding = told.and_then(|told| errors.keep(told));
+    claim.figure = claim.entry.figure.clone().map(|drawn| {
+        let id = claim.entry.id.get_ref().clone();
+        let (origin, claims) = (claim.origin.clone(), vec![id.clone()]);
+        let shared = &claim.declarations;
+        figure(source, origin, shared, id, claims, *drawn, errors)
+    });
+    claim
+}
+
+/// The formulas of a claim, with its own declarations.
+fn formulas(
+    source: &Arc<Source>,
+    shared: &Arc<Declarations>,
+    entry: ClaimEntry,
+    errors: &mut Errors,
+) -> Claim {
+    let id = entry.id.get_ref();
+    let own = [entry.symbols.len(), entry.local.len(), entry.display.len()];
+    let declarations = if own == [0; 3] {
+        Arc::clone(shared)
+    } else {
+        let mut own = (**shared).clone();
+        own.add_symbols(source, &entry.symbols, Some(id), errors);
+        add_definitions(&mut own, source, &entry.local, errors);
+        own.add_displays(source, &entry.display, errors);
+        Arc::new(own)
+    };
+    let mut all = |texts: &[Spanned<String>]| -> Vec<Written> {
+        let parsed = texts.iter().map(|text| written(source, text));
+        parsed.filter_map(|result| errors.keep(result)).collect()
+    };
+    let statement = all(entry.states.as_slice()).pop();
+    let unknowns = all(&entry.solve_for);
+    Claim {
+        given: hypotheses(source, &entry.given, id, errors),
+        assumptions: hypotheses(source, &entry.assume, id, errors),
+        unknowns,
+        statement,
+        readings: vec![],
+        finding: None,
+        answers: vec![],
+        uses: vec![],
+        figure: None,
+        declarations,
+        origin: Origin::of(source, &entry.id),
+        entry,
+        example: Arc::new([]),
+    }
+}
+
+fn hypotheses(
+    source: &Arc<Source>,
+    entries: &[HypothesisEntry],
+    own: &str,
+    errors: &mut Errors,
+) -> Vec<Hypothesis> {
+    let mut found = vec![];
+    for entry in entries {
+        let Some(formula) = errors.keep(written(source, &entry.states)) else {
+            continue;
+        };
+        let provenance = match &entry.from {
+            None => Provenance::Stated,
+            Some(from) => provenance(source, from, Some(own), entry.states.span(), errors),
+        };
+        found.push(Hypothesis {
+            formula,
+            provenance,
+        });
+    }
+    found
+}
+
+/// The claim that a reading makes of a sentence.
+fn read_as(entry: &ClaimEntry, reading: &ReadingEntry) -> ClaimEntry {
+    let mut entry = entry.clone();
+    let more = reading.clone();
+    entry.readings.clear();
+    entry.states = Some(more.states);
+    entry.reading = Some(more.says.into_inner());
+    entry.symbols.extend(more.symbols);
+    entry.local.extend(more.local);
+    entry.given.extend(more.given);
+    entry.solve_for.extend(more.solve_for);
+    entry.assume.extend(more.assume);
+    entry
+}
+
+/// Fields that want each other, or exclude each other.
+fn check_fields(source: &Arc<Source>, entry: &ClaimEntry, errors: &mut Errors) {
+    let mut wrong = |text: &Spanned<String>, message: &str, help: &str| {
+        let origin = Origin::of(source, text);
+        let error = DerivationError::at(&origin, whole(text), message).with_help(help);
+        errors.0.push(LoadError::Derivation(Box::new(error)));
+    };
+    let undecidable = entry.underspecified.is_some() || entry.out_of_scope.is_some();
+    let optional = matches!(entry.kind, Kind::Definition | Kind::Figure) || undecidable;
+    if !optional && entry.states.is_none() && entry.readings.is_empty() {
+        let message = "this claim states nothing: the field `states` is missing";
+        let help = "add `states = '...'`, or say why not with `underspecified` or `out_of_scope`";
+        wrong(&entry.id, message, help);
+    }
+    let pairs = |given: usize, solve_for: usize| (given == 0) == (solve_for == 0);
+    let (given, unknowns) = (entry.given.len(), entry.solve_for.len());
+    let in_readings = |r: &ReadingEntry| pairs(given + r.given.len(), unknowns + r.solve_for.len());
+    let paired = match entry.readings.as_slice() {
+        [] => pairs(given, unknowns),
+        readings => readings.iter().all(in_readings),
+    };
+    if !paired {
+        let help = "equations of `given` are solved for the unknowns of `solve_for`";
+        wrong(&entry.id, "`given` and `solve_for` go together", help);
+    }
+    let help = "`readings` has the name, the words and the statement of each reading, two or more";
+    let mut names = BTreeSet::new();
+    for reading in &entry.readings {
+        let name = reading.name.get_ref();
+        if name.trim().is_empty() || !names.insert(name) {
+            wrong(&reading.name, "each reading has a name of its own", help);
+        }
+        if reading.says.get_ref().trim().is_empty() {
+            let message = "a reading says in words what it makes of the sentence";
+            wrong(&reading.says, message, help);
+        }
+    }
+    match (entry.readings.as_slice(), &entry.states) {
+        ([only], _) => wrong(&only.name, "one reading alone is the statement", help),
+        ([_, ..], Some(states)) => {
+            let message = "a sentence with `readings` has no `states` of its own";
+            wrong(states, message, help);
+        }
+        ([first, ..], None) if undecidable => {
+            let message = "what is read in two ways is not called undecidable";
+            wrong(&first.name, message, help);
+        }
+        _ => {}
+    }
+    let empty = entry.garbled.iter().chain(&entry.finding);
+    for text in empty.filter(|text| text.get_ref().trim().is_empty()) {
+        wrong(text, "this says nothing", "leave the field out");
+    }
+}

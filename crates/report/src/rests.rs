@@ -1,0 +1,85 @@
+//! What a statement rests on, line by line, for every output: whose its hypotheses are, the declared sets, the definitions.
+
+use serde::Serialize;
+use torse_verdicts::outcome::{Assumed, Outcome, Role, SaidBy};
+
+/// Lines under one label.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Rests {
+    /// What they are.
+    pub label: &'static str,
+    /// The lines, plain text.
+    pub lines: Vec<String>,
+}
+
+/// All that the statement rests on, in groups; empty groups are left out.
+#[must_use]
+pub fn rests(outcome: &Outcome) -> Vec<Rests> {
+    let table = &outcome.table;
+    let by_role = |role: Role| outcome.assumed.iter().filter(move |h| h.role == role);
+    let texts = |role| by_role(role).map(|h| h.formula.text.clone()).collect();
+    let unknowns = table.unknowns.iter().map(|u| u.text.clone());
+    let definitions = table.definitions.iter();
+    let bases = table.bases.iter().map(|family| {
+        let seeds: Vec<&str> = family.seeds.iter().map(|s| s.text.as_str()).collect();
+        let [a, b] = &family.step;
+        format!(
+            "{} with {} in degree {} and the step factors {} and {}",
+            family.head.text,
+            seeds.join(", "),
+            family.degree,
+            a.text,
+            b.text
+        )
+    });
+    let groups = [
+        ("given", texts(Role::Given)),
+        ("solved for", joined(unknowns.collect())),
+        (
+            "where",
+            joined(table.symbols.iter().map(|s| s.set.clone()).collect()),
+        ),
+        (
+            "with",
+            definitions
+                .map(|d| format!("{} = {}", d.head.text, d.body.text))
+                .chain(bases)
+                .collect(),
+        ),
+        (
+            "said by",
+            outcome.assumed.iter().filter_map(said_by).collect(),
+        ),
+    ];
+    let groups = groups
+        .into_iter()
+        .map(|(label, lines)| Rests { label, lines });
+    groups.filter(|group| !group.lines.is_empty()).collect()
+}
+
+/// One line with all of them.
+fn joined(items: Vec<String>) -> Vec<String> {
+    match items.is_empty() {
+        true => vec![],
+        false => vec![items.join("; ")],
+    }
+}
+
+/// Whose a hypothesis is, where the file says it.
+fn said_by(hypothesis: &Assumed) -> Option<String> {
+    let formula = &hypothesis.formula.text;
+    match &hypothesis.from {
+        SaidBy::Stated => None,
+        SaidBy::Printed { quote, claim } => {
+            Some(format!("{formula}: the paper, “{quote}” ({claim})"))
+        }
+        SaidBy::Ours { reason } => {
+            let needed = match hypothesis.needed {
+                Some(true) => ", needed",
+                Some(false) => ", not needed",
+                None => "",
+            };
+            Some(format!("{formula}: ours{needed}, {reason}"))
+        }
+    }
+}

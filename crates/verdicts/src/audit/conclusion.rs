@@ -1,0 +1,46 @@
+//! What is concluded must not be assumed.
+
+use super::formulas::conjuncts;
+use super::{Sign, Subject, sign};
+use std::sync::Arc;
+use torse_language::notation;
+use torse_language::syntax::{Expr, Node, Relation};
+use torse_language::words::Flag;
+
+/// Parts of the statement that are hypotheses, with the sides either way round.
+pub(super) fn assumed(subject: &Subject<'_>) -> Vec<Sign> {
+    let hypotheses = subject.claim.assumptions.iter().chain(&subject.claim.given);
+    let hypotheses = hypotheses.flat_map(|h| conjuncts(&h.formula.expr));
+    let hypotheses: Vec<Expr> = hypotheses.map(|part| part.clone().placeless()).collect();
+    let statement = subject.claim.statement.iter();
+    let parts = statement.flat_map(|w| conjuncts(&w.expr));
+    let assumed = parts.filter(|part| {
+        let part = (*part).clone().placeless();
+        hypotheses.contains(&part) || turned(&part).is_some_and(|t| hypotheses.contains(&t))
+    });
+    assumed
+        .map(|part| {
+            let seen = format!("`{}` is stated and assumed", notation::text(part));
+            sign(Flag::AssumedConclusion, seen)
+        })
+        .collect()
+}
+
+/// `b == a` for `a == b`, `b > a` for `a < b`.
+fn turned(part: &Expr) -> Option<Expr> {
+    let Node::Compare(left, rest) = &part.node else {
+        return None;
+    };
+    let [(relation, right)] = rest.as_slice() else {
+        return None;
+    };
+    let relation = match relation {
+        Relation::Less => Relation::Greater,
+        Relation::Greater => Relation::Less,
+        Relation::AtMost => Relation::AtLeast,
+        Relation::AtLeast => Relation::AtMost,
+        same => *same,
+    };
+    let rest = vec![(relation, (**left).clone())];
+    Some(Expr::made(Node::Compare(Arc::new(right.clone()), rest)))
+}

@@ -1,0 +1,97 @@
+//! The formulas of a claim: those that it writes itself, and all that they use.
+
+use std::collections::BTreeSet;
+use torse_language::derivation::Claim;
+use torse_language::derivation::declarations::Declarations;
+use torse_language::syntax::{Connective, Expr, Node};
+
+/// The formulas of a claim.
+pub struct Formulas<'a> {
+    /// What the claim writes: statement, hypotheses, and the definitions of its own that they use.
+    pub own: Vec<&'a Expr>,
+    /// These, and all definitions and bases that they use.
+    pub reached: Vec<&'a Expr>,
+    /// The declared names that occur in what is reached, without primes.
+    pub names: BTreeSet<&'a str>,
+    /// Those that the claim declares itself.
+    pub local: BTreeSet<&'a str>,
+}
+
+impl<'a> Formulas<'a> {
+    /// The formulas of this claim.
+    pub fn of(claim: &'a Claim) -> Self {
+        let heads = claim.entry.local.keys();
+        let heads = heads.map(|head| head.split_once('(').map_or(head.as_str(), |(name, _)| name));
+        let narrows = |name: &str| {
+            let range = claim.declarations.range(name);
+            range.is_some_and(|range| range.outer.is_some())
+        };
+        let symbols = claim.entry.symbols.keys().map(String::as_str);
+        let local = heads.map(str::trim).chain(symbols.filter(|s| !narrows(s)));
+        let local: BTreeSet<&str> = local.collect();
+        let hypotheses = claim.assumptions.iter().chain(&claim.given);
+        let written = claim.statement.iter().map(|w| &w.expr);
+        let written: Vec<&Expr> = written
+            .chain(hypotheses.map(|h| &h.formula.expr))
+            .chain(claim.unknowns.iter().map(|w| &w.expr))
+            .collect();
+        let mut found = Self {
+            own: vec![],
+            reached: vec![],
+            names: BTreeSet::new(),
+            local,
+        };
+        for expr in written {
+            found.own.push(expr);
+            found.reach(expr, &claim.declarations);
+        }
+        found
+    }
+
+    fn reach(&mut self, expr: &'a Expr, declarations: &'a Declarations) {
+        let mut pending = vec![expr];
+        while let Some(expr) = pending.pop() {
+            self.reached.push(expr);
+            for written in expr.names() {
+                for name in [written, written.trim_end_matches('\'')] {
+                    let definition = declarations.definition(name);
+                    let basis = declarations.basis(name);
+                    let symbol = declarations.symbol(name);
+                    if definition.is_none() && basis.is_none() && symbol.is_none() {
+                        continue;
+                    }
+                    if !self.names.insert(name) {
+                        break;
+                    }
+                    if let Some(definition) = definition {
+                        if self.local.contains(name) {
+                            self.own.push(&definition.body.expr);
+                        }
+                        pending.push(&definition.body.expr);
+                    }
+                    if let Some(basis) = basis {
+                        let steps = [&basis.step.0, &basis.step.1];
+                        pending.extend(basis.seeds.iter().chain(steps).map(|w| &w.expr));
+                    }
+                    break;
+                }
+            }
+        }
+    }
+}
+
+/// Every part of a formula, itself first.
+pub fn every<'e>(expr: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
+    visit(expr);
+    for part in expr.parts() {
+        every(part, visit);
+    }
+}
+
+/// The statements that a conjunction joins.
+pub fn conjuncts(expr: &Expr) -> Vec<&Expr> {
+    match &expr.node {
+        Node::Join(Connective::And, a, b) => [conjuncts(a), conjuncts(b)].concat(),
+        _ => vec![expr],
+    }
+}

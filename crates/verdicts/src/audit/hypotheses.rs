@@ -1,0 +1,12 @@
+//! A hypothesis of ours that the proof does not need.
+
+use super::{Sign, Subject, listed};
+use torse_language::words::Flag;
+
+/// Those that were tried, and are not needed.
+pub(super) fn unneeded(subject: &Subject<'_>) -> Vec<Sign> {
+    let assumed = subject.outcome.assumed.iter();
+    let unneeded = assumed.filter(|hypothesis| hypothesis.needed == Some(false));
+    let unneeded = unneeded.map(|h| format!("`{}`", h.formula.text)).collect();
+    listed(Flag::UnneededHypothesis, "proved without", unneeded)
+}

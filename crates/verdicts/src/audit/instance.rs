@@ -1,0 +1,166 @@
+//! A sentence about all that is stated for one: one degree, one coordinate, one value.
+
+use super::formulas::every;
+use super::occurrences::value;
+use super::{Sign, Subject, listed};
+use std::collections::BTreeSet;
+use torse_algebra::Rational;
+use torse_language::derivation::declarations::SymbolKind;
+use torse_language::syntax::{Expr, Node, Relation};
+use torse_language::words::Flag;
+
+/// The words for a degree.
+const DEGREES: [(&str, &[&str]); 6] = [
+    ("1", &["linear", "one", "bilinear"]),
+    (
+        "2",
+        &[
+            "quadratic",
+            "second",
+            "two",
+            "biquadratic",
+            "parabol",
+            "conic",
+        ],
+    ),
+    ("3", &["cubic", "third", "three", "bicubic"]),
+    ("4", &["quartic", "fourth", "four", "biquartic"]),
+    ("5", &["quintic", "fifth", "five", "biquintic"]),
+    ("6", &["sextic", "sixth", "six"]),
+];
+
+/// A degree that the claim fixes by a number, and the print does not name.
+pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
+    let declarations = &subject.claim.declarations;
+    let mut degrees: BTreeSet<Rational> = BTreeSet::new();
+    for expr in &subject.formulas.own {
+        every(expr, &mut |part| match &part.node {
+            Node::Index(head, indices) => {
+                let basis =
+                    matches!(&head.node, Node::Name(name) if declarations.basis(name).is_some());
+                if let (true, [_, degree]) = (basis, indices.as_slice()) {
+                    degrees.extend(value(degree));
+                }
+            }
+            _ => degrees.extend(fixed(part).and_then(|(name, value)| {
+                let integer = matches!(declarations.symbol(name), Some(SymbolKind::Integer { .. }));
+                integer.then_some(value)
+            })),
+        });
+    }
+    let named = |degree: &Rational| {
+        let text = degree.to_string();
+        let words = DEGREES.iter().find(|(digit, _)| *digit == text);
+        subject.print.numbers.contains(degree)
+            || words.is_some_and(|(_, words)| subject.print.says(words))
+    };
+    let unnamed = degrees.iter().filter(|degree| !named(degree));
+    let unnamed = unnamed.map(ToString::to_string).collect();
+    listed(Flag::OneDegree, "a degree that is not printed", unnamed)
+}
+
+/// One coordinate of a vector, where the print does not speak of coordinates.
+pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
+    const WORDS: [&str; 12] = [
+        "coordinate",
+        "component",
+        "abscissa",
+        "ordinate",
+        "height",
+        "entry",
+        "entries",
+        "element",
+        "column",
+        "row",
+        "weight",
+        "x",
+    ];
+    let declarations = &subject.claim.declarations;
+    let mut entries: BTreeSet<Rational> = BTreeSet::new();
+    let statement = subject.claim.statement.iter();
+    statement.for_each(|w| {
+        every(&w.expr, &mut |part| {
+            if let Node::Index(head, indices) = &part.node
+                && let [index] = indices.as_slice()
+            {
+                let of_many = matches!(
+                    &head.node,
+                    Node::Name(name) if declarations.basis(name).is_some()
+                        || matches!(declarations.symbol(name), Some(SymbolKind::Family { .. }))
+                );
+                if !of_many {
+                    entries.extend(value(index));
+                }
+            }
+        });
+    });
+    match entries.len() {
+        1 if !subject.print.says(&WORDS) => {
+            let entries = entries.iter().map(ToString::to_string).collect();
+            listed(Flag::OneCoordinate, "one entry of a vector alone", entries)
+        }
+        _ => vec![],
+    }
+}
+
+/// The values that symbols are fixed to by what is not printed, or that functions are taken at.
+fn values(subject: &Subject<'_>) -> BTreeSet<Rational> {
+    let declarations = &subject.claim.declarations;
+    let mut values = BTreeSet::new();
+    let hypotheses = subject.claim.assumptions.iter();
+    for hypothesis in hypotheses.filter(|h| h.provenance.quote().is_none()) {
+        every(&hypothesis.formula.expr, &mut |part| {
+            values.extend(fixed(part).and_then(|(name, value)| {
+                let real = matches!(declarations.symbol(name), Some(SymbolKind::Real(_)));
+                real.then_some(value)
+            }));
+        });
+    }
+    for expr in &subject.formulas.own {
+        every(expr, &mut |part| {
+            if let Node::Call(head, arguments) = &part.node {
+                let name = match &head.node {
+                    Node::Name(name) => name.trim_end_matches('\''),
+                    _ => "",
+                };
+                let function = declarations.definition(name).is_some();
+                let taken = match (name, arguments.as_slice()) {
+                    ("at", [_, _, at]) => vec![at],
+                    _ if function => arguments.iter().collect(),
+                    _ => vec![],
+                };
+                values.extend(taken.into_iter().filter_map(value));
+            }
+        });
+    }
+    values
+}
+
+/// A value for all that the print does not have; the ends 0 and 1 of an interval are no such.
+pub(super) fn instance(subject: &Subject<'_>) -> Vec<Sign> {
+    let ends = |value: &Rational| value.is_integer() && ["0", "1"].contains(&&*value.to_string());
+    let values = values(subject);
+    let unprinted = values.iter().filter(|value| {
+        let parts = [value.numer(), value.denom()].map(|i| Rational::from_integer(i.clone()));
+        let printed = &subject.print.numbers;
+        let quotient = parts.iter().all(|part| printed.contains(part));
+        !ends(value) && !printed.contains(*value) && !quotient
+    });
+    let unprinted = unprinted.map(ToString::to_string).collect();
+    listed(Flag::OneInstance, "a value that is not printed", unprinted)
+}
+
+/// `name == number`.
+fn fixed(expr: &Expr) -> Option<(&str, Rational)> {
+    let Node::Compare(left, rest) = &expr.node else {
+        return None;
+    };
+    let [(Relation::Equal, right)] = rest.as_slice() else {
+        return None;
+    };
+    match (&left.node, &right.node) {
+        (Node::Name(name), _) => Some((name, value(right)?)),
+        (_, Node::Name(name)) => Some((name, value(left)?)),
+        _ => None,
+    }
+}

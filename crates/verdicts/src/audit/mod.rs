@@ -1,0 +1,164 @@
+//! Signs that a statement is not what the paper prints.
+//!
+//! No program can tell whether a formula says what a sentence says. But where it does not, there is often something to be
+//! seen: a side that is compared with itself, a number that the print has and the statement has not, one degree for all.
+//! Each family of signs is a file here. A sign is no verdict: the statement is mended, or the sign is answered in the
+//! file by words of the paper. An answer to a sign that is not there any more is a mistake.
+
+mod conclusion;
+mod formulas;
+mod hypotheses;
+mod instance;
+mod occurrences;
+mod parts;
+mod print;
+mod sides;
+mod slips;
+mod subject;
+mod unstated;
+
+use crate::outcome::Outcome;
+use formulas::Formulas;
+use print::Print;
+use std::collections::BTreeMap;
+use torse_language::derivation::{Answer, Claim};
+use torse_language::words::{Flag, Kind};
+
+/// A sign at a claim.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Sign {
+    /// What kind of sign.
+    pub flag: Flag,
+    /// What is to be seen, in words.
+    pub seen: String,
+}
+
+/// The signs at one claim, and what the file answers.
+#[derive(Debug)]
+pub struct Audited<'a> {
+    /// The claim.
+    pub claim: &'a Claim,
+    /// Signs without an answer.
+    pub open: Vec<Sign>,
+    /// Signs with their answers.
+    pub answered: Vec<(Sign, &'a Answer)>,
+    /// Answers to signs that are not there.
+    pub stale: Vec<&'a Answer>,
+}
+
+/// What the families of signs look at.
+struct Subject<'a> {
+    claim: &'a Claim,
+    outcome: &'a Outcome,
+    formulas: Formulas<'a>,
+    print: Print,
+    /// The relations that all parts of the sentence state together.
+    relations_of_all_parts: usize,
+}
+
+/// Looks at claims with their outcomes; parts of a sentence are counted together if they are all among them.
+#[must_use]
+pub fn audit<'a>(claims: &[(&'a Claim, &'a Outcome)]) -> Vec<Audited<'a>> {
+    let mut together: BTreeMap<&str, usize> = BTreeMap::new();
+    for (claim, _) in claims {
+        if let Some(whole) = claim.whole() {
+            *together.entry(whole).or_default() += parts::relations_of(claim);
+        }
+    }
+    let audited = |(claim, outcome): &(&'a Claim, &'a Outcome)| {
+        let whole = claim.whole().and_then(|id| together.get(id.as_str()));
+        let signs = signs(claim, outcome, whole.copied());
+        answered(claim, signs)
+    };
+    claims.iter().map(audited).collect()
+}
+
+/// The signs at a claim, those of its readings among them, each flag in the order of its declaration.
+fn signs(claim: &Claim, outcome: &Outcome, of_all_parts: Option<usize>) -> Vec<Sign> {
+    let mut signs = match claim.readings.is_empty() {
+        true => signs_of(claim, outcome, of_all_parts),
+        false => vec![],
+    };
+    for (reading, found) in claim.readings.iter().zip(&outcome.readings) {
+        for sign in signs_of(&reading.claim, &found.outcome, of_all_parts) {
+            let seen = format!("read as `{}`: {}", reading.name, sign.seen);
+            signs.push(Sign { seen, ..sign });
+        }
+    }
+    signs.sort();
+    signs.dedup();
+    signs
+}
+
+fn signs_of(claim: &Claim, outcome: &Outcome, of_all_parts: Option<usize>) -> Vec<Sign> {
+    if claim.entry.kind == Kind::Figure {
+        return vec![];
+    }
+    let subject = Subject {
+        claim,
+        outcome,
+        formulas: Formulas::of(claim),
+        print: Print::of(&claim.entry.printed),
+        relations_of_all_parts: of_all_parts.unwrap_or_else(|| parts::relations_of(claim)),
+    };
+    let mut signs = vec![];
+    let mut add = |found: Vec<Sign>| signs.extend(found);
+    add(unstated::relation(&subject));
+    if claim.statement.is_none() {
+        return signs;
+    }
+    add(sides::equal(&subject));
+    add(subject::nothing_of_the_paper(&subject));
+    add(conclusion::assumed(&subject));
+    add(slips::none_is_noticed(&subject));
+    add(hypotheses::unneeded(&subject));
+    // The words of a remark are ours: there is nothing that they could differ from.
+    if claim.entry.kind != Kind::Remark {
+        add(occurrences::numbers(&subject));
+        add(occurrences::names(&subject));
+        add(occurrences::relations(&subject));
+        add(parts::short(&subject));
+        add(instance::degree(&subject));
+        add(instance::coordinate(&subject));
+        add(instance::instance(&subject));
+        add(unstated::reading(&subject));
+    }
+    signs
+}
+
+/// The signs with the answers of the file; one answer is for all signs of its flag.
+fn answered(claim: &Claim, signs: Vec<Sign>) -> Audited<'_> {
+    let answer = |flag: Flag| claim.answers.iter().find(|answer| answer.flag == flag);
+    let stale = claim.answers.iter();
+    let stale = stale.filter(|answer| !signs.iter().any(|sign| sign.flag == answer.flag));
+    let stale = stale.collect();
+    let (mut open, mut found) = (vec![], vec![]);
+    for sign in signs {
+        match answer(sign.flag) {
+            Some(answer) => found.push((sign, answer)),
+            None => open.push(sign),
+        }
+    }
+    Audited {
+        claim,
+        open,
+        answered: found,
+        stale,
+    }
+}
+
+/// A sign.
+fn sign(flag: Flag, seen: impl Into<String>) -> Sign {
+    Sign {
+        flag,
+        seen: seen.into(),
+    }
+}
+
+/// One sign for several things, if there are any.
+fn listed(flag: Flag, what: &str, things: Vec<String>) -> Vec<Sign> {
+    match things.is_empty() {
+        true => vec![],
+        false => vec![sign(flag, format!("{what}: {}", things.join(", ")))],
+    }
+}

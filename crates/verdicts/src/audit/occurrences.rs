@@ -1,0 +1,202 @@
+//! What the print has and the statement has not, and the other way round: numbers, names, relations.
+
+use super::formulas::every;
+use super::print::stem;
+use super::{Sign, Subject, listed, sign};
+use std::collections::BTreeSet;
+use torse_algebra::Rational;
+use torse_algebra::rational::integer;
+use torse_language::derivation::declarations::SymbolKind;
+use torse_language::syntax::{Expr, Node, Operator, Relation};
+use torse_language::words::Flag;
+
+/// Numbers that stand in too many places to say something.
+fn everywhere(number: &Rational) -> bool {
+    [0, 1, 2].map(integer).contains(number)
+}
+
+/// Numbers of the print that nothing reached has, and numbers of the claim that the print has not.
+pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
+    let of = |formulas: &[&Expr]| {
+        let mut found = BTreeSet::new();
+        for expr in formulas {
+            every(expr, &mut |part| found.extend(value(part)));
+        }
+        found
+    };
+    let (own, reached) = (of(&subject.formulas.own), of(&subject.formulas.reached));
+    let printed = &subject.print.numbers;
+    let shown = |numbers: Vec<&Rational>| -> Vec<String> {
+        let telling = numbers.into_iter().filter(|n| !everywhere(n));
+        telling.map(ToString::to_string).collect()
+    };
+    // A quotient counts with its parts: 1/2 may be printed as 0.5.
+    let parts = |n: &Rational| {
+        let parts = [n.numer(), n.denom()].map(|i| Rational::from_integer(i.clone()));
+        printed.contains(n) || parts.iter().all(|p| printed.contains(p) || everywhere(p))
+    };
+    let lacks = printed.iter().filter(|n| !reached.contains(*n)).collect();
+    let adds = own.iter().filter(|n| !parts(n)).collect();
+    let mut signs = listed(Flag::LacksNumber, "printed and not stated", shown(lacks));
+    signs.extend(listed(
+        Flag::AddsNumber,
+        "stated and not printed",
+        shown(adds),
+    ));
+    signs
+}
+
+/// The value of a number or of a quotient of numbers.
+pub(super) fn value(expr: &Expr) -> Option<Rational> {
+    match &expr.node {
+        Node::Number { value, .. } => Some(value.clone()),
+        Node::Binary(Operator::Divide, a, b) => match (&a.node, &b.node) {
+            (Node::Number { value: a, .. }, Node::Number { value: b, .. }) if *b != integer(0) => {
+                Some(a.clone() / b)
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Names of the print that are declared and do not occur, and free numbers of the statement that the print does not name.
+pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
+    let declarations = &subject.claim.declarations;
+    let reached: BTreeSet<&str> = subject
+        .formulas
+        .names
+        .iter()
+        .map(|name| stem(name))
+        .collect();
+    let declared: BTreeSet<&str> = declarations.names().map(stem).collect();
+    let printed = subject.print.names.iter().map(String::as_str);
+    let lacks = printed.filter(|name| declared.contains(name) && !reached.contains(name));
+    let statement = subject.claim.statement.iter();
+    let stated: BTreeSet<&str> = statement.flat_map(|w| w.expr.names()).collect();
+    let adds = stated.into_iter().filter(|name| {
+        let free = matches!(declarations.symbol(name), Some(SymbolKind::Real(_)));
+        free && !subject.print.names.contains(stem(name))
+    });
+    let shown = |name: &str| format!("`{name}`");
+    let (lacks, adds) = (lacks.map(shown).collect(), adds.map(shown).collect());
+    let mut signs = listed(Flag::LacksName, "printed and not stated", lacks);
+    signs.extend(listed(Flag::AddsName, "stated and not printed", adds));
+    signs
+}
+
+/// Words of order.
+const ORDER: [&str; 38] = [
+    "less", "great", "larg", "small", "most", "least", "positiv", "negativ", "non", "increas",
+    "decreas", "max", "min", "between", "above", "below", "bound", "inside", "within", "outside",
+    "longer", "shorter", "more", "exceed", "higher", "lower", "close", "near", "far", "toward",
+    "convex", "monoton", "lie", "lies", "range", "interval", "rise", "fall",
+];
+/// Words of denial.
+const DENIAL: [&str; 18] = [
+    "not", "no", "non", "never", "cannot", "differ", "distinct", "without", "neither", "nor",
+    "unlike", "fail", "except", "other", "un", "depend", "vary", "chang",
+];
+
+/// Relations of the print that are not stated, and the other way round.
+pub(super) fn relations(subject: &Subject<'_>) -> Vec<Sign> {
+    let statement = subject.claim.statement.iter().map(|w| &w.expr);
+    let stated = Kinds::of(statement);
+    let mut reached = Kinds::of(subject.formulas.reached.iter().copied());
+    let ranges = subject
+        .formulas
+        .names
+        .iter()
+        .filter_map(|n| subject.claim.declarations.symbol(n));
+    reached.order |= ranges.into_iter().any(|kind| match kind {
+        SymbolKind::Real(interval) => interval.lower.is_some() || interval.upper.is_some(),
+        SymbolKind::Integer { .. } => true,
+        _ => false,
+    });
+    let defined = subject.formulas.names.iter();
+    let mut defined = defined.filter(|n| subject.claim.declarations.definition(n).is_some());
+    reached.equal |= defined.next().is_some() || !subject.claim.given.is_empty();
+    let print = &subject.print;
+    let mut signs = vec![];
+    let mut lacks = |is: bool, what: &str| {
+        if is {
+            signs.push(sign(
+                Flag::LacksRelation,
+                format!("{what} is printed and not stated"),
+            ));
+        }
+    };
+    lacks(
+        print.equal && !reached.equal && !reached.property,
+        "an equation",
+    );
+    lacks(
+        print.order && !reached.order && !reached.property,
+        "an inequality",
+    );
+    lacks(
+        print.different && !reached.different,
+        "that something differs",
+    );
+    let mut adds = |is: bool, what: &str| {
+        if is {
+            signs.push(sign(
+                Flag::AddsRelation,
+                format!("{what} is stated and not printed"),
+            ));
+        }
+    };
+    adds(
+        stated.order && !print.order && !print.says(&ORDER),
+        "an inequality",
+    );
+    let denied = print.different || print.says(&DENIAL) || print.order;
+    adds(stated.different && !denied, "that something differs");
+    signs
+}
+
+/// The kinds of relations that occur.
+#[derive(Default)]
+struct Kinds {
+    equal: bool,
+    order: bool,
+    different: bool,
+    /// A property in a word, such as `nonnegative(g)` or `agrees(a, b)`.
+    property: bool,
+}
+
+impl Kinds {
+    fn of<'e>(formulas: impl Iterator<Item = &'e Expr>) -> Self {
+        let mut kinds = Self::default();
+        for expr in formulas {
+            every(expr, &mut |part| kinds.see(part));
+        }
+        kinds
+    }
+
+    fn see(&mut self, part: &Expr) {
+        const PROPERTIES: [&str; 4] = [
+            "agrees",
+            "nonnegative",
+            "independent",
+            "variation_diminishing",
+        ];
+        match &part.node {
+            Node::Compare(_, rest) => {
+                for (relation, _) in rest {
+                    match relation {
+                        Relation::Equal => self.equal = true,
+                        Relation::Different => self.different = true,
+                        _ => self.order = true,
+                    }
+                }
+            }
+            Node::Not(_) => self.different = true,
+            Node::Call(head, _) => {
+                self.property |=
+                    matches!(&head.node, Node::Name(name) if PROPERTIES.contains(&name.as_str()));
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! What is to be seen in a print: its numbers, its names, its relations.
+
+use std::collections::BTreeSet;
+use torse_algebra::Rational;
+use torse_language::syntax::{Node, parse};
+
+/// A printed sentence, taken apart.
+#[derive(Debug, Default)]
+pub struct Print {
+    /// The numbers, those of references such as "Fig. 3" or "(5.16)" left out.
+    pub numbers: BTreeSet<Rational>,
+    /// The names of mathematics: Greek letters in our spelling, single Latin letters beside signs.
+    pub names: BTreeSet<String>,
+    /// How many relations there are.
+    pub relations: usize,
+    /// Equations.
+    pub equal: bool,
+    /// Signs of order.
+    pub order: bool,
+    /// Signs that something differs.
+    pub different: bool,
+    /// The text in small letters.
+    pub words: String,
+}
+
+/// Words after which a number is that of a formula or figure.
+const REFERENCES: [&str; 16] = [
+    "eq.",
+    "eqs.",
+    "eq",
+    "eqs",
+    "fig.",
+    "figs.",
+    "figure",
+    "figures",
+    "theorem",
+    "theorems",
+    "sect.",
+    "section",
+    "definition",
+    "example",
+    "examples",
+    "step",
+];
+
+impl Print {
+    /// Takes a printed sentence apart.
+    pub fn of(printed: &str) -> Self {
+        let mut print = Self {
+            words: printed.to_lowercase(),
+            ..Self::default()
+        };
+        let letters: Vec<char> = printed.chars().collect();
+        let mut last_word = String::new();
+        let mut i = 0;
+        while let Some(&c) = letters.get(i) {
+            let rest = letters.get(i..).unwrap_or_default();
+            if c.is_ascii_digit() {
+                let length = number_length(rest);
+                let text: String = rest.iter().take(length).collect();
+                let before = i.checked_sub(1).and_then(|j| letters.get(j));
+                let after = rest.get(length);
+                let bracketed = matches!(
+                    (before, after),
+                    (Some('(' | '['), Some(')' | ']')) if text.contains('.') || before == Some(&'[')
+                );
+                if !bracketed && !REFERENCES.contains(&last_word.as_str()) {
+                    print.numbers.extend(number(&text));
+                }
+                i += length;
+                continue;
+            }
+            match c {
+                '=' => (print.relations, print.equal) = (print.relations + 1, true),
+                '<' | '>' | '≤' | '≥' | '⩽' | '⩾' | '≦' | '≧' | '≪' | '≫' => {
+                    (print.relations, print.order) = (print.relations + 1, true);
+                }
+                '≠' => (print.relations, print.different) = (print.relations + 1, true),
+                _ => {}
+            }
+            if let Some(name) = greek(c) {
+                print.names.insert(name.to_owned());
+            }
+            if c.is_ascii_alphabetic() {
+                let length = rest.iter().take_while(|c| c.is_alphabetic()).count();
+                let word: String = rest.iter().take(length).collect();
+                let after = rest.iter().skip(length).find(|c| **c != ' ');
+                let near = letters.get(..i).unwrap_or_default();
+                let before = near.iter().rev().find(|c| **c != ' ');
+                let beside = |c: Option<&char>| c.is_some_and(|c| "_=<>+-−*/^(≤≥≠'′".contains(*c));
+                if length == 1 && (beside(after) || beside(before)) {
+                    print.names.insert(word.clone());
+                }
+                let dot = rest.get(length) == Some(&'.');
+                last_word = word.to_lowercase() + if dot { "." } else { "" };
+                i += length + usize::from(dot);
+                continue;
+            }
+            if !c.is_whitespace() && !matches!(c, '(' | ')' | ',' | '-' | '–') {
+                last_word.clear();
+            }
+            i += 1;
+        }
+        print
+    }
+
+    /// Whether one of these words, or beginnings of words, occurs.
+    pub fn says(&self, beginnings: &[&str]) -> bool {
+        let mut words = self.words.split(|c: char| !c.is_alphanumeric());
+        words.any(|word| {
+            beginnings
+                .iter()
+                .any(|beginning| word.starts_with(beginning))
+        })
+    }
+}
+
+fn number_length(rest: &[char]) -> usize {
+    let digits = |from: usize| {
+        let rest = rest.iter().skip(from);
+        rest.take_while(|c| c.is_ascii_digit()).count()
+    };
+    let whole = digits(0);
+    match rest.get(whole) {
+        Some('.') if digits(whole + 1) > 0 => whole + 1 + digits(whole + 1),
+        _ => whole,
+    }
+}
+
+/// The value of digits.
+fn number(text: &str) -> Option<Rational> {
+    match parse(text).ok()?.node {
+        Node::Number { value, .. } => Some(value),
+        _ => None,
+    }
+}
+
+/// How files spell a Greek letter.
+fn greek(c: char) -> Option<&'static str> {
+    const LETTERS: [(char, &str); 24] = [
+        ('α', "alpha"),
+        ('β', "beta"),
+        ('γ', "gamma"),
+        ('δ', "delta"),
+        ('ε', "epsilon"),
+        ('ζ', "zeta"),
+        ('η', "eta"),
+        ('θ', "theta"),
+        ('κ', "kappa"),
+        ('λ', "lambda"),
+        ('μ', "mu"),
+        ('µ', "mu"),
+        ('ν', "nu"),
+        ('ξ', "xi"),
+        ('ρ', "rho"),
+        ('σ', "sigma"),
+        ('τ', "tau"),
+        ('φ', "phi"),
+        ('ϕ', "phi"),
+        ('χ', "chi"),
+        ('ψ', "psi"),
+        ('ω', "omega"),
+        ('Δ', "Delta"),
+        ('Ω', "Omega"),
+    ];
+    let found = LETTERS.iter().find(|(letter, _)| *letter == c);
+    found.map(|(_, name)| *name)
+}
+
+/// The stem of a name: `mu` of `mu1`, `E` of `E1_0`.
+pub fn stem(name: &str) -> &str {
+    let name = name.split_once('_').map_or(name, |(stem, _)| stem);
+    name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '\'')
+}

@@ -1,0 +1,50 @@
+//! An equation whose sides are the same as they are written says nothing.
+
+use super::formulas::conjuncts;
+use super::{Sign, Subject, sign};
+use torse_language::derivation::declarations::Declarations;
+use torse_language::notation;
+use torse_language::syntax::{Expr, Node, Relation};
+use torse_language::words::{Flag, Kind};
+
+/// How deep names are opened.
+const DEPTH: usize = 8;
+
+/// Equations with equal sides, names that stand for formulas opened; of a definition that is what is wanted.
+pub(super) fn equal(subject: &Subject<'_>) -> Vec<Sign> {
+    let definition = subject.claim.entry.kind == Kind::Definition;
+    let statement = subject.claim.statement.as_ref().filter(|_| !definition);
+    let mut signs = vec![];
+    for part in statement.iter().flat_map(|w| conjuncts(&w.expr)) {
+        let Node::Compare(first, rest) = &part.node else {
+            continue;
+        };
+        let mut left: &Expr = first;
+        for (relation, right) in rest {
+            let opened = |side: &Expr| opened(side.clone(), &subject.claim.declarations, DEPTH);
+            let equal = opened(left).placeless() == opened(right).placeless();
+            if *relation == Relation::Equal && equal {
+                let (left, right) = (notation::text(left), notation::text(right));
+                let seen = format!("`{left}` and `{right}` are the same formula");
+                signs.push(sign(Flag::EqualSides, seen));
+            }
+            left = right;
+        }
+    }
+    signs
+}
+
+/// The formula with the bodies of plain definitions in place of their names.
+fn opened(mut expr: Expr, declarations: &Declarations, depth: usize) -> Expr {
+    if let Node::Name(name) = &expr.node
+        && let Some(definition) = declarations.definition(name)
+        && definition.parameters.is_empty()
+        && depth > 0
+    {
+        return opened(definition.body.expr.clone(), declarations, depth - 1);
+    }
+    for part in expr.parts_mut() {
+        *part = opened(part.clone(), declarations, depth);
+    }
+    expr
+}

@@ -1,0 +1,20 @@
+//! A statement about nothing that the paper defines.
+
+use super::{Sign, Subject, sign};
+use torse_language::words::Flag;
+
+/// A statement in which only names of the claim's own occur, or none.
+pub(super) fn nothing_of_the_paper(subject: &Subject<'_>) -> Vec<Sign> {
+    let formulas = &subject.formulas;
+    let mut others = formulas
+        .names
+        .iter()
+        .filter(|name| !formulas.local.contains(*name));
+    match others.next() {
+        Some(_) => vec![],
+        None => {
+            let seen = "no symbol, basis or definition of the paper occurs in the statement";
+            vec![sign(Flag::NothingOfThePaper, seen)]
+        }
+    }
+}

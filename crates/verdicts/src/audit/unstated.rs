@@ -1,0 +1,58 @@
+//! Words about what is not stated: a reading that names other things, a relation in a sentence of which nothing is stated.
+
+use super::{Sign, Subject, listed, sign};
+use torse_language::words::Flag;
+
+/// A reading that names, in backticks or by the number of its equation, what does not occur.
+pub(super) fn reading(subject: &Subject<'_>) -> Vec<Sign> {
+    let entry = &subject.claim.entry;
+    let Some(reading) = &entry.reading else {
+        return vec![];
+    };
+    let occurs = |name: &str| {
+        let base = name.trim_end_matches('\'');
+        let formulas = subject.formulas.reached.iter();
+        let mut names = formulas.flat_map(|expr| expr.names());
+        names.any(|found| found == name || found.trim_end_matches('\'') == base)
+    };
+    let quoted = reading.split('`').skip(1).step_by(2);
+    let words = quoted.flat_map(|code| code.split(|c: char| !c.is_alphanumeric() && c != '_'));
+    let names = words.filter(|word| word.starts_with(char::is_alphabetic) && !occurs(word));
+    let mut missing: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    let known = entry.uses.iter().chain([&entry.id]).map(|id| id.get_ref());
+    let known: Vec<&String> = known.collect();
+    for number in equation_numbers(reading) {
+        let used = known.iter().any(|id| id.contains(number));
+        if !used && !entry.printed.contains(number) {
+            missing.push(format!("({number})"));
+        }
+    }
+    listed(Flag::UnstatedReading, "read, and not stated", missing)
+}
+
+/// `5.12` of `(5.12)`.
+fn equation_numbers(text: &str) -> Vec<&str> {
+    let inside = text.split('(').skip(1);
+    let inside = inside
+        .filter_map(|rest| rest.split_once(')'))
+        .map(|(inside, _)| inside);
+    let number = |text: &&str| {
+        let digits = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_digit());
+        text.split_once('.')
+            .is_some_and(|(a, b)| digits(a) && digits(b))
+    };
+    inside.filter(number).collect()
+}
+
+/// A sentence with a relation of which nothing is stated.
+pub(super) fn relation(subject: &Subject<'_>) -> Vec<Sign> {
+    let entry = &subject.claim.entry;
+    let reason = entry.out_of_scope.is_some() || entry.underspecified.is_some();
+    match reason && subject.print.relations > 0 {
+        true => {
+            let seen = "the sentence has a relation, and nothing is stated";
+            vec![sign(Flag::UnstatedRelation, seen)]
+        }
+        false => vec![],
+    }
+}

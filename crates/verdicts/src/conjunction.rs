@@ -1,0 +1,64 @@
+//! A refuted conjunction, part by part: which part fails, which hold and by what.
+
+use torse_algebra::work;
+use torse_language::derivation::{Claim, Written};
+use torse_language::notation;
+use torse_language::syntax::{Connective, Expr, Node};
+use torse_prove::decide::Decision;
+use torse_prove::decide_statement;
+use torse_prove::evidence::Evidence;
+
+/// What is true of each part, a line each; nothing for what is no conjunction. Each part may take so much work.
+#[must_use]
+pub fn part_by_part(claim: &Claim, statement: &Written, budget: u64) -> Vec<String> {
+    let parts = parts(&statement.expr);
+    if parts.len() < 2 {
+        return vec![];
+    }
+    let told = |part: &&Expr| {
+        let written = Written {
+            expr: (*part).clone(),
+            origin: statement.origin.clone(),
+        };
+        let decided = work::within(budget, || decide_statement(claim, &written));
+        let verdict = match decided {
+            Ok(Ok(decision)) => word(&decision),
+            _ => "is not decided".to_owned(),
+        };
+        format!("the part `{}` {verdict}", notation::text(part))
+    };
+    parts.iter().map(told).collect()
+}
+
+fn parts(expr: &Expr) -> Vec<&Expr> {
+    match &expr.node {
+        Node::Join(Connective::And, a, b) => [parts(a), parts(b)].concat(),
+        _ => vec![expr],
+    }
+}
+
+fn word(decision: &Decision) -> String {
+    match decision {
+        Decision::Proven {
+            evidence,
+            conditions,
+            ..
+        } => {
+            let by = match evidence {
+                Evidence::Identity => "an identity",
+                Evidence::Induction => "induction",
+                Evidence::Inequality => "a certificate of sign",
+                Evidence::Enclosure => "certified digits",
+                Evidence::Witness => "an exact point",
+                Evidence::CheckedRange | Evidence::Sampled => "instances that were tried",
+            };
+            match conditions.is_empty() {
+                true => format!("holds, by {by}"),
+                false => format!("holds under a condition, by {by}"),
+            }
+        }
+        Decision::Refuted(_) => "fails".to_owned(),
+        Decision::Vacuous { .. } => "says nothing: no point satisfies the assumptions".to_owned(),
+        Decision::Open { .. } => "is not decided".to_owned(),
+    }
+}

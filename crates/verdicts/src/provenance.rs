@@ -1,0 +1,223 @@
+//! Which hypotheses a proof needs, and whose they are.
+//!
+//! A verdict `holds` says that the paper is right, so it may rest on what the paper says. A hypothesis or a range that
+//! is ours is therefore tried: it is dropped and the claim decided again, one at a time, in the order of the file. If the
+//! proof is lost, the hypothesis is needed, and is a condition of the verdict; if not, it is dropped for the rest. So what
+//! is left is a set of hypotheses of which none can be spared, though another order might leave another set.
+//!
+//! A dropped range leaves the one that it narrows, or the whole line.
+
+use crate::outcome::{Assumed, Outcome, Role, SaidBy};
+use std::sync::Arc;
+use torse_algebra::work;
+use torse_language::derivation::declarations::SymbolKind;
+use torse_language::derivation::{Claim, Hypothesis, Origin, Provenance, Written};
+use torse_language::notation::{self, Formula, domain};
+use torse_language::syntax::Place;
+use torse_prove::decide::Decision;
+use torse_prove::decide_statement;
+
+/// A hypothesis of a claim by its place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Slot {
+    /// The declared range of a symbol.
+    Range(String),
+    /// An entry of `assume`.
+    Assume(usize),
+    /// An entry of `given`.
+    Given(usize),
+}
+
+/// All hypotheses of a claim: the ranges of which its files say where they are from, then `assume` and `given`, those
+/// of the same file in the order in which they stand there.
+#[must_use]
+pub fn slots(claim: &Claim) -> Vec<Slot> {
+    let names = claim.declarations.ranges();
+    let mut found: Vec<(Slot, &Origin)> = names
+        .map(|(name, range)| (Slot::Range(name.to_owned()), &range.origin))
+        .collect();
+    let listed = |list: &'_ [Hypothesis], slot: fn(usize) -> Slot| -> Vec<(Slot, Origin)> {
+        let numbered = list.iter().enumerate();
+        let of = |(i, h): (usize, &Hypothesis)| (slot(i), h.formula.origin.clone());
+        numbered.map(of).collect()
+    };
+    let written = [
+        listed(&claim.assumptions, Slot::Assume),
+        listed(&claim.given, Slot::Given),
+    ]
+    .concat();
+    found.extend(written.iter().map(|(slot, origin)| (slot.clone(), origin)));
+    // What other files say comes first: it was there before the claim.
+    found.sort_by_key(|(_, origin)| {
+        let elsewhere = origin.source.name != claim.origin.source.name;
+        (!elsewhere, origin.span(Place::default()).offset())
+    });
+    found.into_iter().map(|(slot, _)| slot).collect()
+}
+
+/// The hypotheses of a claim, in the order of [`slots`].
+#[must_use]
+pub fn assumed(claim: &Claim) -> Vec<Assumed> {
+    let slots = slots(claim);
+    let entry = |slot: &Slot| {
+        let listed = |role, list: &[Hypothesis], i: usize| {
+            list.get(i).map(|h| {
+                (
+                    role,
+                    notation::formula(&h.formula.expr),
+                    h.provenance.clone(),
+                )
+            })
+        };
+        let (role, formula, provenance) = match slot {
+            Slot::Assume(i) => listed(Role::Assume, &claim.assumptions, *i)?,
+            Slot::Given(i) => listed(Role::Given, &claim.given, *i)?,
+            Slot::Range(name) => {
+                let range = claim.declarations.range(name)?;
+                let kind = claim.declarations.symbol(name)?;
+                let formula = match domain::statement(name, kind) {
+                    Some(range) => notation::formula(&range),
+                    None => Formula {
+                        text: domain::words(name, kind),
+                        ..Formula::default()
+                    },
+                };
+                (Role::Range, formula, range.provenance.clone())
+            }
+        };
+        Some(Assumed {
+            role,
+            formula,
+            from: match provenance {
+                Provenance::Stated => SaidBy::Stated,
+                Provenance::Printed(quote) => SaidBy::Printed {
+                    quote: quote.words,
+                    claim: quote.claim,
+                },
+                Provenance::Ours { reason } => SaidBy::Ours { reason },
+            },
+            needed: None,
+        })
+    };
+    slots.iter().filter_map(entry).collect()
+}
+
+/// The claim without some of its hypotheses.
+#[must_use]
+pub fn without(claim: &Claim, dropped: &[Slot]) -> Claim {
+    let mut fewer = claim.clone();
+    let kept = |list: &[Hypothesis], slot: fn(usize) -> Slot| -> Vec<Hypothesis> {
+        let numbered = list.iter().enumerate();
+        let kept = numbered.filter(|(i, _)| !dropped.contains(&slot(*i)));
+        kept.map(|(_, hypothesis)| hypothesis.clone()).collect()
+    };
+    fewer.assumptions = kept(&claim.assumptions, Slot::Assume);
+    fewer.given = kept(&claim.given, Slot::Given);
+    for slot in dropped {
+        let Slot::Range(name) = slot else { continue };
+        let outer = fewer.declarations.range(name).map(|r| r.outer.clone());
+        let wider = match (outer.flatten(), claim.declarations.symbol(name)) {
+            (Some(outer), _) => outer,
+            (None, Some(SymbolKind::Integer { .. })) => SymbolKind::Integer {
+                least: None,
+                most: None,
+            },
+            (None, _) => SymbolKind::Real(Box::default()),
+        };
+        fewer.declarations = Arc::new(fewer.declarations.with_symbol(name, wider));
+    }
+    fewer
+}
+
+/// Which hypotheses that are ours a proof needs.
+#[derive(Debug)]
+pub struct Weighed {
+    /// The proof without those that it does not need.
+    pub decision: Decision,
+    /// Those that were tried, and whether they are needed.
+    pub needed: Vec<(Slot, bool)>,
+}
+
+/// Tries to do without the hypotheses that are ours, with so much work for each. One that cannot be tried with that is needed.
+#[must_use]
+pub fn weigh(claim: &Claim, statement: &Written, decision: Decision, budget: u64) -> Weighed {
+    let mut weighed = Weighed {
+        decision,
+        needed: vec![],
+    };
+    if !weighed.decision.is_proven() {
+        return weighed;
+    }
+    let mut dropped = vec![];
+    for slot in slots(claim) {
+        if !can_be_dropped(claim, &slot) {
+            continue;
+        }
+        dropped.push(slot.clone());
+        let fewer = without(claim, &dropped);
+        // What makes no sense without the hypothesis needs it.
+        let found = work::within(budget, || decide_statement(&fewer, statement));
+        match found.ok().and_then(Result::ok) {
+            Some(decision) if decision.is_proven() => {
+                weighed.decision = decision;
+                weighed.needed.push((slot, false));
+            }
+            _ => {
+                dropped.pop();
+                weighed.needed.push((slot, true));
+            }
+        }
+    }
+    weighed
+}
+
+/// Whether a hypothesis is ours, and a condition that a formula can state.
+fn can_be_dropped(claim: &Claim, slot: &Slot) -> bool {
+    let listed =
+        |list: &[Hypothesis], i: usize| list.get(i).is_some_and(|h| h.provenance.is_ours());
+    match slot {
+        Slot::Assume(i) => listed(&claim.assumptions, *i),
+        Slot::Given(i) => listed(&claim.given, *i),
+        Slot::Range(name) => {
+            let range = claim.declarations.range(name);
+            let kind = claim.declarations.symbol(name);
+            range.is_some_and(|range| range.provenance.is_ours())
+                && kind.is_some_and(|kind| domain::statement(name, kind).is_some())
+        }
+    }
+}
+
+/// Writes into the outcome what was found of the hypotheses that are ours.
+pub fn record(outcome: &mut Outcome, claim: &Claim, needed: &[(Slot, bool)]) {
+    for (slot, hypothesis) in slots(claim).iter().zip(&mut outcome.assumed) {
+        let tried = needed.iter().find(|(tried, _)| tried == slot);
+        hypothesis.needed = tried.map(|(_, needed)| *needed);
+    }
+}
+
+/// The hypotheses that a verdict was found not to need.
+#[must_use]
+pub fn unneeded(claim: &Claim, outcome: &Outcome) -> Vec<Slot> {
+    let slots = slots(claim).into_iter().zip(&outcome.assumed);
+    let unneeded = slots.filter(|(_, hypothesis)| hypothesis.needed == Some(false));
+    unneeded.map(|(slot, _)| slot).collect()
+}
+
+/// The hypotheses that are needed, as conditions.
+#[must_use]
+pub fn conditions(claim: &Claim, needed: &[(Slot, bool)]) -> Vec<Formula> {
+    let all = slots(claim);
+    let paired = all.iter().zip(assumed(claim));
+    let kept = paired.filter(|(slot, _)| needed.contains(&((*slot).clone(), true)));
+    kept.map(|(_, hypothesis)| hypothesis.formula).collect()
+}
+
+/// A condition that is a hypothesis of ours, by its formula.
+#[must_use]
+pub fn slot_of(claim: &Claim, condition: &Formula) -> Option<Slot> {
+    let all = slots(claim);
+    let hypotheses = assumed(claim);
+    let mut paired = all.into_iter().zip(hypotheses);
+    let found = paired.find(|(slot, h)| h.formula == *condition && can_be_dropped(claim, slot));
+    found.map(|(slot, _)| slot)
+}
