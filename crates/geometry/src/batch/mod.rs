@@ -8,6 +8,7 @@
 
 mod curves;
 mod grid;
+mod lanes;
 mod table;
 mod wide;
 

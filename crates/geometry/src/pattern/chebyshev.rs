@@ -102,6 +102,13 @@ impl Interpolant {
         product(&self.0, basis)
     }
 
+    /// `factors[0] f + factors[1] g + constant`.
+    pub(super) fn sum(factors: [f64; 2], [f, g]: [&Self; 2], constant: f64) -> Self {
+        let mut row: Row = std::array::from_fn(|j| factors[0] * f.0[j] + factors[1] * g.0[j]);
+        row[0] += constant;
+        Self(row)
+    }
+
     /// The integral from the left end of an interval of this half width, plus a constant. The part of degree
     /// 17 is dropped: [`Interpolant::tail`] times the half width bounds it.
     pub(super) fn integral(&self, half: f64, start: f64) -> Self {

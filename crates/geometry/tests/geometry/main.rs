@@ -6,6 +6,7 @@
 )]
 
 mod agreement;
+mod batches;
 mod certified;
 mod connections;
 mod constructions;

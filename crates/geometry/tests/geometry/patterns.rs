@@ -17,7 +17,7 @@ use torse_geometry::{
 /// A patch between two rails given by formulas of the parameter.
 struct Formula<F>(F);
 
-impl<F: Fn(Jet<f64>) -> [[Jet<f64>; 3]; 2]> Rails<f64> for Formula<F> {
+impl<F: Fn(Jet<f64>) -> [[Jet<f64>; 3]; 2] + Sync> Rails<f64> for Formula<F> {
     fn rail_jets(&self, x: &f64, order: usize) -> Result<[[Jet<f64>; 3]; 2], GeometryError> {
         Ok((self.0)(Jet::variable(*x, order)))
     }
