@@ -97,5 +97,15 @@ fn pattern(pieces: &[FlatPiece], drawing: &Drawing) -> Plot {
         };
         plot = plot.curve(path.polygon(5e-4), line, "");
     }
+    for text in drawing.texts() {
+        plot = plot.layer(Layer::Lettering {
+            at: text.at,
+            // Plain text has no mathematics.
+            text: text.content.replace('$', "\\$"),
+            height: text.height,
+            angle: text.angle,
+            colour: MARK.colour,
+        });
+    }
     plot
 }

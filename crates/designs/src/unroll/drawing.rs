@@ -7,7 +7,7 @@ use torse_exchange::{Drawing, Layer, Text};
 use torse_geometry::pattern::{FlatPattern, PatternError, Place};
 
 /// The height of the letters of a name, as a share of the size of its piece.
-const LETTERS: f64 = 0.02;
+const LETTERS: f64 = 0.035;
 /// How far from the sheet the edge of regression is still shown, as a share of its size.
 const REACH: f64 = 0.25;
 
