@@ -8,20 +8,24 @@
 //!
 //! # What a point costs
 //!
-//! Degree three, doubles, for each parameter (additions and multiplications; nothing is fused, so that the values
-//! are those of every other machine):
+//! Degree three, for each parameter: additions, multiplications and divisions of doubles, counted in the source. Nothing
+//! is fused, so that the values are those of every other machine. Comparisons, loads and stores are not counted.
 //!
 //! | part | Bernstein | trigonometric |
 //! |---|---:|---:|
-//! | sine and cosine of a quarter turn, by their Taylor polynomials | 0 | 42 |
-//! | three seeds | 5 | 9 |
-//! | blend to degree three | 7 | 7 |
-//! | four points of three coordinates | 21 | 21 |
-//! | together | 33 | 79 |
-//! | four planes | 28 | 28 |
-//! | slopes of seeds and blend, four slopes of planes | 48 | 54 |
-//! | ruling: three vector products, squares, one division | 36 | 36 |
-//! | rulings together | 124 | 176 |
+//! | sine and cosine of a quarter turn, by their Taylor polynomials | 0 | 39 |
+//! | three seeds | 5 | 10 |
+//! | blend to degree three | 9 | 9 |
+//! | sum of four points of three coordinates | 21 | 21 |
+//! | **a point of a curve** | **35** | **79** |
+//! | the same with planes of four coordinates | 42 | 86 |
+//! | slopes of the seeds, of their blend and of the plane | 53 | 63 |
+//! | vector products, square and quotient of the ruling | 35 | 35 |
+//! | powers of two back to the planes as given | 18 | 18 |
+//! | **a ruling** | **148** | **202** |
+//!
+//! A register of 256 bits holds four doubles and two such operations start in a cycle, so a trigonometric point
+//! takes ten cycles at least and its 24 bytes about as long to store; with registers of 512 bits it takes half.
 
 #![allow(clippy::expect_used, reason = "a benchmark on known good data")]
 #![allow(clippy::print_stdout, reason = "the table is what it is for")]

@@ -5,21 +5,21 @@ use torse_algebra::Scalar;
 
 /// `a + b`.
 #[must_use]
-#[inline(always)]
+#[inline]
 pub fn add<S: Scalar, const D: usize>(a: &[S; D], b: &[S; D]) -> [S; D] {
     std::array::from_fn(|i| a[i].clone() + b[i].clone())
 }
 
 /// `a - b`.
 #[must_use]
-#[inline(always)]
+#[inline]
 pub fn sub<S: Scalar, const D: usize>(a: &[S; D], b: &[S; D]) -> [S; D] {
     std::array::from_fn(|i| a[i].clone() - b[i].clone())
 }
 
 /// `factor * a`.
 #[must_use]
-#[inline(always)]
+#[inline]
 pub fn scale<S: Scalar, const D: usize>(factor: &S, a: &[S; D]) -> [S; D] {
     std::array::from_fn(|i| factor.clone() * a[i].clone())
 }
@@ -37,14 +37,14 @@ pub(crate) fn times_two_to<S: Coordinate>(a: &[S; 3], power: i32) -> [S; 3] {
 
 /// The scalar product of two vectors of the space.
 #[must_use]
-#[inline(always)]
+#[inline]
 pub fn dot<S: Scalar>(a: &[S; 3], b: &[S; 3]) -> S {
     a[0].clone() * b[0].clone() + a[1].clone() * b[1].clone() + a[2].clone() * b[2].clone()
 }
 
 /// The vector product.
 #[must_use]
-#[inline(always)]
+#[inline]
 pub fn cross<S: Scalar>(a: &[S; 3], b: &[S; 3]) -> [S; 3] {
     let minor = |i: usize, j: usize| a[i].clone() * b[j].clone() - a[j].clone() * b[i].clone();
     [minor(1, 2), minor(2, 0), minor(0, 1)]

@@ -12,6 +12,8 @@ mod lanes;
 mod table;
 mod wide;
 
+pub(crate) use wide::widest;
+
 pub use grid::{GridEvaluator, par_ruled_grid_into, ruled_grid_into};
 pub use table::BasisTable;
 

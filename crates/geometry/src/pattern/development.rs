@@ -22,6 +22,7 @@
 use super::chebyshev::{DEGREE, Interpolant, NODES, Row, basis, between, node_rows, nodes};
 use super::error::{PatternError, PatternResult};
 use super::frame::{Frame, check_across};
+use crate::batch::widest;
 use crate::surface::Rails;
 use crate::vector::dot;
 use rayon::prelude::*;
@@ -147,20 +148,22 @@ impl Development {
     pub(super) fn at(&self, x: f64) -> At {
         let panel = self.panel_at(x);
         let row = panel.basis(x);
-        let value = |f: &Interpolant| f.at(&row);
-        At {
-            rails: panel
-                .rails
-                .each_ref()
-                .map(|rail| rail.each_ref().map(value)),
-            length: value(&panel.length),
-            space: panel
-                .space
-                .each_ref()
-                .map(|rail| rail.each_ref().map(value)),
-            across: panel.across.each_ref().map(value),
-            bending: value(&panel.bending),
-        }
+        widest(
+            #[inline(always)]
+            || At {
+                rails: [0, 1].map(
+                    #[inline(always)]
+                    |side: usize| values(&panel.rails[side], &row),
+                ),
+                length: panel.length.at(&row),
+                space: [0, 1].map(
+                    #[inline(always)]
+                    |side: usize| values(&panel.space[side], &row),
+                ),
+                across: values(&panel.across, &row),
+                bending: panel.bending.at(&row),
+            },
+        )
     }
 
     /// A point of a flat rail and the direction in which it proceeds, not normalised.
@@ -177,7 +180,10 @@ impl Development {
     pub(super) fn normal(&self, x: f64) -> [f64; 3] {
         let panel = self.panel_at(x);
         let row = panel.basis(x);
-        panel.normal.each_ref().map(|f| f.at(&row))
+        widest(
+            #[inline(always)]
+            || values(&panel.normal, &row),
+        )
     }
 }
 
@@ -239,6 +245,16 @@ impl Panel {
         }
         values.each_ref().map(Interpolant::through)
     }
+}
+
+/// The values of some functions.
+#[inline(always)]
+fn values<const K: usize>(functions: &[Interpolant; K], row: &Row) -> [f64; K] {
+    let mut values = [0.0; K];
+    for (value, function) in values.iter_mut().zip(functions) {
+        *value = function.at(row);
+    }
+    values
 }
 
 struct Demand {

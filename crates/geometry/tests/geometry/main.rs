@@ -17,5 +17,6 @@ mod identities;
 mod joins;
 mod patterns;
 mod singular;
+mod support;
 mod surfaces;
 mod ulps;
