@@ -7,7 +7,9 @@ use torse_exchange::{Drawing, Layer, Text};
 use torse_geometry::pattern::{FlatPattern, PatternError, Place};
 
 /// The height of the letters of a name, as a share of the size of its piece.
-const LETTERS: f64 = 0.035;
+const LETTERS: f64 = 0.025;
+/// The width of a letter as a share of its height, about.
+const WIDE: f64 = 0.66;
 /// How far from the sheet the edge of regression is still shown, as a share of its size.
 const REACH: f64 = 0.25;
 
@@ -40,7 +42,7 @@ pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignE
     Ok(drawing)
 }
 
-/// The name of a piece along its middle ruling; a strained pattern says so beside it.
+/// The name of a piece in the middle of its middle ruling; a strained pattern says so beside it.
 fn name(
     drawing: &mut Drawing,
     name: &str,
@@ -59,11 +61,10 @@ fn name(
         name.to_owned()
     };
     let count = f64::from(u32::try_from(content.chars().count()).unwrap_or(u32::MAX));
-    // Letters are about two thirds as wide as high.
-    let height = (LETTERS * size).min(0.8 * length / (0.66 * count));
+    let height = (LETTERS * size).min(0.8 * length / (WIDE * count));
     drawing.text(Text {
         layer: Layer::Marks,
-        at: at(0.1),
+        at: at(0.5 - 0.5 * WIDE * count * height / length),
         height,
         angle: (to[1] - from[1]).atan2(to[0] - from[0]),
         content,
