@@ -42,14 +42,14 @@ pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignE
     Ok(drawing)
 }
 
-/// The name of a piece in the middle of its middle ruling; a strained pattern says so beside it.
+/// The name of a piece along a ruling behind its middle, where marks are rarely; a strained pattern says so beside it.
 fn name(
     drawing: &mut Drawing,
     name: &str,
     flat: &FlatPattern,
     size: f64,
 ) -> Result<(), DesignError> {
-    let Some(ruling) = flat.rulings().get(flat.rulings().len() / 2) else {
+    let Some(ruling) = flat.rulings().get(5 * flat.rulings().len() / 8) else {
         return Ok(());
     };
     let [from, to] = ruling.ends;
@@ -64,7 +64,7 @@ fn name(
     let height = (LETTERS * size).min(0.8 * length / (WIDE * count));
     drawing.text(Text {
         layer: Layer::Marks,
-        at: at(0.5 - 0.5 * WIDE * count * height / length),
+        at: at(0.1),
         height,
         angle: (to[1] - from[1]).atan2(to[0] - from[0]),
         content,
