@@ -207,8 +207,9 @@ impl<B: Basis<f64>, const D: usize> Curve<B, f64, D> {
     /// The points at all parameters `xs`, into `out` of the same length.
     ///
     /// # Errors
-    /// [`GeometryError::LengthMismatch`] when the lengths differ, [`GeometryError::NotFinite`] for a parameter
-    /// that is NaN or infinite.
+    /// [`GeometryError::LengthMismatch`](crate::GeometryError::LengthMismatch) when the lengths differ,
+    /// [`GeometryError::NotFinite`](crate::GeometryError::NotFinite) for a parameter that is NaN or infinite; what was
+    /// computed before it stands in `out`.
     ///
     /// ```
     /// use torse_geometry::{Curve, Gbt};
@@ -253,7 +254,7 @@ impl<B: Basis<f64>> PlaneFamily<B, f64> {
     /// The rulings at all parameters `xs`, into `out` of the same length.
     ///
     /// # Errors
-    /// As [`Curve::points_into`]; [`GeometryError::NoRuling`] where there is none.
+    /// As [`Curve::points_into`]; [`GeometryError::NoRuling`](crate::GeometryError::NoRuling) where there is none.
     ///
     /// ```
     /// use torse_geometry::{Gbt, PlaneFamily};

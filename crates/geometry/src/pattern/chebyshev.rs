@@ -39,7 +39,7 @@ static TABLES: LazyLock<Tables> = LazyLock::new(|| {
     let nodes: Row = std::array::from_fn(|k| (angle(k) - 0.5 * PI).sin());
     // What the value at node k adds to the coefficient of T_j.
     let weight = |j: usize, k: usize| {
-        let sign = if j % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if j.is_multiple_of(2) { 1.0 } else { -1.0 };
         // The angle modulo a full turn, as an integer: no rounding of large angles.
         scale * end(j) * end(k) * sign * angle((j * k) % (2 * DEGREE)).cos()
     };

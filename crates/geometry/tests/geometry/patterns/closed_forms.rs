@@ -11,7 +11,7 @@ use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily, RuledSurface};
 
 /// The largest distance of points of the exact outline from the cut one, and of points of the cut one from the
 /// exact one, where `exact` gives the flat ruling of a parameter.
-pub fn true_error(flat: &FlatPattern, exact: &dyn Fn(f64) -> [[f64; 2]; 2]) -> f64 {
+pub fn true_error(flat: &FlatPattern, exact: &Exact) -> f64 {
     let n = 4000;
     let samples: Vec<_> = (0..=n)
         .map(|i| exact(f64::from(i) / f64::from(n)))
@@ -266,6 +266,9 @@ fn flat_cylinder(radius: f64, height: f64) -> impl Fn(f64) -> [[f64; 2]; 2] {
     move |x| [0.0, height].map(|along| [along, 0.5 * PI * radius * x])
 }
 
+/// The exact flat ruling of a parameter.
+type Exact = dyn Fn(f64) -> [[f64; 2]; 2];
+
 /// `cargo test -p torse-geometry --test geometry -- stated_error --nocapture` shows the table.
 #[test]
 fn the_stated_error_is_never_smaller_than_the_true_one() {
@@ -275,7 +278,7 @@ fn the_stated_error_is_never_smaller_than_the_true_one() {
     let (a, b, turns, range) = (1.0, 0.5, 0.8, [0.5, 2.0]);
     println!("patch     asked   segments  stated   true     bound of lengths  of area");
     for tolerance in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10] {
-        let known: [(_, _, &dyn Fn(f64) -> [[f64; 2]; 2]); 3] = [
+        let known: [(_, _, &Exact); 3] = [
             (
                 "cylinder",
                 unroll(&cylinder, 9, tolerance),
