@@ -1,8 +1,7 @@
 //! The commands of an SVG path: straight sides and circular arcs, as text and back.
 
-use super::read::unreadable;
 use crate::drawing::{Arc, Path, Vertex};
-use crate::error::{ExchangeError, Result};
+use crate::error::{ExchangeError, Result, unreadable};
 use std::fmt::Write;
 use std::iter::Peekable;
 use std::str::Chars;

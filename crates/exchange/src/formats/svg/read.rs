@@ -5,7 +5,7 @@
 use super::commands::vertices;
 use super::xml::{Event, Reader, Tag};
 use crate::drawing::{Drawing, Layer, Text, Vertex};
-use crate::error::{ExchangeError, Result};
+use crate::error::{Result, unreadable};
 
 impl Drawing {
     /// The drawing in an SVG file: paths and texts on the layers of [`Layer`], with the bend angles and in the order
@@ -178,8 +178,4 @@ fn rotation(transform: &str, line: usize) -> Result<f64> {
     let degrees = first.and_then(|a| a.parse::<f64>().ok());
     let degrees = degrees.ok_or(unreadable(line, "a text that is moved"))?;
     Ok(-degrees.to_radians() + 0.0)
-}
-
-pub(super) fn unreadable(line: usize, what: &'static str) -> ExchangeError {
-    ExchangeError::Unreadable { line, what }
 }

@@ -1,8 +1,7 @@
 //! As much of XML as a drawing needs: elements with attributes, characters, the five named entities and numbered ones.
 //! Comments, declarations and instructions are passed over; there are no entities of a file's own.
 
-use super::read::unreadable;
-use crate::error::Result;
+use crate::error::{Result, unreadable};
 
 /// An element as it begins.
 pub(super) struct Tag {
