@@ -79,12 +79,12 @@ impl Pattern {
 
 /// Fold a pattern file back into space and compare it with its design.
 ///
-/// Reads outline, rulings and bend angles from the DXF file alone. Ends with 1 when the folded points miss the design.
+/// Reads outline, rulings and bend angles from the DXF or SVG file alone. Ends with 1 when the folded points miss the design.
 #[derive(Args)]
 pub struct Fold {
     /// The design file
     design: PathBuf,
-    /// The pattern, as `unroll` writes it: a DXF file
+    /// The pattern, as `unroll` writes it: a DXF or SVG file
     #[arg(long, value_name = "FILE")]
     pattern: PathBuf,
     /// How the answer is shown

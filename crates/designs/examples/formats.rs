@@ -57,12 +57,21 @@ fn surfaces(design: &Design, folder: &Path) -> Outcome<Value> {
         }
     }
     let area: f64 = inspect(design)?.patches.iter().filter_map(|p| p.area).sum();
+    // A surface that is moved by a distance changes its area at the border and where it is bent.
+    let mut border = 0.0;
+    for piece in unroll(design, &Demand::default())? {
+        border += piece.flat.outline().length();
+        for ruling in piece.flat.rulings() {
+            let [[x0, y0], [x1, y1]] = ruling.ends;
+            border += ruling.bend.abs() * (x1 - x0).hypot(y1 - y0);
+        }
+    }
     Ok(json!({
         "step": write(design, folder, "step")?,
         "iges": write(design, folder, "igs")?,
         "faces": design.patches.len(),
         "area": area,
-        "area_within": 5e-4,
+        "area_within": border * model.error(),
         "error": model.error(),
         "sewing": model.sewing(),
         "points": points,

@@ -1,6 +1,8 @@
 //! What a design file says: patches, chains of them, and what is demanded.
 
 use crate::Unit;
+use torse_geometry::TensorSurface;
+use torse_geometry::basis::Shape;
 use torse_geometry::pattern::Sheet as Metal;
 use torse_geometry::prelude::{Planes, Rail, Sheet};
 
@@ -23,6 +25,8 @@ pub struct Design {
     pub patches: Vec<Patch>,
     /// The chains in the order of the file.
     pub chains: Vec<Chain>,
+    /// Surfaces that are not unrolled, in the order of the file.
+    pub surfaces: Vec<FreeSurface>,
 }
 
 /// Sheet metal, or what else is bent.
@@ -101,6 +105,20 @@ pub struct Patch {
     pub marks: Vec<Mark>,
     /// What else is worth knowing: which developable was chosen, how much of the curves it uses.
     pub notes: Vec<String>,
+}
+
+/// A tensor-product surface.
+pub type Tensor = TensorSurface<Shape<f64>, Shape<f64>, f64>;
+
+/// A surface in general, which is shown and exported but not unrolled: nothing certifies that it is developable.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FreeSurface {
+    /// Its name.
+    pub name: String,
+    /// How it was made, in a word.
+    pub kind: &'static str,
+    /// The tensor products that it consists of: four for a whole rotation, else one.
+    pub parts: Vec<Tensor>,
 }
 
 /// What determines how a patch meets its neighbours.
@@ -212,6 +230,15 @@ impl Design {
             }
         }
         pieces
+    }
+
+    /// The names of all patches and surfaces.
+    #[must_use]
+    pub fn names(&self) -> Vec<String> {
+        let patches = self.patches.iter().map(|patch| patch.name.clone());
+        patches
+            .chain(self.surfaces.iter().map(|s| s.name.clone()))
+            .collect()
     }
 
     /// The patch of this name.

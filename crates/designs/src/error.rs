@@ -68,6 +68,12 @@ pub enum DesignError {
         /// Why.
         source: PatternError,
     },
+    /// There is nothing to unroll.
+    #[error("`{design}` has surfaces only, and only patches are unrolled")]
+    NoPatch {
+        /// The design.
+        design: String,
+    },
     /// A mark cannot be carried to the pattern.
     #[error("a mark on `{patch}`: {reason}")]
     Mark {
@@ -112,7 +118,9 @@ impl DesignError {
         match self {
             Self::Format { .. } | Self::NoSuch { .. } | Self::OutOfRange { .. } => Ending::Usage,
             Self::Unreadable { .. } | Self::Wrong { .. } | Self::Pattern { .. } => Ending::BadFile,
-            Self::Patch { .. } | Self::Unroll { .. } | Self::Mark { .. } => Ending::Missed,
+            Self::Patch { .. } | Self::Unroll { .. } | Self::NoPatch { .. } | Self::Mark { .. } => {
+                Ending::Missed
+            }
             Self::Exchange(_) | Self::Figure(_) => Ending::Output,
         }
     }
@@ -137,6 +145,10 @@ impl DesignError {
                 ),
                 _ => None,
             },
+            Self::NoPatch { .. } => Some(
+                "a developable is a patch: `ruled`, `envelope`, `cone`, `connect` and others under [patches.NAME]"
+                    .to_owned(),
+            ),
             _ => None,
         }
     }

@@ -64,15 +64,23 @@ pub struct Row {
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
 pub fn eval(design: &Design, only: Option<&str>, at: &At) -> Result<Vec<Row>, DesignError> {
-    let patches: Vec<&Patch> = match only {
-        None => design.patches.iter().collect(),
-        Some(name) => vec![design.patch(name).ok_or_else(|| DesignError::NoSuch {
+    let wanted = |name: &String| only.is_none_or(|only| only == name);
+    let patches: Vec<&Patch> = design.patches.iter().filter(|p| wanted(&p.name)).collect();
+    let surfaces: Vec<_> = design.surfaces.iter().filter(|s| wanted(&s.name)).collect();
+    if let Some(name) = only
+        && patches.is_empty()
+        && surfaces.is_empty()
+    {
+        return Err(DesignError::NoSuch {
             what: "patch",
             name: name.to_owned(),
-            known: design.patches.iter().map(|p| p.name.clone()).collect(),
-        })?],
-    };
-    let places = places(at, patches.len())?;
+            known: design.names(),
+        });
+    }
+    let places = places(
+        at,
+        patches.len() + surfaces.iter().map(|s| s.parts.len()).sum::<usize>(),
+    )?;
     // A design without a pattern is evaluated all the same.
     let flats = unroll(design, &Demand::default()).unwrap_or_default();
     let mut rows = Vec::with_capacity(patches.len() * places.len());
@@ -100,6 +108,29 @@ pub fn eval(design: &Design, only: Option<&str>, at: &At) -> Result<Vec<Row>, De
                     let (x, v) = (*u, *v);
                     flat.flatten(Place { piece, x, v })
                 }),
+            });
+        }
+    }
+    for surface in surfaces {
+        for (part, [u, v]) in surface
+            .parts
+            .iter()
+            .flat_map(|p| places.iter().map(move |at| (p, at)))
+        {
+            let failed = |source: GeometryError| DesignError::Patch {
+                patch: surface.name.clone(),
+                source,
+            };
+            let partials = part.partials(u, v, 1).map_err(failed)?;
+            let principal = part.forms(u, v).and_then(|forms| forms.principal()).ok();
+            rows.push(Row {
+                patch: surface.name.clone(),
+                u: *u,
+                v: *v,
+                point: *partials.point(),
+                normal: unit(&partials.normal()),
+                curvatures: principal.map(|both| both.map(|p| p.curvature)),
+                flat: None,
             });
         }
     }

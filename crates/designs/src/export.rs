@@ -1,14 +1,17 @@
 //! Files of designs: patterns, meshes, CAD patches, by the ending of the file.
 
-use crate::design::{Design, Piece};
+use crate::design::{Design, Piece, Tensor};
 use crate::error::DesignError;
 use crate::inspect::joint_of;
 use crate::unroll::{Demand, drawing, unroll};
 use std::path::Path;
 use torse_exchange::{
-    ExchangeError, Mesh, Model, convert, dxf, glb, iges, obj, ply, step, stl, svg, three_mf,
+    ExchangeError, Mesh, Model, approximate_tensor, convert, dxf, glb, iges, obj, ply, step, stl,
+    svg, three_mf,
 };
+use torse_geometry::Surface;
 use torse_geometry::prelude::GeometryError;
+use torse_geometry::vector::norm;
 
 /// The endings of all formats.
 pub const ENDINGS: &[&str] = &[
@@ -100,6 +103,11 @@ pub fn model(design: &Design) -> Result<Model, DesignError> {
         };
         model.add(&patch.name, converted)?;
     }
+    for surface in &design.surfaces {
+        for part in &surface.parts {
+            model.add(&surface.name, approximate_tensor(part, limits.surface)?)?;
+        }
+    }
     Ok(model)
 }
 
@@ -109,6 +117,7 @@ pub fn model(design: &Design) -> Result<Model, DesignError> {
 /// # Errors
 /// [`DesignError::Exchange`].
 pub fn mesh(design: &Design) -> Result<Mesh, DesignError> {
+    let limits = &design.tolerances;
     let mut whole = Mesh::default();
     for piece in design.pieces() {
         let sheet = surface(design, &piece)?;
@@ -118,7 +127,59 @@ pub fn mesh(design: &Design) -> Result<Mesh, DesignError> {
         };
         whole.append(&part)?;
     }
+    for surface in &design.surfaces {
+        let mut shape = Mesh::default();
+        for part in &surface.parts {
+            let [rows, columns] =
+                steps(part, limits.surface).map_err(|source| DesignError::Patch {
+                    patch: surface.name.clone(),
+                    source,
+                })?;
+            shape.append(&Mesh::of(part, rows, columns)?)?;
+        }
+        let shape = if surface.parts.len() > 1 {
+            shape.welded(limits.gap)?
+        } else {
+            shape
+        };
+        whole.append(&match design.metal {
+            Some(metal) => shape.thickened(metal.sheet.thickness())?,
+            None => shape,
+        })?;
+    }
     Ok(whole)
+}
+
+/// The most steps of a mesh of a surface, each way.
+const MOST_STEPS: usize = 512;
+
+/// So many steps each way that triangles stay within a distance, as the second derivatives at samples tell.
+fn steps(surface: &Tensor, within: f64) -> Result<[usize; 2], GeometryError> {
+    let samples = 16;
+    let mut bends = [0.0_f64; 3];
+    for (i, j) in (0..=samples).flat_map(|i| (0..=samples).map(move |j| (i, j))) {
+        let [u, v] = [i, j].map(|k| f64::from(k) / f64::from(samples));
+        let partials = surface.partials(&u, &v, 2)?;
+        for (bend, (i, j)) in bends.iter_mut().zip([(2, 0), (1, 1), (0, 2)]) {
+            *bend = bend.max(partials.get(i, j).map_or(f64::NAN, norm));
+        }
+    }
+    // A linear interpolant over steps h and k misses by (|S_uu| h^2 + 2 |S_uv| h k + |S_vv| k^2)/8 at most.
+    let [uu, uv, vv] = bends;
+    let mut count = [1_usize; 2];
+    let off = |[m, n]: [usize; 2]| {
+        #[allow(clippy::cast_precision_loss)]
+        let [h, k] = [m, n].map(|count| 1.0 / count as f64);
+        (uu * h * h, 2.0 * uv * h * k, vv * k * k)
+    };
+    loop {
+        let (a, b, c) = off(count);
+        if (a + b + c) / 8.0 <= within || count.iter().any(|n| *n >= MOST_STEPS) {
+            return Ok(count);
+        }
+        let finer = usize::from(c > a);
+        count[finer] *= 2;
+    }
 }
 
 fn surface(design: &Design, piece: &Piece) -> Result<Mesh, DesignError> {

@@ -72,7 +72,7 @@ impl FoldReport {
     }
 }
 
-/// Reads a DXF pattern of a design, folds it and compares it with the design.
+/// Reads a pattern of a design, DXF or, by its ending, SVG, folds it and compares it with the design.
 ///
 /// # Errors
 /// [`DesignError::Unreadable`] and [`DesignError::Pattern`] for a file that is no pattern of this design, and as
@@ -93,7 +93,7 @@ pub fn fold_back(design: &Design, path: &Path) -> Result<FoldReport, DesignError
     fold_text(design, &shown, &text)
 }
 
-/// As [`fold_back`], of the text of a file with this name.
+/// As [`fold_back`], of the text of a file with this name: SVG where it ends so, else DXF.
 ///
 /// # Errors
 /// As [`fold_back`].
@@ -102,7 +102,15 @@ pub fn fold_text(design: &Design, shown: &str, text: &str) -> Result<FoldReport,
         path: shown.to_owned(),
         reason,
     };
-    let drawing = Drawing::from_dxf(text).map_err(|error| wrong(error.to_string()))?;
+    let svg = Path::new(shown)
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("svg"));
+    let drawing = if svg {
+        Drawing::from_svg(text)
+    } else {
+        Drawing::from_dxf(text)
+    };
+    let drawing = drawing.map_err(|error| wrong(error.to_string()))?;
     let found = patterns(&drawing);
     let wanted = design.pieces();
     if found.len() != wanted.len() {

@@ -141,7 +141,9 @@ fn model(
     }
     Ok(format!(
         "{{\"step\": \"{step_name}\", \"iges\": \"{iges_name}\", \"faces\": {faces}, \"area\": {area:?}, \
-         \"error\": {:?}, \"sewing\": {SEWING:?}, \"points\": [{}]}}",
+         \"area_within\": {:?}, \"error\": {:?}, \"sewing\": {SEWING:?}, \"points\": [{}]}}",
+        // The area of a mesh is less by what its chords cut off.
+        2e-5 * area,
         model.error(),
         points.join(", ")
     ))

@@ -113,3 +113,8 @@ pub enum ExchangeError {
         source: std::io::Error,
     },
 }
+
+/// What is wrong in a line of a file.
+pub(crate) fn unreadable(line: usize, what: &'static str) -> ExchangeError {
+    ExchangeError::Unreadable { line, what }
+}

@@ -5,7 +5,7 @@
 //! | a surface | [`Mesh::of`], [`Mesh::ruled`], [`Mesh::welded`], [`Mesh::thickened`] | [`stl`], [`obj`], [`ply`], [`three_mf`], [`glb`] |
 //! | a polynomial or rational patch | [`ExactForm`], [`Model`] | [`step`], [`iges`] |
 //! | any patch | [`convert`], [`approximate`], [`approximate_tensor`]: B-splines within a proved distance, [`Model`] | [`step`], [`iges`] |
-//! | a flat pattern | [`Drawing::of_pattern`] | [`dxf`], [`svg`]; [`Drawing::from_dxf`] reads |
+//! | a flat pattern | [`Drawing::of_pattern`] | [`dxf`], [`svg`]; [`Drawing::from_dxf`] and [`Drawing::from_svg`] read |
 //!
 //! Writers return the whole file; [`write_file`] puts it in place whole or not at all. The bytes depend on
 //! the geometry alone: no clock, no path, no locale. Lengths are in millimetres (glTF knows metres only and

@@ -112,6 +112,29 @@ pub struct Figure {
     pub panel_size: Size,
 }
 
+impl Plot {
+    /// Draw it alone on a page.
+    ///
+    /// # Errors
+    /// Non-finite coordinates (with the index of the point), lists that are too short, empty ranges, labels that
+    /// do not parse, nothing to draw, a page size out of range.
+    pub fn draw(self, title: &str, size: Size) -> Result<Picture, FigureError> {
+        Figure::single(title, size, Content::Plot(self)).draw()
+    }
+}
+
+impl View {
+    /// Draw it alone on a page.
+    ///
+    /// # Errors
+    /// Non-finite coordinates, normals or values (with the index of the vertex), lists of the wrong length, empty
+    /// bounds or scale ranges, an opacity outside 0..=1, a camera beyond the poles, labels that do not parse,
+    /// nothing to draw, more than [`WORK_LIMIT`](crate::WORK_LIMIT) samples to visit, a page size out of range.
+    pub fn draw(self, title: &str, size: Size) -> Result<Picture, FigureError> {
+        Figure::single(title, size, Content::View(self)).draw()
+    }
+}
+
 const MARGIN: f64 = 10.0;
 const CAPTION: f64 = 26.0;
 /// Bytes for the images of a figure: a third more as text in an SVG of less than 300 KiB.

@@ -14,7 +14,7 @@ use torse_algebra::{
 use crate::error::{GeometryError, Result};
 
 /// A scalar that can be a coordinate, a weight or a shape parameter.
-pub trait Coordinate: Scalar {
+pub trait Coordinate: Scalar + Send + Sync {
     /// `false` for NaN and infinities.
     #[must_use]
     fn is_finite(&self) -> bool {
@@ -145,12 +145,10 @@ impl Coordinate for f64 {
         }
     }
 
+    #[inline(always)]
     fn times_two_to(&self, power: i32) -> Self {
-        // In steps that stay representable themselves; three reach from end to end of the range.
-        let step = |x: f64, power: i32| x * f64::powi(2.0, power);
-        let (first, rest) = (power.clamp(-700, 700), power - power.clamp(-700, 700));
-        let (second, third) = (rest.clamp(-700, 700), rest - rest.clamp(-700, 700));
-        step(step(step(*self, first), second), third.clamp(-1000, 1000))
+        let [first, second, third] = powers_of_two(power);
+        self * first * second * third
     }
 
     fn half_pi(&self) -> Result<Self, ExactError> {
@@ -174,10 +172,11 @@ impl Coordinate for f64 {
         Ok((std::f64::consts::FRAC_PI_2 * self).sin_cos())
     }
 
-    #[inline]
+    #[inline(always)]
     fn turns(xs: &[f64], sines: &mut [f64], cosines: &mut [f64]) -> Result<(), ExactError> {
         let each = xs.iter().zip(sines).zip(cosines);
-        if xs.iter().all(|x| (0.0..=1.0).contains(x)) {
+        let inside = |x: &f64| (*x >= 0.0) & (*x <= 1.0);
+        if xs.iter().fold(true, |all, x| all & inside(x)) {
             // Without a branch inside, the loop runs on vector registers.
             for ((x, sine), cosine) in each {
                 (*sine, *cosine) = crate::turn::of_unit(*x);
@@ -202,6 +201,15 @@ impl Coordinate for f64 {
     fn natural(&self, n: usize) -> Self {
         n as f64
     }
+}
+
+/// Three normal numbers whose product is `2^power`, from end to end of the range of f64.
+#[inline(always)]
+pub(crate) fn powers_of_two(power: i32) -> [f64; 3] {
+    let (first, rest) = (power.clamp(-700, 700), power - power.clamp(-700, 700));
+    let (second, third) = (rest.clamp(-700, 700), rest - rest.clamp(-700, 700));
+    [first, second, third.clamp(-1000, 1000)]
+        .map(|e| f64::from_bits(u64::from((e + 1023).unsigned_abs()) << 52))
 }
 
 impl Coordinate for Rational {

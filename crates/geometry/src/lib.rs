@@ -138,6 +138,7 @@ pub mod batch;
 pub mod coordinate;
 pub mod curve;
 pub mod developable;
+mod dual;
 pub mod error;
 pub mod join;
 pub mod pattern;
@@ -159,13 +160,12 @@ pub mod prelude {
 
 pub use basis::{Basis, Bernstein, Gbt, hermite};
 pub use coordinate::Coordinate;
-pub use curve::{Affine, Curve, RationalCurve};
+pub use curve::{Affine, Curve, RationalCurve, SpaceCurve};
 pub use developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
 pub use error::{GeometryError, Place, Result};
 pub use join::Continuity;
 pub use planes::{Plane, PlaneFamily, Ruling};
 pub use scalars::{Over, exact, exact_ball};
 pub use surface::{
-    Forms, Half, Partials, Principal, Rails, RotationSurface, RuledSurface, SpaceCurve, Surface,
-    TensorSurface,
+    Forms, Half, Partials, Principal, Rails, RotationSurface, RuledSurface, Surface, TensorSurface,
 };

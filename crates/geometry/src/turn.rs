@@ -37,7 +37,7 @@ const COSINE: [f64; 10] = [
 ];
 
 /// `(sin(pi x/2), cos(pi x/2))` for `x` in [0, 1].
-#[inline]
+#[inline(always)]
 pub(crate) fn of_unit(x: f64) -> (f64, f64) {
     let upper = x > 0.5;
     let y = if upper { 1.0 - x } else { x };
@@ -53,9 +53,13 @@ pub(crate) fn of_unit(x: f64) -> (f64, f64) {
     }
 }
 
-#[inline]
-fn horner(coefficients: &[f64], x: f64) -> f64 {
-    coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
+#[inline(always)]
+fn horner<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
+    let mut sum = coefficients[N - 1];
+    for c in coefficients.iter().rev().skip(1) {
+        sum = sum * x + c;
+    }
+    sum
 }
 
 #[cfg(test)]

@@ -1,33 +1,50 @@
 //! Points and vectors as plain arrays over any scalar.
 
+use crate::coordinate::Coordinate;
 use torse_algebra::Scalar;
 
 /// `a + b`.
 #[must_use]
+#[inline]
 pub fn add<S: Scalar, const D: usize>(a: &[S; D], b: &[S; D]) -> [S; D] {
     std::array::from_fn(|i| a[i].clone() + b[i].clone())
 }
 
 /// `a - b`.
 #[must_use]
+#[inline]
 pub fn sub<S: Scalar, const D: usize>(a: &[S; D], b: &[S; D]) -> [S; D] {
     std::array::from_fn(|i| a[i].clone() - b[i].clone())
 }
 
 /// `factor * a`.
 #[must_use]
+#[inline]
 pub fn scale<S: Scalar, const D: usize>(factor: &S, a: &[S; D]) -> [S; D] {
     std::array::from_fn(|i| factor.clone() * a[i].clone())
 }
 
+/// `2^power * a`.
+#[inline(always)]
+pub(crate) fn times_two_to<S: Coordinate>(a: &[S; 3], power: i32) -> [S; 3] {
+    let [x, y, z] = a;
+    [
+        x.times_two_to(power),
+        y.times_two_to(power),
+        z.times_two_to(power),
+    ]
+}
+
 /// The scalar product of two vectors of the space.
 #[must_use]
+#[inline]
 pub fn dot<S: Scalar>(a: &[S; 3], b: &[S; 3]) -> S {
     a[0].clone() * b[0].clone() + a[1].clone() * b[1].clone() + a[2].clone() * b[2].clone()
 }
 
 /// The vector product.
 #[must_use]
+#[inline]
 pub fn cross<S: Scalar>(a: &[S; 3], b: &[S; 3]) -> [S; 3] {
     let minor = |i: usize, j: usize| a[i].clone() * b[j].clone() - a[j].clone() * b[i].clone();
     [minor(1, 2), minor(2, 0), minor(0, 1)]
@@ -60,6 +77,7 @@ pub fn unit<const D: usize>(a: &[f64; D]) -> Option<[f64; D]> {
 }
 
 /// `sum_i weights[i] * points[i]` over the shorter of both lists, `None` when it is empty.
+#[inline(always)]
 pub(crate) fn combine<S: Scalar, const D: usize>(
     weights: &[S],
     points: &[[S; D]],

@@ -6,8 +6,9 @@ mod picture;
 pub use page::page;
 pub use picture::picture;
 
-use crate::design::{Design, Patch};
+use crate::design::{Design, FreeSurface, Patch, Tensor};
 use crate::error::DesignError;
+use torse_geometry::batch::GridEvaluator;
 use torse_geometry::prelude::Point;
 
 /// The endings of pictures.
@@ -28,6 +29,27 @@ fn samples(patch: &Patch, along: usize, across: usize) -> Result<Vec<Point>, Des
             points.push(torse_geometry::vector::lerp(&p, &q, &share(j, across)));
         }
     }
+    Ok(points)
+}
+
+/// The points of a surface on equal steps.
+fn grid(
+    surface: &FreeSurface,
+    part: &Tensor,
+    along: usize,
+    across: usize,
+) -> Result<Vec<Point>, DesignError> {
+    let steps = |count: usize| -> Vec<f64> {
+        #[allow(clippy::cast_precision_loss)]
+        (0..=count).map(|k| k as f64 / count as f64).collect()
+    };
+    let failed = |source| DesignError::Patch {
+        patch: surface.name.clone(),
+        source,
+    };
+    let grid = GridEvaluator::new(part, &steps(along), &steps(across)).map_err(failed)?;
+    let mut points = vec![[0.0; 3]; grid.len()];
+    grid.fill(&mut points).map_err(failed)?;
     Ok(points)
 }
 

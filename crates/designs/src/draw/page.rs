@@ -12,6 +12,8 @@ const TEMPLATE: &str = include_str!("page.html");
 /// Steps along the rails and along the rulings.
 const ALONG: usize = 48;
 const ACROSS: usize = 4;
+/// Steps of a surface, each way.
+const WAYS: usize = 24;
 
 /// A patch for the viewer.
 #[derive(Serialize)]
@@ -57,6 +59,20 @@ pub fn page(design: &Design, demand: &Demand) -> Result<String, DesignError> {
             every,
             points: points.iter().map(|p| p.map(rounded)).collect(),
         });
+    }
+    for surface in &design.surfaces {
+        for part in &surface.parts {
+            shapes.push(Shape {
+                name: &surface.name,
+                rows: WAYS + 1,
+                columns: WAYS + 1,
+                every: WAYS / 8,
+                points: super::grid(surface, part, WAYS, WAYS)?
+                    .iter()
+                    .map(|p| p.map(rounded))
+                    .collect(),
+            });
+        }
     }
     let (pattern, promise) = match unroll(design, demand) {
         Ok(pieces) => {

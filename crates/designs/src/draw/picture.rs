@@ -14,6 +14,8 @@ use torse_figures::{
 /// Steps of the grid of a patch.
 const ALONG: usize = 96;
 const ACROSS: usize = 6;
+/// Steps of the grid of a surface, each way.
+const WAYS: usize = 48;
 const PANEL: Size = Size {
     width: 560,
     height: 460,
@@ -59,6 +61,14 @@ fn view(design: &Design) -> Result<View, DesignError> {
         };
         view = view.surface(Surface::new(grid).paint(paint).lines(lines(design), 0));
     }
+    let colours = design.patches.len()..;
+    for (index, surface) in colours.zip(&design.surfaces) {
+        for part in &surface.parts {
+            let points = super::grid(surface, part, WAYS, WAYS)?;
+            let grid = Grid::new(WAYS + 1, WAYS + 1, points)?;
+            view = view.surface(Surface::new(grid).paint(Paint::nth(index)).lines(8, 8));
+        }
+    }
     Ok(view)
 }
 
@@ -96,6 +106,16 @@ fn pattern(pieces: &[FlatPiece], drawing: &Drawing) -> Plot {
             Sheet::Marks => MARK,
         };
         plot = plot.curve(path.polygon(5e-4), line, "");
+    }
+    for text in drawing.texts() {
+        plot = plot.layer(Layer::Lettering {
+            at: text.at,
+            // Plain text has no mathematics.
+            text: text.content.replace('$', "\\$"),
+            height: text.height,
+            angle: text.angle,
+            colour: MARK.colour,
+        });
     }
     plot
 }

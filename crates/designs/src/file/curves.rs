@@ -105,17 +105,22 @@ fn curve(
 /// The shape parameters, if any; `None` when they are wrong.
 #[allow(clippy::option_option, reason = "wrong is not missing")]
 pub fn shape(reader: &mut Reader, entries: &mut Entries<'_>) -> Option<Option<Shape<f64>>> {
-    let Some(value) = entries.take("shape") else {
-        return Some(None);
-    };
+    match entries.take("shape") {
+        Some(value) => shape_of(reader, value).map(Some),
+        None => Some(None),
+    }
+}
+
+/// Shape parameters, or the word for none.
+pub fn shape_of(reader: &mut Reader, value: Value<'_>) -> Option<Shape<f64>> {
     if let DeValue::String(word) = value.get_ref()
         && word == "bernstein"
     {
-        return Some(Some(Shape::Bernstein));
+        return Some(Shape::Bernstein);
     }
     let span = value.span();
     let [mu, nu] = reader.numbers(value, [Dimension::None; 2])?;
-    accepted(reader, &span, Shape::gbt(mu, nu)).map(Some)
+    accepted(reader, &span, Shape::gbt(mu, nu))
 }
 
 fn weights(reader: &mut Reader, value: Value<'_>) -> Option<Vec<f64>> {

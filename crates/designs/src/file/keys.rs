@@ -16,6 +16,7 @@ pub const TOP: &[&str] = &[
     "families",
     "patches",
     "chains",
+    "surfaces",
 ];
 /// `[design]`.
 pub const DESIGN: &[&str] = &["title", "unit", "about"];
@@ -102,6 +103,11 @@ pub const MARK: &[&str] = &["line", "hole", "text", "at", "radius", "height", "a
 /// `[chains.NAME]`.
 pub const CHAIN: &[&str] = &["patches", "continuity", "closed", "layout"];
 
+/// `[surfaces.NAME]`.
+pub const SURFACE: &[&str] = &[
+    "net", "swung", "swept", "rotation", "shape-u", "shape-v", "factor",
+];
+
 /// All of them by the names of their definitions in the schema.
 pub const ALL: &[Section] = &[
     ("top", TOP),
@@ -117,4 +123,5 @@ pub const ALL: &[Section] = &[
     ("hermite", HERMITE),
     ("mark", MARK),
     ("chain", CHAIN),
+    ("surface", SURFACE),
 ];

@@ -1,7 +1,7 @@
 //! Reading design files.
 //!
 //! The format is described in `designs/README.md` and `designs/schema.json`. Sections are read in the order points,
-//! planes, curves, families, patches, chains, entries in the order of the file; an entry refers to what stands above it.
+//! planes, curves, families, patches, chains, surfaces, entries in the order of the file; an entry refers to what stands above it.
 //! What is wrong is kept with its place, and what leans on it is passed over in silence, so that one run shows all
 //! mistakes of a file, each once.
 
@@ -15,6 +15,7 @@ mod planes;
 mod points;
 mod reader;
 mod settings;
+mod surfaces;
 
 use crate::design::Design;
 use crate::error::DesignError;
@@ -102,7 +103,7 @@ pub fn load(path: &Path) -> Result<Design, DesignError> {
 ///     "2 numbers: 3 are wanted",
 ///     "`q` is not declared",
 ///     "a design file has no entry `patch`",
-///     "a design has one patch at least",
+///     "a design has one patch or surface at least",
 /// ]);
 /// # Ok::<(), DesignError>(())
 /// ```
@@ -162,10 +163,15 @@ fn sections(reader: &mut Reader, name: &str, table: DeTable<'_>) -> Option<Desig
     parts.families = planes::families(reader, take("families"), &parts.planes);
     let patches = patches::patches(reader, take("patches"), &parts);
     let chains = chains::chains(reader, take("chains"), &patches);
-    if patches.is_empty() {
+    let surfaces = surfaces::surfaces(reader, take("surfaces"), &parts);
+    if patches.is_empty() && surfaces.is_empty() {
         let end = reader.source().text.len();
-        let help = "a patch stands under `[patches.NAME]`";
-        reader.complain(&(end..end), "a design has one patch at least", help);
+        let help = "a patch stands under `[patches.NAME]`, a surface under `[surfaces.NAME]`";
+        reader.complain(
+            &(end..end),
+            "a design has one patch or surface at least",
+            help,
+        );
     }
     Some(Design {
         name: name.strip_suffix(".toml").unwrap_or(name).to_owned(),
@@ -176,6 +182,7 @@ fn sections(reader: &mut Reader, name: &str, table: DeTable<'_>) -> Option<Desig
         view,
         patches: patches.into_iter().filter_map(|(_, patch)| patch).collect(),
         chains,
+        surfaces: surfaces.into_iter().filter_map(|(_, one)| one).collect(),
     })
 }
 

@@ -132,18 +132,7 @@ fn patch(
             developable(reader, &span, planes?, cut?)?
         }
     };
-    let stray = [
-        "between",
-        "range",
-        "direction",
-        "apex",
-        "join",
-        "beta",
-        "scale",
-        "free",
-        "shape",
-    ];
-    for key in stray {
+    for key in keys::PATCH {
         if let Some(value) = entries.take(key) {
             let message = format!("`{key}` means nothing for a patch made by `{kind}`");
             reader.complain(&value.span(), message, "");

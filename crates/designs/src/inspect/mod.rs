@@ -4,10 +4,12 @@
 //! estimates of [`Sheet::inspect`].
 
 mod joint;
+mod surface;
 mod text;
 
 pub(crate) use joint::joint_of;
 pub use joint::{JointReport, joints};
+pub use surface::SurfaceReport;
 pub use text::table;
 pub(crate) use text::{number, wrapped};
 
@@ -37,6 +39,8 @@ pub struct Report {
     pub joints: Vec<JointReport>,
     /// What is demanded and missed, in words; empty when the design is as wanted.
     pub missed: Vec<String>,
+    /// The surfaces in the order of the file.
+    pub surfaces: Vec<SurfaceReport>,
 }
 
 /// Whether something is so, and how that is known.
@@ -169,7 +173,15 @@ pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignE
         patches.push(report);
     }
     let joints = joints(design, &mut missed)?;
+    let failed = |name: &String| {
+        let patch = name.clone();
+        move |source| DesignError::Patch { patch, source }
+    };
+    let measured = design.surfaces.iter();
+    let surfaces = measured.map(|s| surface::surface(s).map_err(failed(&s.name)));
+    let surfaces = surfaces.collect::<Result<Vec<_>, _>>()?;
     Ok(Report {
+        surfaces,
         design: design.name.clone(),
         title: design.title.clone(),
         unit: "mm",

@@ -1,6 +1,6 @@
 //! The report as a table of at most 100 columns.
 
-use super::{Bounds, JointReport, PatchReport, Report};
+use super::{Bounds, JointReport, PatchReport, Report, SurfaceReport};
 
 /// The widest line.
 const WIDTH: usize = 100;
@@ -25,12 +25,29 @@ pub fn table(report: &Report) -> String {
         "radius",
         "area",
     ];
-    let rows = report.patches.iter().map(row);
-    text.push_str(&columns(&heads, &rows.collect::<Vec<_>>()));
+    if !report.patches.is_empty() {
+        let rows = report.patches.iter().map(row);
+        text.push_str(&columns(&heads, &rows.collect::<Vec<_>>()));
+    }
     if !report.joints.is_empty() {
         text.push('\n');
         let heads = ["joint", "apart", "kink", "continuity", "beta values"];
         let rows = report.joints.iter().map(joint);
+        text.push_str(&columns(&heads, &rows.collect::<Vec<_>>()));
+    }
+    if !report.surfaces.is_empty() {
+        if !report.patches.is_empty() {
+            text.push('\n');
+        }
+        let heads = [
+            "surface",
+            "made by",
+            "degrees",
+            "Gaussian curvature",
+            "radius",
+            "area",
+        ];
+        let rows = report.surfaces.iter().map(surface);
         text.push_str(&columns(&heads, &rows.collect::<Vec<_>>()));
     }
     let noted = report.patches.iter().filter(|p| !p.notes.is_empty());
@@ -72,6 +89,21 @@ fn row(patch: &PatchReport) -> Vec<String> {
             (None, false) => "-".to_owned(),
         },
         patch.area.map_or("-".to_owned(), number),
+    ]
+}
+
+fn surface(surface: &SurfaceReport) -> Vec<String> {
+    let [u, v] = surface.degrees;
+    vec![
+        shortened(&surface.name),
+        surface.kind.to_owned(),
+        format!("{u} x {v}"),
+        match surface.gaussian {
+            Some([low, high]) => format!("{} to {}", number(low), number(high)),
+            None => "unbounded".to_owned(),
+        },
+        surface.radius.map_or("-".to_owned(), number),
+        number(surface.area),
     ]
 }
 

@@ -7,7 +7,9 @@ use torse_exchange::{Drawing, Layer, Text};
 use torse_geometry::pattern::{FlatPattern, PatternError, Place};
 
 /// The height of the letters of a name, as a share of the size of its piece.
-const LETTERS: f64 = 0.02;
+const LETTERS: f64 = 0.025;
+/// The width of a letter as a share of its height, about.
+const WIDE: f64 = 0.66;
 /// How far from the sheet the edge of regression is still shown, as a share of its size.
 const REACH: f64 = 0.25;
 
@@ -40,14 +42,14 @@ pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignE
     Ok(drawing)
 }
 
-/// The name of a piece along its middle ruling; a strained pattern says so beside it.
+/// The name of a piece along a ruling behind its middle, where marks are rarely; a strained pattern says so beside it.
 fn name(
     drawing: &mut Drawing,
     name: &str,
     flat: &FlatPattern,
     size: f64,
 ) -> Result<(), DesignError> {
-    let Some(ruling) = flat.rulings().get(flat.rulings().len() / 2) else {
+    let Some(ruling) = flat.rulings().get(5 * flat.rulings().len() / 8) else {
         return Ok(());
     };
     let [from, to] = ruling.ends;
@@ -59,8 +61,7 @@ fn name(
         name.to_owned()
     };
     let count = f64::from(u32::try_from(content.chars().count()).unwrap_or(u32::MAX));
-    // Letters are about two thirds as wide as high.
-    let height = (LETTERS * size).min(0.8 * length / (0.66 * count));
+    let height = (LETTERS * size).min(0.8 * length / (WIDE * count));
     drawing.text(Text {
         layer: Layer::Marks,
         at: at(0.1),

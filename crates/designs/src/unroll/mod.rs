@@ -71,6 +71,10 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
         });
     }
     let mut pieces = design.pieces();
+    if pieces.is_empty() {
+        let design = design.name.clone();
+        return Err(DesignError::NoPatch { design });
+    }
     if let Some(name) = &demand.only {
         let known = pieces.iter().map(|piece| piece.name.clone()).collect();
         pieces.retain(|piece| piece.name == *name);

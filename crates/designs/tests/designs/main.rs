@@ -12,4 +12,5 @@ mod mistakes;
 mod patterns;
 mod random;
 mod schema;
+mod surfaces;
 mod worked;

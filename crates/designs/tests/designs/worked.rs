@@ -126,6 +126,23 @@ fn worked_designs_are_written_in_every_format() {
 }
 
 #[test]
+fn patterns_fold_from_svg_as_from_dxf() {
+    for name in ["lampshade", "gbt-joins"] {
+        let design = load(&folder().join(name).with_extension("toml")).unwrap();
+        let fold = |ending: &str| {
+            let pattern = bytes(&design, ending, &Demand::default()).unwrap();
+            let text = String::from_utf8(pattern).unwrap();
+            fold_text(&design, &format!("pattern.{ending}"), &text).unwrap()
+        };
+        let (from_svg, from_dxf) = (fold("svg"), fold("dxf"));
+        assert!(from_svg.missed.is_empty(), "{name}: {:?}", from_svg.missed);
+        for (a, b) in from_svg.pieces.iter().zip(&from_dxf.pieces) {
+            assert_eq!((a.rulings, a.deviation), (b.rulings, b.deviation), "{name}");
+        }
+    }
+}
+
+#[test]
 fn a_pattern_that_was_changed_does_not_fold_to_the_design() {
     let design = load(&folder().join("lampshade.toml")).unwrap();
     let pattern = String::from_utf8(bytes(&design, "dxf", &Demand::default()).unwrap()).unwrap();

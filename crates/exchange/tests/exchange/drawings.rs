@@ -20,7 +20,7 @@ fn an_arc_reaches_as_far_as_its_circle() {
         assert!((found - exact).abs() < 1e-15, "{low:?} {high:?}");
     }
     let text = svg(&drawing).unwrap();
-    assert!(text.contains(" 0 1 0 0 1\"/>"), "{text}");
+    assert!(text.contains(" 0 1 0 0 1\" data-order=\"0\"/>"), "{text}");
 }
 
 #[test]
@@ -96,6 +96,43 @@ fn broken_files_are_refused_with_their_line() {
     );
 }
 
+#[test]
+fn broken_svg_is_refused_with_its_line_and_what_a_program_adds_is_passed_over() {
+    let line = |text: &str| match Drawing::from_svg(text) {
+        Err(ExchangeError::Unreadable { line, .. }) => Some(line),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(line("<svg>\n<g id=\"OUTLINE\">\n"), Some(1));
+    assert_eq!(line("<svg>\n</g></svg>"), Some(2));
+    let path = |d: &str| format!("<svg>\n<g id=\"OUTLINE\">\n<path d=\"{d}\"/></g></svg>");
+    for wrong in [
+        "M0 0C1 1 2 2 3 3",
+        "0 0L1 1",
+        "M0 0L1",
+        "M0 0L1 1M2 2",
+        "M0 0A1 2 0 0 0 1 1",
+        "M0 0A1 1 0 2 0 1 1",
+    ] {
+        assert_eq!(line(&path(wrong)), Some(3), "{wrong}");
+    }
+    assert_eq!(
+        line("<svg><g id=\"MARKS\" transform=\"scale(2)\"/></svg>"),
+        Some(1)
+    );
+    assert_eq!(line("<svg><text x=1/></svg>"), Some(1));
+    assert_eq!(line("<svg>&nbsp;</svg>"), Some(1));
+    // Another program writes relative commands, other layers, other elements, comments.
+    let text = "<?xml version=\"1.0\"?><!-- a comment --><svg><defs id='x'/><g id='layer7' transform='scale(3)'>\
+                <path d='M0 0'/></g><g inkscape:label='OUTLINE' id='g12'><path d='m 1,-2 h 3 v-4,l-3 0.5.5.5z'/></g></svg>";
+    let read = Drawing::from_svg(text).unwrap();
+    let corners: Vec<_> = read.paths()[0].vertices().iter().map(|v| v.point).collect();
+    assert_eq!(
+        corners,
+        [[1.0, 2.0], [4.0, 2.0], [4.0, 6.0], [1.0, 5.5], [1.5, 5.0]]
+    );
+    assert!(read.paths().len() == 1 && read.paths()[0].is_closed());
+}
+
 fn number() -> impl Strategy<Value = f64> {
     prop_oneof![-1e3..1e3_f64, -1e-9..1e-9_f64, Just(0.0)]
 }
@@ -116,6 +153,20 @@ proptest! {
         let text = Text { layer: Layer::Marks, at: [1.5, 2.5], height: 3.0, angle, content };
         drawing.text(text.clone()).unwrap();
         drawing.note(&text.content).unwrap();
-        prop_assert_eq!(Drawing::from_dxf(&dxf(&drawing).unwrap()).unwrap(), drawing);
+        prop_assert_eq!(Drawing::from_dxf(&dxf(&drawing).unwrap()).unwrap(), drawing.clone());
+        // SVG says radii, not bulges, and angles in degrees; all else comes back bit for bit.
+        let read = Drawing::from_svg(&svg(&drawing).unwrap()).unwrap();
+        prop_assert_eq!(read.notes(), drawing.notes());
+        prop_assert_eq!(&read.texts()[0].content, &drawing.texts()[0].content);
+        prop_assert!((read.texts()[0].angle - angle).abs() < 1e-14);
+        prop_assert_eq!(read.paths().len(), drawing.paths().len());
+        for (read, path) in read.paths().iter().zip(drawing.paths()) {
+            prop_assert_eq!((read.layer(), read.is_closed(), read.bend()), (path.layer(), path.is_closed(), path.bend()));
+            prop_assert_eq!(read.vertices().len(), path.vertices().len());
+            for (a, b) in read.vertices().iter().zip(path.vertices()) {
+                prop_assert_eq!(a.point, b.point);
+                prop_assert!((a.bulge - b.bulge).abs() < 1e-7 * b.bulge.abs().max(1e-3), "{} {}", a.bulge, b.bulge);
+            }
+        }
     }
 }

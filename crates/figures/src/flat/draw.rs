@@ -231,6 +231,19 @@ impl Map {
                     scene.stroke(polyline(&part), *line);
                 }
             }
+            Layer::Lettering {
+                at,
+                text,
+                height,
+                angle,
+                colour,
+            } => {
+                // Equal units are meant: a drawing.
+                let [foot, top] = [*at, [at[0], at[1] + height]].map(|p| self.to_page(p));
+                if self.shows(foot) {
+                    scene.letter(text, foot[1] - top[1], foot, *angle, *colour)?;
+                }
+            }
             Layer::Note { at, text, place } => {
                 let at = self.to_page(*at);
                 if self.shows(at) {

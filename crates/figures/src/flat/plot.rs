@@ -4,7 +4,6 @@ use crate::colour::{Colour, Line};
 use crate::error::{FigureError, at_least, finite, range, within};
 use crate::ink::scene::Place;
 use crate::legend::{Legend, Marker};
-use crate::picture::{Content, Figure, Picture, Size};
 
 /// One coordinate axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,6 +114,19 @@ pub enum Layer {
         at: f64,
         /// How it is drawn.
         line: Line,
+    },
+    /// Lettering of a size in data units, such as that of a drawing.
+    Lettering {
+        /// Where its base line starts.
+        at: [f64; 2],
+        /// The text, in the [label language](crate#labels).
+        text: String,
+        /// The height of its capitals in data units.
+        height: f64,
+        /// The direction of the base line in radians, counter-clockwise from the first axis.
+        angle: f64,
+        /// Colour.
+        colour: Colour,
     },
     /// A note beside a point.
     Note {
@@ -254,15 +266,6 @@ impl Plot {
         Plot { legend, ..self }
     }
 
-    /// Draw it alone on a page.
-    ///
-    /// # Errors
-    /// Non-finite coordinates (with the index of the point), lists that are too short, empty ranges, labels that
-    /// do not parse, nothing to draw, a page size out of range.
-    pub fn draw(self, title: &str, size: Size) -> Result<Picture, FigureError> {
-        Figure::single(title, size, Content::Plot(self)).draw()
-    }
-
     /// Refuse what cannot be drawn.
     pub(crate) fn check(&self) -> Result<(), FigureError> {
         for (what, axis) in [("x axis", &self.x), ("y axis", &self.y)] {
@@ -282,6 +285,10 @@ impl Layer {
             Layer::Points { .. } => ("marked points", 1),
             Layer::Region { .. } => ("region", 3),
             Layer::Arrow { .. } => ("arrow", 2),
+            Layer::Lettering { height, angle, .. } => {
+                finite("lettering", &[[*height, *angle]])?;
+                ("lettering", 1)
+            }
             Layer::Note { .. } => ("note", 1),
             Layer::Guide { at, .. } => {
                 return self.check_line().and_then(|()| finite("guide", &[[*at]]));
@@ -314,7 +321,7 @@ impl Layer {
             | Layer::Points { points, .. } => points.clone(),
             Layer::Region { boundary, .. } => boundary.clone(),
             Layer::Arrow { from, to, .. } => vec![*from, *to],
-            Layer::Note { at, .. } => vec![*at],
+            Layer::Lettering { at, .. } | Layer::Note { at, .. } => vec![*at],
             Layer::Guide { .. } => Vec::new(),
         }
     }

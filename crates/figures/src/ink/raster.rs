@@ -133,6 +133,10 @@ fn placement(glyph: &Glyph) -> Transform {
     match glyph.turn {
         Turn::Across => Transform::from_row(s, 0.0, 0.0, s, x, y),
         Turn::Upwards => Transform::from_row(0.0, -s, s, 0.0, x, y),
+        Turn::Along(way) => {
+            let [cosine, sine] = way.map(|c| s * c as f32);
+            Transform::from_row(cosine, sine, -sine, cosine, x, y)
+        }
     }
 }
 

@@ -82,11 +82,13 @@ impl Place {
 }
 
 /// Direction of a line of type.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Turn {
     Across,
     /// Read from below to above.
     Upwards,
+    /// Along a unit vector of the page.
+    Along([f64; 2]),
 }
 
 /// A glyph on the page.
@@ -217,6 +219,24 @@ impl Scene {
         Ok(())
     }
 
+    /// Set lettering whose base line starts at `at` and whose capitals are so high.
+    pub(crate) fn letter(
+        &mut self,
+        text: &str,
+        height: f64,
+        at: [f64; 2],
+        angle: f64,
+        colour: Colour,
+    ) -> Result<(), FigureError> {
+        let line = typeset(text, TypeLine::size_of_capitals(height))?;
+        // The page has y downwards; from the base line to the middle of the capitals.
+        let way = [angle.cos(), -angle.sin()];
+        let rise = 0.5 * line.cap_height();
+        let middle = [at[0] + rise * way[1], at[1] - rise * way[0]];
+        self.type_line(&line, middle, Align::Left, Turn::Along(way), 0.0, colour);
+        Ok(())
+    }
+
     /// Place a line of type with the middle of its capitals at `at`.
     pub(crate) fn set(
         &mut self,
@@ -225,6 +245,18 @@ impl Scene {
         align: Align,
         turn: Turn,
         rim: f64,
+    ) {
+        self.type_line(line, at, align, turn, rim, Colour::INK);
+    }
+
+    fn type_line(
+        &mut self,
+        line: &TypeLine,
+        at: [f64; 2],
+        align: Align,
+        turn: Turn,
+        rim: f64,
+        colour: Colour,
     ) {
         let start = match align {
             Align::Left => 0.0,
@@ -240,6 +272,7 @@ impl Scene {
                 let (dx, dy) = match turn {
                     Turn::Across => (along, across),
                     Turn::Upwards => (across, -along),
+                    Turn::Along([x, y]) => (along * x - across * y, along * y + across * x),
                 };
                 Glyph {
                     style: g.style,
@@ -251,7 +284,6 @@ impl Scene {
                 }
             })
             .collect();
-        let colour = Colour::INK;
         self.items.push(Item::Type {
             glyphs,
             colour,

@@ -155,11 +155,17 @@ fn attribute(name: &str, alpha: f64) -> String {
 }
 
 fn transform(glyph: &Glyph) -> String {
-    let s = num(glyph.size / 1000.0, 1e5);
+    let size = glyph.size / 1000.0;
+    let s = num(size, 1e5);
     let (x, y) = (num(glyph.x, 100.0), num(glyph.y, 100.0));
     match glyph.turn {
         Turn::Across => format!("matrix({s} 0 0 {s} {x} {y})"),
         Turn::Upwards => format!("matrix(0 -{s} {s} 0 {x} {y})"),
+        Turn::Along(way) => {
+            let [cosine, sine] = way.map(|c| num(size * c, 1e5));
+            let up = num(-size * way[1], 1e5);
+            format!("matrix({cosine} {sine} {up} {cosine} {x} {y})")
+        }
     }
 }
 

@@ -25,7 +25,12 @@ pub(crate) struct TypeLine {
 impl TypeLine {
     /// Height of a capital above the baseline.
     pub(crate) fn cap_height(&self) -> f64 {
-        0.645 * self.size
+        CAPITALS * self.size
+    }
+
+    /// The size of type whose capitals are so high.
+    pub(crate) fn size_of_capitals(height: f64) -> f64 {
+        height / CAPITALS
     }
 
     /// Height of the row the line needs, baseline to baseline.
@@ -39,6 +44,9 @@ const SCRIPT_SIZE: f64 = 0.72;
 /// Drop of a subscript and rise of a superscript, in em of the base.
 const SUB_DROP: f64 = 0.17;
 const SUP_RISE: f64 = 0.36;
+
+/// Height of capitals in em.
+const CAPITALS: f64 = 0.645;
 
 /// Typeset `label` at `size` pixels per em.
 pub(crate) fn typeset(text: &str, size: f64) -> Result<TypeLine, FigureError> {

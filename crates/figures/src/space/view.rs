@@ -5,7 +5,6 @@ use crate::colour::{Colour, Line};
 use crate::error::{FigureError, at_least, finite, range, within};
 use crate::ink::scene::Place;
 use crate::legend::Legend;
-use crate::picture::{Content, Figure, Picture, Size};
 use crate::space::camera::Camera;
 use crate::space::grid::Grid;
 
@@ -418,16 +417,6 @@ impl View {
     #[must_use]
     pub fn legend(self, legend: Legend) -> Self {
         View { legend, ..self }
-    }
-
-    /// Draw it alone on a page.
-    ///
-    /// # Errors
-    /// Non-finite coordinates, normals or values (with the index of the vertex), lists of the wrong length, empty
-    /// bounds or scale ranges, an opacity outside 0..=1, a camera beyond the poles, labels that do not parse,
-    /// nothing to draw, more than [`WORK_LIMIT`](crate::WORK_LIMIT) samples to visit, a page size out of range.
-    pub fn draw(self, title: &str, size: Size) -> Result<Picture, FigureError> {
-        Figure::single(title, size, Content::View(self)).draw()
     }
 
     /// Refuse what cannot be drawn.

@@ -18,12 +18,14 @@ use torse_algebra::{ExactError, Jet};
 pub struct Bernstein;
 
 impl<S: Coordinate> Basis<S> for Bernstein {
+    #[inline(always)]
     fn seeds(&self, x: &S) -> Result<[S; 3], ExactError> {
         let y = x.one() - x.clone();
         let mixed = x.clone() * y.clone();
         Ok([y.clone() * y, mixed.clone() + mixed, x.clone() * x.clone()])
     }
 
+    #[inline(always)]
     fn seed_slopes(&self, x: &S) -> Result<[S; 3], ExactError> {
         let (up, down) = (x.clone() + x.clone(), x.one() - x.clone());
         let down = down.clone() + down;

@@ -61,7 +61,7 @@ impl<S: Coordinate> Gbt<S> {
     }
 
     /// The seeds from sine and cosine.
-    #[inline]
+    #[inline(always)]
     fn seeds_of_turn(&self, s: S, c: S) -> [S; 3] {
         let one = s.one();
         let outer = |t: S, shape: &S| (one.clone() - t.clone()) * (one.clone() - shape.clone() * t);
@@ -69,6 +69,16 @@ impl<S: Coordinate> Gbt<S> {
         let g2 = outer(c, &self.nu);
         let g1 = one - g0.clone() - g2.clone();
         [g0, g1, g2]
+    }
+
+    /// The derivatives of the seeds from sine and cosine.
+    #[inline(always)]
+    fn slopes_of_turn(&self, s: S, c: S, half_pi: &S) -> [S; 3] {
+        // d/dt (1 - t)(1 - m t) = 2 m t - 1 - m
+        let outer = |t: &S, m: &S| m.clone() * (t.clone() + t.clone() - t.one()) - t.one();
+        let d0 = half_pi.clone() * c.clone() * outer(&s, &self.mu);
+        let d2 = -(half_pi.clone() * s * outer(&c, &self.nu));
+        [d0.clone(), -(d0 + d2.clone()), d2]
     }
 
     /// The factors `s(1 - s)` and `c(1 - c)` that move the curve when `mu` and `nu` grow: the seeds
@@ -83,12 +93,13 @@ impl<S: Coordinate> Gbt<S> {
 }
 
 impl<S: Coordinate> Basis<S> for Gbt<S> {
+    #[inline(always)]
     fn seeds(&self, x: &S) -> Result<[S; 3], ExactError> {
         let (s, c) = x.turn()?;
         Ok(self.seeds_of_turn(s, c))
     }
 
-    #[inline]
+    #[inline(always)]
     fn seed_columns(&self, xs: &[S], columns: [&mut [S]; 3]) -> Result<(), ExactError> {
         let [first, second, third] = columns;
         // Sine and cosine wait where their seeds will be.
@@ -99,13 +110,32 @@ impl<S: Coordinate> Basis<S> for Gbt<S> {
         Ok(())
     }
 
+    #[inline(always)]
     fn seed_slopes(&self, x: &S) -> Result<[S; 3], ExactError> {
-        let ((s, c), half_pi) = (x.turn()?, x.half_pi()?);
-        // d/dt (1 - t)(1 - m t) = 2 m t - 1 - m
-        let outer = |t: &S, m: &S| m.clone() * (t.clone() + t.clone() - x.one()) - x.one();
-        let d0 = half_pi.clone() * c.clone() * outer(&s, &self.mu);
-        let d2 = -(half_pi * s * outer(&c, &self.nu));
-        Ok([d0.clone(), -(d0 + d2.clone()), d2])
+        let (s, c) = x.turn()?;
+        Ok(self.slopes_of_turn(s, c, &x.half_pi()?))
+    }
+
+    #[inline(always)]
+    fn seed_and_slope_columns(
+        &self,
+        xs: &[S],
+        columns: [&mut [S]; 3],
+        slopes: [&mut [S]; 3],
+    ) -> Result<(), ExactError> {
+        let ([first, second, third], [d0, d1, d2]) = (columns, slopes);
+        S::turns(xs, first, third)?;
+        let Some(half_pi) = xs.first().map(S::half_pi).transpose()? else {
+            return Ok(());
+        };
+        let turns = xs.iter().zip(first.iter()).zip(third.iter());
+        for ((((_, s), c), d0), (d1, d2)) in turns.zip(d0).zip(d1.iter_mut().zip(d2)) {
+            [*d0, *d1, *d2] = self.slopes_of_turn(s.clone(), c.clone(), &half_pi);
+        }
+        for (((g0, g1), g2), _) in first.iter_mut().zip(second).zip(third).zip(xs) {
+            [*g0, *g1, *g2] = self.seeds_of_turn(g0.clone(), g2.clone());
+        }
+        Ok(())
     }
 
     fn seed_jets(&self, x: &S, order: usize) -> Result<[Jet<S>; 3], ExactError> {

@@ -78,7 +78,7 @@ use torse_algebra::{ExactError, Jet};
 /// assert_eq!(curve.derivatives(&ratio(1, 2).unwrap(), 1)?[1], [integer(0)]);
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
-pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
+pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug + Send + Sync {
     /// The seeds `[g0, g1, g2]` at `x` in [0, 1].
     ///
     /// # Errors
@@ -89,12 +89,31 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     ///
     /// # Errors
     /// As [`Basis::seeds`].
+    #[inline(always)]
     fn seed_columns(&self, xs: &[S], columns: [&mut [S]; 3]) -> Result<(), ExactError> {
         let [first, second, third] = columns;
         for (((x, g0), g1), g2) in xs.iter().zip(first).zip(second).zip(third) {
             [*g0, *g1, *g2] = self.seeds(x)?;
         }
         Ok(())
+    }
+
+    /// The seeds and their first derivatives at all `xs`, one column for each, as far as the columns reach.
+    ///
+    /// # Errors
+    /// As [`Basis::seeds`].
+    #[inline(always)]
+    fn seed_and_slope_columns(
+        &self,
+        xs: &[S],
+        columns: [&mut [S]; 3],
+        slopes: [&mut [S]; 3],
+    ) -> Result<(), ExactError> {
+        let [first, second, third] = slopes;
+        for (((x, d0), d1), d2) in xs.iter().zip(first).zip(second).zip(third) {
+            [*d0, *d1, *d2] = self.seed_slopes(x)?;
+        }
+        self.seed_columns(xs, columns)
     }
 
     /// The Taylor series of the seeds at `x` to this order.
@@ -132,20 +151,7 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     /// As [`Basis::row`].
     fn row_into(&self, x: &S, row: &mut [S]) -> Result<()> {
         check_parameter(x)?;
-        match row {
-            [] | [_] => return check_degree(0),
-            [first, second] => {
-                *first = x.one() - x.clone();
-                *second = x.clone();
-                return Ok(());
-            }
-            [first, second, third, ..] => {
-                let [g0, g1, g2] = self.seeds(x)?;
-                (*first, *second, *third) = (g0, g1, g2);
-            }
-        }
-        raise(row, x);
-        Ok(())
+        blend(row, x, || self.seeds(x))
     }
 
     /// The first derivatives of the seeds at `x`.
@@ -185,40 +191,9 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
             });
         }
         check_parameter(x)?;
-        let degree = row.len().saturating_sub(1);
-        if degree < 2 {
-            self.row_into(x, row)?;
-            if let [first, second] = slope {
-                (*first, *second) = (-x.one(), x.one());
-            }
-            return Ok(());
-        }
-        // slope: T^(k-2) g' first, by the recursion of the values.
-        for (slot, g) in slope.iter_mut().zip(self.seed_slopes(x)?) {
-            *slot = g;
-        }
-        raise(slope, x);
-        for (slot, g) in row.iter_mut().zip(self.seeds(x)?) {
-            *slot = g;
-        }
-        if degree > 2 {
-            if let Some(lower) = row.get_mut(..degree) {
-                raise(lower, x);
-            }
-            let factor = x.natural(degree - 2);
-            let mut below = x.zero();
-            for (i, slot) in slope.iter_mut().enumerate() {
-                let entry = row
-                    .get(i)
-                    .filter(|_| i < degree)
-                    .cloned()
-                    .unwrap_or_else(|| x.zero());
-                *slot = slot.clone() + factor.clone() * (below - entry.clone());
-                below = entry;
-            }
-            raise_once(row, x);
-        }
-        Ok(())
+        blend_with_slopes([row, slope], x, || {
+            Ok([self.seeds(x)?, self.seed_slopes(x)?])
+        })
     }
 
     /// The derivative rows at `x`: entry `[n][i]` is the n-th derivative of basis function `i`.
@@ -308,7 +283,68 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug {
     }
 }
 
+/// The basis functions at `x` of the degree of the row, from the seeds: linear ones in degree one, where every
+/// family is the same.
+#[inline(always)]
+pub(crate) fn blend<S: Coordinate>(
+    row: &mut [S],
+    x: &S,
+    seeds: impl FnOnce() -> Result<[S; 3], ExactError>,
+) -> Result<()> {
+    match row {
+        [] | [_] => return check_degree(0),
+        [first, second] => (*first, *second) = (x.one() - x.clone(), x.clone()),
+        [first, second, third, ..] => {
+            [*first, *second, *third] = seeds()?;
+            raise(row, x);
+        }
+    }
+    Ok(())
+}
+
+/// The basis functions at `x` and their first derivatives, from the seeds and those of the seeds; for the
+/// formula see [`Basis::row_and_slope_into`]. The rows are of equal length.
+#[inline(always)]
+pub(crate) fn blend_with_slopes<S: Coordinate>(
+    [row, slope]: [&mut [S]; 2],
+    x: &S,
+    seeds: impl FnOnce() -> Result<[[S; 3]; 2], ExactError>,
+) -> Result<()> {
+    let degree = row.len().saturating_sub(1);
+    let ([first, second, third, ..], [first_slope, second_slope, third_slope, ..]) =
+        (&mut *row, &mut *slope)
+    else {
+        if let [first, second] = slope {
+            (*first, *second) = (-x.one(), x.one());
+        }
+        return blend(row, x, || Ok(seeds()?[0].clone()));
+    };
+    [
+        [*first, *second, *third],
+        [*first_slope, *second_slope, *third_slope],
+    ] = seeds()?;
+    // T^(k-2) g' first, by the recursion of the values.
+    raise(slope, x);
+    if let Some(lower) = row.get_mut(..degree)
+        && degree > 2
+    {
+        raise(lower, x);
+        let factor = x.natural(degree - 2);
+        let mut below = x.zero();
+        for (slot, entry) in slope.iter_mut().zip(lower.iter()) {
+            *slot = slot.clone() + factor.clone() * (below - entry.clone());
+            below = entry.clone();
+        }
+        if let Some(last) = slope.last_mut() {
+            *last = last.clone() + factor * below;
+        }
+        raise_once(row, x);
+    }
+    Ok(())
+}
+
 /// From the three seeds in front to the basis of the whole row, degree by degree in place.
+#[inline(always)]
 fn raise<S: Coordinate>(row: &mut [S], x: &S) {
     for width in 4..=row.len() {
         if let Some(active) = row.get_mut(..width) {
@@ -318,12 +354,14 @@ fn raise<S: Coordinate>(row: &mut [S], x: &S) {
 }
 
 /// From the basis of one degree less, in all but the last place, to the basis of the row.
+#[inline(always)]
 fn raise_once<S: Coordinate>(row: &mut [S], x: &S) {
-    let Some((last, rest)) = row.split_last_mut() else {
+    let [first, rest @ .., last] = row else {
         return;
     };
     let one_minus_x = x.one() - x.clone();
-    let mut lower = x.zero();
+    let mut lower = first.clone();
+    *first = one_minus_x.clone() * lower.clone();
     for entry in rest {
         let old = entry.clone();
         *entry = one_minus_x.clone() * old.clone() + x.clone() * lower;

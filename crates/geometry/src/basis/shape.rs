@@ -54,10 +54,24 @@ impl<S: Coordinate> Basis<S> for Shape<S> {
         }
     }
 
+    #[inline(always)]
     fn seed_columns(&self, xs: &[S], columns: [&mut [S]; 3]) -> Result<(), ExactError> {
         match self {
             Self::Bernstein => Bernstein.seed_columns(xs, columns),
             Self::Gbt(basis) => basis.seed_columns(xs, columns),
+        }
+    }
+
+    #[inline(always)]
+    fn seed_and_slope_columns(
+        &self,
+        xs: &[S],
+        columns: [&mut [S]; 3],
+        slopes: [&mut [S]; 3],
+    ) -> Result<(), ExactError> {
+        match self {
+            Self::Bernstein => Bernstein.seed_and_slope_columns(xs, columns, slopes),
+            Self::Gbt(basis) => basis.seed_and_slope_columns(xs, columns, slopes),
         }
     }
 

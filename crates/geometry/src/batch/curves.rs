@@ -1,167 +1,215 @@
 //! Curves, plane families and rulings at many parameters.
+//!
+//! The parameters go in blocks: first the seeds of the basis, column by column; then whole vector registers of
+//! parameters through the same functions as a single one (see `lanes`): the blend to the degree of the curve and the sum
+//! over the control points, which stay in registers for the usual degrees.
 
 use super::check_length;
-use super::wide::widest;
-use crate::basis::Basis;
-use crate::coordinate::{Coordinate, check_finite};
+use super::lanes::Lanes;
+use crate::basis::{Basis, blend, blend_with_slopes};
+use crate::coordinate::check_finite;
 use crate::curve::Curve;
-use crate::error::{GeometryError, Result};
-use crate::planes::{PlaneFamily, Ruling, ruling_of};
+use crate::error::Result;
+use crate::planes::{Plane, PlaneFamily, Ruling, ruling_of};
+use crate::vector::combine;
+use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
-use std::ops::Range;
 
-/// Parameters evaluated at a time on a curve: one column of values is half a kilobyte.
-const BLOCK: usize = 64;
+/// Parameters of a block: one column of values is a quarter of a kilobyte.
+const BLOCK: usize = 32;
 
 /// Parameters that one thread takes at a time; below this starting threads costs more than it gains.
-const SHARE: usize = 128 * BLOCK;
+const SHARE: usize = 256 * BLOCK;
 
-/// The basis functions (or their slopes) at a block of parameters, one column for each function: the
-/// degree-raising recursion then runs along the columns, over all parameters at once.
-struct Columns {
-    columns: Vec<[f64; BLOCK]>,
+/// One number for each parameter of a block.
+type Column = [f64; BLOCK];
+
+/// Whole blocks of parameters, and what is left as a block with zeros behind.
+fn blocks(xs: &[f64]) -> (&[Column], Option<Column>) {
+    let (whole, rest) = xs.as_chunks();
+    let filled = || std::array::from_fn(|p| rest.get(p).copied().unwrap_or(0.0));
+    (whole, (!rest.is_empty()).then(filled))
 }
 
-impl Columns {
-    fn new(degree: usize) -> Self {
-        Self {
-            columns: vec![[0.0; BLOCK]; degree + 1],
-        }
-    }
-
-    /// The basis functions at `xs`.
-    fn fill<B: Basis<f64>>(&mut self, basis: &B, xs: &[f64; BLOCK]) -> Result<()> {
-        if let [first, second] = self.columns.as_mut_slice() {
-            for (p, x) in xs.iter().enumerate() {
-                (first[p], second[p]) = (1.0 - x, *x);
-            }
-            return Ok(());
-        }
-        self.start(basis, xs)?;
-        self.raise(3..self.columns.len(), xs);
-        Ok(())
-    }
-
-    /// The basis functions at `xs`, and their slopes into `slopes`; for the formula see
-    /// [`Basis::row_and_slope_into`].
-    fn fill_with_slopes<B: Basis<f64>>(
-        &mut self,
-        slopes: &mut Self,
-        basis: &B,
-        xs: &[f64; BLOCK],
-    ) -> Result<()> {
-        let degree = self.columns.len() - 1;
-        if let [first, second, third, ..] = slopes.columns.as_mut_slice() {
-            for (p, x) in xs.iter().enumerate() {
-                [first[p], second[p], third[p]] = basis.seed_slopes(x)?;
-            }
-        }
-        slopes.raise(3..degree + 1, xs);
-        self.start(basis, xs)?;
-        self.raise(3..degree, xs);
-        if degree > 2 {
-            let factor = 0.0.natural(degree - 2);
-            let mut below = [0.0; BLOCK];
-            for (i, (slope, entry)) in slopes.columns.iter_mut().zip(&self.columns).enumerate() {
-                let entry = if i < degree { *entry } else { [0.0; BLOCK] };
-                for p in 0..BLOCK {
-                    slope[p] += factor * (below[p] - entry[p]);
-                }
-                below = entry;
-            }
-            self.raise(degree..degree + 1, xs);
-        }
-        Ok(())
-    }
-
-    /// The three seeds into the first columns.
-    fn start<B: Basis<f64>>(&mut self, basis: &B, xs: &[f64; BLOCK]) -> Result<()> {
-        if let [first, second, third, ..] = self.columns.as_mut_slice() {
-            widest(
-                #[inline(always)]
-                || basis.seed_columns(xs, [first, second, third]),
-            )?;
-        }
-        Ok(())
-    }
-
-    /// From the basis of degree `degrees.start - 1` to that of the last of `degrees`.
-    fn raise(&mut self, degrees: Range<usize>, xs: &[f64; BLOCK]) {
-        widest(
-            #[inline(always)]
-            || {
-                for degree in degrees {
-                    let Some(active) = self.columns.get_mut(..=degree) else {
-                        break;
-                    };
-                    raise_once(active, xs);
-                }
-            },
-        );
-    }
-
-    /// The sums of `points` weighted by the columns, one column for each coordinate.
-    fn combined<const D: usize>(&self, points: &[[f64; D]]) -> [[f64; BLOCK]; D] {
-        let mut sums = [[0.0; BLOCK]; D];
-        widest(
-            #[inline(always)]
-            || {
-                for (column, point) in self.columns.iter().zip(points) {
-                    for (sum, coordinate) in sums.iter_mut().zip(point) {
-                        for (s, weight) in sum.iter_mut().zip(column) {
-                            *s += weight * coordinate;
-                        }
-                    }
-                }
-            },
-        );
-        sums
-    }
-}
-
-/// From the basis of one degree less, in all but the last column, to the basis of all columns.
 #[inline(always)]
-fn raise_once(columns: &mut [[f64; BLOCK]], xs: &[f64; BLOCK]) {
-    if let [.., below, last] = columns {
-        for p in 0..BLOCK {
-            last[p] = xs[p] * below[p];
-        }
-    }
-    for i in (1..columns.len().saturating_sub(1)).rev() {
-        let Some([lower, entry]) = columns.get_mut(i - 1..=i) else {
-            break;
-        };
-        for p in 0..BLOCK {
-            entry[p] = (1.0 - xs[p]) * entry[p] + xs[p] * lower[p];
-        }
-    }
-    if let Some(entry) = columns.first_mut() {
-        for p in 0..BLOCK {
-            entry[p] *= 1.0 - xs[p];
+fn all_finite(column: &Column) -> bool {
+    column.iter().fold(true, |all, x| all & x.is_finite())
+}
+
+/// Three columns at register `index`.
+#[inline(always)]
+fn three<V: Simd>(simd: V, columns: &[Column; 3], index: usize) -> [Lanes<V>; 3] {
+    columns.each_ref().map(
+        #[inline(always)]
+        |c| Lanes::load(simd, c, index),
+    )
+}
+
+/// The points of a curve, or the rulings of a family, and the parameters that they are asked for.
+struct Job<'a, C, T> {
+    of: &'a C,
+    xs: &'a [f64],
+    out: &'a mut [T],
+}
+
+/// The points in all lanes.
+#[inline(always)]
+fn spread<V: Simd, const N: usize, const D: usize>(
+    simd: V,
+    points: &[[f64; D]; N],
+) -> [[Lanes<V>; D]; N] {
+    points.map(
+        #[inline(always)]
+        |p| {
+            p.map(
+                #[inline(always)]
+                |c| Lanes::all(simd, c),
+            )
+        },
+    )
+}
+
+impl<B: Basis<f64>, const D: usize> WithSimd for Job<'_, Curve<B, f64, D>, [f64; D]> {
+    type Output = Result<()>;
+
+    /// With rows of a length that the compiler knows for the usual degrees.
+    #[inline(always)]
+    fn with_simd<V: Simd>(self, simd: V) -> Result<()> {
+        let points = self.of.points();
+        let zero = Lanes::all(simd, 0.0);
+        if let [a, b, c, d] = points {
+            self.run(simd, &spread(simd, &[*a, *b, *c, *d]), &mut [zero; 4])
+        } else {
+            let points: Vec<_> = points
+                .iter()
+                .map(|p| p.map(|c| Lanes::all(simd, c)))
+                .collect();
+            let mut row = vec![zero; points.len()];
+            self.run(simd, &points, &mut row)
         }
     }
 }
 
-fn check_buffer<T>(xs: &[f64], out: &[T]) -> Result<()> {
-    check_finite("curve parameter", xs)?;
-    check_length("output buffer", xs.len(), out.len())
+impl<B: Basis<f64>, const D: usize> Job<'_, Curve<B, f64, D>, [f64; D]> {
+    #[inline(always)]
+    fn run<V: Simd>(self, simd: V, points: &[[Lanes<V>; D]], row: &mut [Lanes<V>]) -> Result<()> {
+        let zero = Lanes::all(simd, 0.0);
+        let (mut seeds, mut sums) = ([[0.0; BLOCK]; 3], [[0.0; BLOCK]; D]);
+        let (whole, last) = blocks(self.xs);
+        for (block, out) in whole.iter().chain(&last).zip(self.out.chunks_mut(BLOCK)) {
+            if !all_finite(block) {
+                return check_finite("curve parameter", self.xs);
+            }
+            self.of
+                .basis()
+                .seed_columns(block, seeds.each_mut().map(|g| g.as_mut_slice()))?;
+            for i in 0..BLOCK / V::F64_LANES {
+                let x = Lanes::load(simd, block, i);
+                blend(
+                    row,
+                    &x,
+                    #[inline(always)]
+                    || Ok(three(simd, &seeds, i)),
+                )?;
+                let point = combine(row, points).unwrap_or([zero; D]);
+                for (sum, coordinate) in sums.iter_mut().zip(point) {
+                    coordinate.store(sum, i);
+                }
+            }
+            for (p, slot) in out.iter_mut().enumerate() {
+                *slot = std::array::from_fn(|axis| sums[axis][p]);
+            }
+        }
+        Ok(())
+    }
 }
 
-/// A whole block of parameters, the last one filled up with zeros.
-fn block(xs: &[f64]) -> [f64; BLOCK] {
-    let mut block = [0.0; BLOCK];
-    for (slot, x) in block.iter_mut().zip(xs) {
-        *slot = *x;
+impl<B: Basis<f64>> WithSimd for Job<'_, PlaneFamily<B, f64>, Ruling<f64>> {
+    type Output = Result<()>;
+
+    /// With rows of a length that the compiler knows for the usual degrees.
+    #[inline(always)]
+    fn with_simd<V: Simd>(self, simd: V) -> Result<()> {
+        let points = self.of.unit_curve().0.points();
+        let zero = Lanes::all(simd, 0.0);
+        if let [a, b, c, d] = points {
+            let points = spread(simd, &[*a, *b, *c, *d]);
+            self.run(simd, &points, [&mut [zero; 4], &mut [zero; 4]])
+        } else {
+            let points: Vec<_> = points
+                .iter()
+                .map(|p| p.map(|c| Lanes::all(simd, c)))
+                .collect();
+            let mut rows = [vec![zero; points.len()], vec![zero; points.len()]];
+            self.run(simd, &points, rows.each_mut().map(Vec::as_mut_slice))
+        }
     }
-    block
+}
+
+impl<B: Basis<f64>> Job<'_, PlaneFamily<B, f64>, Ruling<f64>> {
+    #[inline(always)]
+    fn run<V: Simd>(
+        self,
+        simd: V,
+        points: &[Plane<Lanes<V>>],
+        [row, slope]: [&mut [Lanes<V>]; 2],
+    ) -> Result<()> {
+        let zero = Lanes::all(simd, 0.0);
+        let (curve, exponent) = self.of.unit_curve();
+        let (mut seeds, mut slopes) = ([[0.0; BLOCK]; 3], [[0.0; BLOCK]; 3]);
+        let mut columns = [[0.0; BLOCK]; 9];
+        let (whole, last) = blocks(self.xs);
+        for (block, out) in whole.iter().chain(&last).zip(self.out.chunks_mut(BLOCK)) {
+            if !all_finite(block) {
+                return check_finite("curve parameter", self.xs);
+            }
+            curve.basis().seed_and_slope_columns(
+                block,
+                seeds.each_mut().map(|g| g.as_mut_slice()),
+                slopes.each_mut().map(|d| d.as_mut_slice()),
+            )?;
+            for i in 0..BLOCK / V::F64_LANES {
+                let x = Lanes::load(simd, block, i);
+                blend_with_slopes(
+                    [row, slope],
+                    &x,
+                    #[inline(always)]
+                    || Ok([three(simd, &seeds, i), three(simd, &slopes, i)]),
+                )?;
+                let plane = combine(row, points).unwrap_or([zero; 4]);
+                let change = combine(slope, points).unwrap_or([zero; 4]);
+                let ruling = ruling_of(&plane, &change)?.of_planes_times_two_to(exponent);
+                for (column, coordinate) in columns.iter_mut().zip(ruling.coordinates()) {
+                    coordinate.store(column, i);
+                }
+            }
+            if columns.iter().fold(true, |all, c| all & all_finite(c)) {
+                for (p, slot) in out.iter_mut().enumerate() {
+                    let at = |first: usize| std::array::from_fn(|axis| columns[first + axis][p]);
+                    *slot = Ruling {
+                        direction: at(0),
+                        moment: at(3),
+                        foot: at(6),
+                    };
+                }
+            } else {
+                // Somewhere there is no ruling, or it leaves the range of f64: one by one.
+                for (x, slot) in block.iter().zip(out) {
+                    *slot = self.of.ruling(x)?;
+                }
+            }
+        }
+        Ok(())
+    }
 }
 
 impl<B: Basis<f64>, const D: usize> Curve<B, f64, D> {
     /// The points at all parameters `xs`, into `out` of the same length.
     ///
     /// # Errors
-    /// [`GeometryError::LengthMismatch`] when the lengths differ, [`GeometryError::NotFinite`] for a parameter
-    /// that is NaN or infinite.
+    /// [`GeometryError::LengthMismatch`](crate::GeometryError::LengthMismatch) when the lengths differ,
+    /// [`GeometryError::NotFinite`](crate::GeometryError::NotFinite) for a parameter that is NaN or infinite; what was
+    /// computed before it stands in `out`.
     ///
     /// ```
     /// use torse_geometry::{Curve, Gbt};
@@ -175,16 +223,8 @@ impl<B: Basis<f64>, const D: usize> Curve<B, f64, D> {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn points_into(&self, xs: &[f64], out: &mut [[f64; D]]) -> Result<()> {
-        check_buffer(xs, out)?;
-        let mut basis = Columns::new(self.degree());
-        for (xs, out) in xs.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-            basis.fill(self.basis(), &block(xs))?;
-            let sums = basis.combined(self.points());
-            for (p, slot) in out.iter_mut().enumerate() {
-                *slot = std::array::from_fn(|axis| sums[axis][p]);
-            }
-        }
-        Ok(())
+        check_length("output buffer", xs.len(), out.len())?;
+        Arch::new().dispatch(Job { of: self, xs, out })
     }
 
     /// [`Curve::points_into`] with the parameters shared among threads; the same values.
@@ -214,7 +254,7 @@ impl<B: Basis<f64>> PlaneFamily<B, f64> {
     /// The rulings at all parameters `xs`, into `out` of the same length.
     ///
     /// # Errors
-    /// As [`Curve::points_into`]; [`GeometryError::NoRuling`] where there is none.
+    /// As [`Curve::points_into`]; [`GeometryError::NoRuling`](crate::GeometryError::NoRuling) where there is none.
     ///
     /// ```
     /// use torse_geometry::{Gbt, PlaneFamily};
@@ -224,29 +264,13 @@ impl<B: Basis<f64>> PlaneFamily<B, f64> {
     /// let mut out = vec![family.ruling(&0.0)?; 3];
     /// family.rulings_into(&xs, &mut out)?;
     /// for (x, ruling) in xs.iter().zip(&out) {
-    ///     let one = family.ruling(x)?;
-    ///     assert!((0..3).all(|i| (one.foot[i] - ruling.foot[i]).abs() < 1e-12 * one.foot[i].abs()));
+    ///     assert_eq!(family.ruling(x)?, *ruling);
     /// }
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn rulings_into(&self, xs: &[f64], out: &mut [Ruling<f64>]) -> Result<()> {
-        check_buffer(xs, out)?;
-        let curve = self.curve();
-        let (mut basis, mut slopes) = (Columns::new(self.degree()), Columns::new(self.degree()));
-        for (xs, out) in xs.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-            basis.fill_with_slopes(&mut slopes, curve.basis(), &block(xs))?;
-            let planes = basis.combined(curve.points());
-            let changes = slopes.combined(curve.points());
-            for (p, (x, slot)) in xs.iter().zip(out).enumerate() {
-                let at = |columns: &[[f64; BLOCK]; 4]| [0, 1, 2, 3].map(|axis| columns[axis][p]);
-                *slot = ruling_of(&at(&planes), &at(&changes)).map_err(|_| {
-                    GeometryError::NoRuling {
-                        parameter: x.approximate(),
-                    }
-                })?;
-            }
-        }
-        Ok(())
+        check_length("output buffer", xs.len(), out.len())?;
+        Arch::new().dispatch(Job { of: self, xs, out })
     }
 
     /// [`PlaneFamily::rulings_into`] with the parameters shared among threads; the same values.

@@ -208,7 +208,7 @@ pub fn ruled_grid_into(
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 pub fn par_ruled_grid_into(
-    patch: &(impl Rails<f64> + Sync),
+    patch: &impl Rails<f64>,
     us: &[f64],
     vs: &[f64],
     out: &mut [[f64; 3]],

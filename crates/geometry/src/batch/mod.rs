@@ -8,8 +8,11 @@
 
 mod curves;
 mod grid;
+mod lanes;
 mod table;
 mod wide;
+
+pub(crate) use wide::widest;
 
 pub use grid::{GridEvaluator, par_ruled_grid_into, ruled_grid_into};
 pub use table::BasisTable;

@@ -7,7 +7,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 /// Runs `f`, compiled for the machine's vector registers: call it around a whole loop.
 #[inline]
-pub(super) fn widest<T>(f: impl FnOnce() -> T) -> T {
+pub(crate) fn widest<T>(f: impl FnOnce() -> T) -> T {
     struct Loop<F>(F);
     impl<T, F: FnOnce() -> T> WithSimd for Loop<F> {
         type Output = T;

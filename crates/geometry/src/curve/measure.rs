@@ -1,8 +1,7 @@
 //! Curvature, torsion and arc length of f64 curves, weighted ones included.
 
-use super::derivatives_of;
+use super::{SpaceCurve, derivatives_of};
 use crate::error::{GeometryError, Place, Result};
-use crate::surface::SpaceCurve;
 use crate::vector::{cross, det, norm};
 
 /// The curvature `|G' x G''| / |G'|^3` at `x`.

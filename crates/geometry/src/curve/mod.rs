@@ -4,12 +4,15 @@ mod affine;
 mod conic;
 mod measure;
 mod rational;
+mod space;
 
 pub use affine::Affine;
 pub use conic::{ellipse_arc, parabola_arc};
 pub(crate) use measure::integrate;
 pub use measure::{arc_length, curvature, torsion};
 pub use rational::RationalCurve;
+pub use space::SpaceCurve;
+pub(crate) use space::{first_two, too_short};
 
 use crate::basis::{Basis, Gbt};
 use crate::coordinate::{Coordinate, check_finite};

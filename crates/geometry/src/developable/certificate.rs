@@ -13,6 +13,7 @@ use super::measures::{CLEARANCE, DETERMINANT, GAUSSIAN, Intervals, NORMAL, SIDE,
 use super::resolve::resolved;
 use crate::error::{GeometryError, Place, Result};
 use crate::surface::Rails;
+use rayon::prelude::*;
 
 /// The worst value of a quantity and where it is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -127,22 +128,21 @@ const ROUNDING: f64 = 1e-12;
 pub fn certify<R: Rails<f64> + ?Sized>(patch: &R, rulings: usize) -> Result<Certificate> {
     let count = rulings.clamp(LEAST_RULINGS, MOST_RULINGS);
     let last = crate::error::count(count - 1);
-    let xs = (0..count).map(|i| crate::error::count(i) / last);
+    let xs = (0..count).into_par_iter();
+    let xs = xs.map(|i| crate::error::count(i) / last);
     let extent = Extent::of(patch, |x| x);
     let reduced = |x: f64| {
         let extent = extent.unwrap_or(Extent::ONE);
         Ok((x, RulingForms::reduced(patch, &x, extent)?))
     };
-    let samples = xs.map(reduced).collect::<Result<Vec<_>>>()?;
+    let samples = in_order(xs.map(reduced).collect())?;
     let extent = extent.ok_or(GeometryError::Degenerate {
         what: "a patch whose rulings or rails have no length",
         at: Place::Whole,
     })?;
     let (samples, gap) = resolved(samples, reduced)?;
-    let measured = samples
-        .iter()
-        .map(|(x, forms)| measure(*x, forms))
-        .collect::<Result<Vec<_>>>()?;
+    let measured = samples.par_iter().map(|(x, forms)| measure(*x, forms));
+    let measured = in_order(measured.collect())?;
     let worst = |quantity| {
         search(&measured, quantity, |x| {
             let (x, forms) = reduced(x)?;
@@ -150,7 +150,16 @@ pub fn certify<R: Rails<f64> + ?Sized>(patch: &R, rulings: usize) -> Result<Cert
         })
     };
     let finite = |worst: Worst| worst.value.is_finite().then_some(worst);
-    let (normal, side) = (worst(NORMAL)?.negated(), worst(SIDE)?.negated());
+    let wanted = [DETERMINANT, TWIST, GAUSSIAN, CLEARANCE, NORMAL, SIDE];
+    let found = in_order(wanted.par_iter().map(|quantity| worst(*quantity)).collect())?;
+    let [determinant, twist, gaussian, clearance, normal, side] = found.as_slice() else {
+        return Err(GeometryError::TooFew {
+            what: "quantities of a certificate",
+            needed: wanted.len(),
+            given: found.len(),
+        });
+    };
+    let (clearance, normal, side) = (clearance.negated(), normal.negated(), side.negated());
     let singularity = if side.value < -ROUNDING {
         Some(Singularity::NormalTurns(side))
     } else if normal.value <= ROUNDING {
@@ -160,15 +169,19 @@ pub fn certify<R: Rails<f64> + ?Sized>(patch: &R, rulings: usize) -> Result<Cert
     } else {
         gap.map(|[from, to]| Singularity::Unresolved { from, to })
     };
-    let (gaussian, clearance) = (worst(GAUSSIAN)?, worst(CLEARANCE)?.negated());
     Ok(Certificate {
-        determinant: worst(DETERMINANT)?.whole(),
-        twist: worst(TWIST)?.whole(),
+        determinant: determinant.whole(),
+        twist: twist.whole(),
         gaussian: finite(gaussian.with(extent.curvature(gaussian.value))),
         clearance: finite(clearance.with(extent.length(clearance.value))),
         normal: normal.within_ruling(),
         singularity,
     })
+}
+
+/// All values, or the first error: the same on every run, whichever thread came first.
+fn in_order<T>(all: Vec<Result<T>>) -> Result<Vec<T>> {
+    all.into_iter().collect()
 }
 
 impl Worst {

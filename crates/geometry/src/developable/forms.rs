@@ -19,6 +19,7 @@
 
 use super::extent::Extent;
 use crate::coordinate::Coordinate;
+use crate::curve::too_short;
 use crate::error::{GeometryError, Place, Result};
 use crate::surface::Rails;
 use crate::vector::{add, cross, det, dot, sub};
@@ -59,9 +60,8 @@ impl<S: Coordinate> RulingForms<S> {
     /// The ruling of `x` in the units of this extent; the points of the rails in those of the derivatives, so
     /// that the ones still belong to the others. Only [`RulingForms::ruling`] knows lengths.
     pub(super) fn reduced<R: Rails<S> + ?Sized>(rails: &R, x: &S, extent: Extent) -> Result<Self> {
-        let [p, q] = rails.rail_jets(x, 1)?;
-        let rails_of = [first_two(&p)?, first_two(&q)?];
-        Self::between(rails_of, rails.is_developable_by_construction(), extent).checked(x)
+        let ends = rails.ends_and_slopes(x)?;
+        Self::between(ends, rails.is_developable_by_construction(), extent).checked(x)
     }
 
     fn between(
@@ -240,26 +240,5 @@ impl<S> Squares<S> {
             slopes: [f(p, s), f(q, t)],
             parallel: self.parallel && other.parallel,
         }
-    }
-}
-
-/// Value and first derivative.
-fn first_two<S: Coordinate>(jets: &[Jet<S>; 3]) -> Result<[[S; 3]; 2]> {
-    let [x, y, z] = jets.each_ref().map(Jet::coefficients);
-    match (x, y, z) {
-        ([x, dx, ..], [y, dy, ..], [z, dz, ..]) => {
-            Ok([[x, y, z], [dx, dy, dz]].map(|vector| vector.map(S::clone)))
-        }
-        _ => Err(too_short(jets)),
-    }
-}
-
-fn too_short<S>(jets: &[Jet<S>; 3]) -> GeometryError {
-    let orders = jets.each_ref().map(Jet::order);
-    GeometryError::LengthMismatch {
-        what: "Taylor coefficients of a rail",
-        index: 0,
-        expected: 2,
-        given: orders.into_iter().min().map_or(0, |order| order + 1),
     }
 }

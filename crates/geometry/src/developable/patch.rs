@@ -2,8 +2,10 @@
 
 use crate::basis::Basis;
 use crate::coordinate::{Coordinate, check_finite, is_zero};
+use crate::curve::first_two;
+use crate::dual::Dual;
 use crate::error::{GeometryError, Place, Result};
-use crate::planes::{Plane, PlaneFamily, exponent_of, finite, normal_of};
+use crate::planes::{Plane, PlaneFamily, Ruling, exponent_of, finite, normal_of};
 use crate::surface::{Partials, Rails, Surface, partials_between};
 use crate::vector::dot;
 use torse_algebra::{Jet, Scalar};
@@ -116,34 +118,47 @@ pub(crate) fn unit_plane<S: Coordinate>(plane: &Plane<S>) -> Plane<S> {
     plane.each_ref().map(|c| c.times_two_to(-exponent))
 }
 
-impl<S: Coordinate, B: Basis<S>> Rails<S> for EnvelopingPatch<B, S> {
-    fn rail_jets(&self, x: &S, order: usize) -> Result<[[Jet<S>; 3]; 2]> {
-        let ruling = self.family.unit_ruling_jet(x, order)?;
-        let lift = |value: &S| ruling.foot[0].constant_like(value.clone());
+impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
+    /// The ends of a ruling of the scaled family: points, or their series.
+    fn ends_of<T: Coordinate>(
+        &self,
+        ruling: &Ruling<T>,
+        x: &S,
+        lift: impl Fn(&S) -> T,
+    ) -> Result<[[T; 3]; 2]> {
         let bounds = match &self.bounds {
             Bounds::Range(range) => self.unit_range(range).each_ref().map(lift),
             Bounds::Planes([first, second]) => {
-                let at = |plane| ruling.meets(&unit_plane(plane).each_ref().map(lift), &lift(x));
-                [at(first)?, at(second)?]
-            }
-        };
-        let rails = bounds.map(|x1| ruling.point(&x1));
-        finite("rail", rails.iter().flatten(), x)?;
-        Ok(rails)
-    }
-
-    fn ruling_ends(&self, x: &S) -> Result<[[S; 3]; 2]> {
-        let ruling = self.family.unit_ruling(x)?;
-        let bounds = match &self.bounds {
-            Bounds::Range(range) => self.unit_range(range),
-            Bounds::Planes([first, second]) => {
-                let at = |plane| ruling.meets(&unit_plane(plane), x);
+                let at = |plane| ruling.meets(&unit_plane(plane).each_ref().map(&lift), &lift(x));
                 [at(first)?, at(second)?]
             }
         };
         let ends = bounds.map(|x1| ruling.point(&x1));
         finite("end of a ruling", ends.iter().flatten(), x)?;
         Ok(ends)
+    }
+}
+
+impl<S: Coordinate, B: Basis<S>> Rails<S> for EnvelopingPatch<B, S> {
+    fn rail_jets(&self, x: &S, order: usize) -> Result<[[Jet<S>; 3]; 2]> {
+        let ruling = self.family.unit_ruling_jet(x, order)?;
+        self.ends_of(&ruling, x, |value| {
+            ruling.foot[0].constant_like(value.clone())
+        })
+    }
+
+    fn ruling_ends(&self, x: &S) -> Result<[[S; 3]; 2]> {
+        self.ends_of(&self.family.unit_ruling(x)?, x, S::clone)
+    }
+
+    fn ends_and_slopes(&self, x: &S) -> Result<[[[S; 3]; 2]; 2]> {
+        if x.centred().is_some() {
+            let [p, q] = self.rail_jets(x, 1)?;
+            return Ok([first_two(&p)?, first_two(&q)?]);
+        }
+        let ruling = self.family.unit_ruling_and_slope(x)?;
+        let ends = self.ends_of(&ruling, x, |value| Dual::constant_of(value.clone()))?;
+        Ok(ends.map(Dual::split))
     }
 
     /// The plane `H(x)` touches along the ruling of `x`.

@@ -5,6 +5,7 @@
 //! of the coefficients bounds the polynomial on the whole interval, not only at samples
 //! (Trefethen, *Approximation Theory and Approximation Practice*, chapters 3, 4 and 8).
 
+use crate::batch::widest;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -20,8 +21,10 @@ pub(super) type Row = [f64; NODES];
 struct Tables {
     /// The points on [-1, 1], ascending.
     nodes: Row,
-    /// Row `j` turns values at the nodes into the coefficient of `T_j`.
-    transform: [Row; NODES],
+    /// Row `k` says what the sum of the values at nodes `k` and `16 - k` adds to the coefficients of even order.
+    even: [[f64; NODES / 2 + 1]; NODES / 2 + 1],
+    /// The same of the difference of the two values, for odd orders.
+    odd: [[f64; NODES / 2]; NODES / 2],
     /// [`basis`] at the nodes.
     rows: [Row; NODES],
 }
@@ -34,15 +37,17 @@ static TABLES: LazyLock<Tables> = LazyLock::new(|| {
     let scale = 2.0 / DEGREE as f64;
     // By the sine of the distance from the middle, which makes the nodes symmetric.
     let nodes: Row = std::array::from_fn(|k| (angle(k) - 0.5 * PI).sin());
+    // What the value at node k adds to the coefficient of T_j.
+    let weight = |j: usize, k: usize| {
+        let sign = if j.is_multiple_of(2) { 1.0 } else { -1.0 };
+        // The angle modulo a full turn, as an integer: no rounding of large angles.
+        scale * end(j) * end(k) * sign * angle((j * k) % (2 * DEGREE)).cos()
+    };
     Tables {
         nodes,
         rows: nodes.map(basis),
-        transform: std::array::from_fn(|j| {
-            let sign = if j % 2 == 0 { 1.0 } else { -1.0 };
-            // The angle modulo a full turn, as an integer: no rounding of large angles.
-            let cosine = |k: usize| angle((j * k) % (2 * DEGREE)).cos();
-            std::array::from_fn(|k| scale * end(j) * end(k) * sign * cosine(k))
-        }),
+        even: std::array::from_fn(|k| std::array::from_fn(|i| weight(2 * i, k))),
+        odd: std::array::from_fn(|k| std::array::from_fn(|i| weight(2 * i + 1, k))),
     }
 });
 
@@ -73,8 +78,10 @@ pub(super) fn between(from: f64, to: f64) -> [f64; 4] {
 pub(super) fn basis(t: f64) -> Row {
     let mut row = [1.0; NODES];
     row[1] = t;
+    // T_(i+k) = 2 T_i T_k - T_(i-k) with halves: four steps one after the other, not fifteen.
     for j in 2..NODES {
-        row[j] = 2.0 * t * row[j - 1] - row[j - 2];
+        let (half, rest) = (j / 2, j - j / 2);
+        row[j] = 2.0 * row[half] * row[rest] - row[rest - half];
     }
     row
 }
@@ -88,18 +95,44 @@ impl Interpolant {
     pub(super) fn through(values: &Row) -> Self {
         // What is transformed are differences, so that rounding is relative to the change.
         let base = values[DEGREE / 2];
-        let changes = values.map(|v| v - base);
-        let mut row = TABLES
-            .transform
-            .each_ref()
-            .map(|row| product(row, &changes));
+        let (tables, mut row) = (&*TABLES, [0.0; NODES]);
+        widest(
+            #[inline(always)]
+            || {
+                let (mut even, mut odd) = ([0.0; NODES / 2 + 1], [0.0; NODES / 2]);
+                // The node in the middle changes by nothing.
+                for k in 0..NODES / 2 {
+                    let (low, high) = (values[k] - base, values[DEGREE - k] - base);
+                    for (sum, weight) in even.iter_mut().zip(&tables.even[k]) {
+                        *sum += weight * (low + high);
+                    }
+                    for (sum, weight) in odd.iter_mut().zip(&tables.odd[k]) {
+                        *sum += weight * (low - high);
+                    }
+                }
+                for (slot, sum) in row.iter_mut().step_by(2).zip(even) {
+                    *slot = sum;
+                }
+                for (slot, sum) in row.iter_mut().skip(1).step_by(2).zip(odd) {
+                    *slot = sum;
+                }
+            },
+        );
         row[0] += base;
         Self(row)
     }
 
     /// The value for a row of [`basis`].
+    #[inline(always)]
     pub(super) fn at(&self, basis: &Row) -> f64 {
         product(&self.0, basis)
+    }
+
+    /// `factors[0] f + factors[1] g + constant`.
+    pub(super) fn sum(factors: [f64; 2], [f, g]: [&Self; 2], constant: f64) -> Self {
+        let mut row: Row = std::array::from_fn(|j| factors[0] * f.0[j] + factors[1] * g.0[j]);
+        row[0] += constant;
+        Self(row)
     }
 
     /// The integral from the left end of an interval of this half width, plus a constant. The part of degree
@@ -158,6 +191,7 @@ impl Interpolant {
 }
 
 /// In four sums, which the processor adds side by side.
+#[inline(always)]
 fn product(a: &Row, b: &Row) -> f64 {
     let mut sums = [0.0; 4];
     for (x, y) in a.chunks_exact(4).zip(b.chunks_exact(4)) {

@@ -22,8 +22,10 @@
 use super::chebyshev::{DEGREE, Interpolant, NODES, Row, basis, between, node_rows, nodes};
 use super::error::{PatternError, PatternResult};
 use super::frame::{Frame, check_across};
+use crate::batch::widest;
 use crate::surface::Rails;
 use crate::vector::dot;
+use rayon::prelude::*;
 
 /// The most intervals of a development.
 const MOST_PANELS: usize = 1 << 12;
@@ -94,15 +96,10 @@ impl Development {
         let count = panels.clamp(1, MOST_PANELS);
         #[allow(clippy::cast_precision_loss)]
         let cut = |i: usize| i as f64 / count as f64;
-        let mut open = Vec::with_capacity(count);
-        let mut first = Frame::at(patch, 0.0)?;
-        for i in 0..count {
-            let samples = Samples::of(patch, cut(i), cut(i + 1), first, 0)?;
-            first = samples.nodes[DEGREE];
-            open.push(samples);
-        }
+        let equal: Vec<_> = (0..count).map(|i| [cut(i), cut(i + 1)]).collect();
+        let samples = sampled(patch, &equal)?;
         // How far an error of the angle acts: the width of the patch and the way along its rails.
-        let reach = open
+        let reach = samples
             .iter()
             .flat_map(|s| &s.nodes)
             .map(|f| [f.length, f.speed()])
@@ -112,22 +109,10 @@ impl Development {
             reach: reach[0] + reach[1],
             strain,
         };
-        open.reverse();
         let mut state = State::default();
         let mut done = Vec::with_capacity(count);
-        while let Some(samples) = open.pop() {
-            let error_before = state.error;
-            match samples.panel(&demand, &mut state)? {
-                Some(panel) => done.push(panel),
-                None if samples.depth >= DEEPEST || done.len() + open.len() >= MOST_PANELS => {
-                    return Err(samples.hopeless(error_before, allowed));
-                }
-                None => {
-                    let [left, right] = samples.halves(patch)?;
-                    open.push(right);
-                    open.push(left);
-                }
-            }
+        for (panel, part) in resolved(patch, samples, &demand)? {
+            done.push(panel.placed(&part, &mut state));
         }
         let development = Self {
             error: done.iter().map(|p| p.error).fold(0.0, f64::max),
@@ -163,20 +148,22 @@ impl Development {
     pub(super) fn at(&self, x: f64) -> At {
         let panel = self.panel_at(x);
         let row = panel.basis(x);
-        let value = |f: &Interpolant| f.at(&row);
-        At {
-            rails: panel
-                .rails
-                .each_ref()
-                .map(|rail| rail.each_ref().map(value)),
-            length: value(&panel.length),
-            space: panel
-                .space
-                .each_ref()
-                .map(|rail| rail.each_ref().map(value)),
-            across: panel.across.each_ref().map(value),
-            bending: value(&panel.bending),
-        }
+        widest(
+            #[inline(always)]
+            || At {
+                rails: [0, 1].map(
+                    #[inline(always)]
+                    |side: usize| values(&panel.rails[side], &row),
+                ),
+                length: panel.length.at(&row),
+                space: [0, 1].map(
+                    #[inline(always)]
+                    |side: usize| values(&panel.space[side], &row),
+                ),
+                across: values(&panel.across, &row),
+                bending: panel.bending.at(&row),
+            },
+        )
     }
 
     /// A point of a flat rail and the direction in which it proceeds, not normalised.
@@ -193,11 +180,45 @@ impl Development {
     pub(super) fn normal(&self, x: f64) -> [f64; 3] {
         let panel = self.panel_at(x);
         let row = panel.basis(x);
-        panel.normal.each_ref().map(|f| f.at(&row))
+        widest(
+            #[inline(always)]
+            || values(&panel.normal, &row),
+        )
     }
 }
 
 impl Panel {
+    /// The interval in its place behind those before, which `state` counts together: turned about the end of the first
+    /// rail and moved there.
+    fn placed(mut self, share: &Share, state: &mut State) -> Self {
+        let (sine, cosine) = state.theta.sin_cos();
+        for rail in &mut self.rails {
+            let [x, y] = *rail;
+            *rail = [
+                Interpolant::sum([cosine, -sine], [&x, &y], state.rail[0]),
+                Interpolant::sum([sine, cosine], [&x, &y], state.rail[1]),
+            ];
+        }
+        self.theta = Interpolant::sum([1.0, 0.0], [&self.theta; 2], state.theta);
+        state.angle_error += share.defects[0];
+        state.error += share.defects[1] + share.way * state.angle_error;
+        self.angle_error = state.angle_error;
+        self.error = state.error + share.longest * state.angle_error + share.far_defect;
+        let [x, y] = share.rail;
+        state.rail[0] += cosine * x - sine * y;
+        state.rail[1] += sine * x + cosine * y;
+        state.theta += share.theta;
+        state.strain = state.strain.max(share.strain);
+        for (sum, part) in state.lengths.iter_mut().zip(share.lengths) {
+            *sum += part;
+        }
+        state.area += share.area;
+        for (sum, part) in state.quadrature.iter_mut().zip(share.quadrature) {
+            *sum += part;
+        }
+        self
+    }
+
     pub(super) fn range(&self) -> [f64; 2] {
         [self.from, self.to]
     }
@@ -226,6 +247,16 @@ impl Panel {
     }
 }
 
+/// The values of some functions.
+#[inline(always)]
+fn values<const K: usize>(functions: &[Interpolant; K], row: &Row) -> [f64; K] {
+    let mut values = [0.0; K];
+    for (value, function) in values.iter_mut().zip(functions) {
+        *value = function.at(row);
+    }
+    values
+}
+
 struct Demand {
     allowed: f64,
     reach: f64,
@@ -245,6 +276,64 @@ struct State {
     quadrature: [f64; 2],
 }
 
+/// What an interval adds to the state.
+struct Share {
+    theta: f64,
+    rail: [f64; 2],
+    strain: f64,
+    lengths: [f64; 2],
+    area: f64,
+    quadrature: [f64; 2],
+    /// Defects times the width: of the angle, and of the rail.
+    defects: [f64; 2],
+    /// The way along the rails at the greatest speed, and the longest ruling.
+    way: f64,
+    longest: f64,
+    far_defect: f64,
+}
+
+/// The samples of these intervals, on all threads; the first error is that of the first interval.
+fn sampled(
+    patch: &(impl Rails<f64> + ?Sized),
+    intervals: &[[f64; 2]],
+) -> PatternResult<Vec<Samples>> {
+    let one = |[from, to]: &[f64; 2]| Samples::of(patch, *from, *to);
+    let all: Vec<_> = intervals.par_iter().map(one).collect();
+    all.into_iter().collect()
+}
+
+/// The intervals with their functions, halved where these are not resolved: level by level, so that the threads
+/// share the work of a level and the outcome does not depend on them.
+fn resolved(
+    patch: &(impl Rails<f64> + ?Sized),
+    samples: Vec<Samples>,
+    demand: &Demand,
+) -> PatternResult<Vec<(Panel, Share)>> {
+    let mut done: Vec<(Panel, Share)> = Vec::with_capacity(samples.len());
+    let mut open = samples;
+    let mut depth = 0;
+    while !open.is_empty() {
+        let tried: Vec<_> = open.par_iter().map(|s| s.panel(demand)).collect();
+        let mut halves = Vec::new();
+        for (samples, found) in open.iter().zip(tried) {
+            match found? {
+                Some(resolved) => done.push(resolved),
+                None if depth >= DEEPEST || done.len() + halves.len() >= MOST_PANELS => {
+                    return Err(samples.hopeless(demand.allowed));
+                }
+                None => {
+                    let middle = 0.5 * (samples.from + samples.to);
+                    halves.extend([[samples.from, middle], [middle, samples.to]]);
+                }
+            }
+        }
+        depth += 1;
+        open = sampled(patch, &halves)?;
+    }
+    done.sort_by(|(a, _), (b, _)| a.from.total_cmp(&b.from));
+    Ok(done)
+}
+
 impl Frame {
     fn speed(&self) -> f64 {
         let speed = |i: usize| self.along[i].hypot(self.across[i]);
@@ -256,46 +345,30 @@ impl Frame {
 struct Samples {
     from: f64,
     to: f64,
-    depth: u32,
     nodes: [Frame; NODES],
     checks: [Frame; 4],
 }
 
 impl Samples {
-    fn of(
-        patch: &(impl Rails<f64> + ?Sized),
-        from: f64,
-        to: f64,
-        first: Frame,
-        depth: u32,
-    ) -> PatternResult<Self> {
-        let mut frames = [first; NODES];
+    fn of(patch: &(impl Rails<f64> + ?Sized), from: f64, to: f64) -> PatternResult<Self> {
+        let mut frames = [Frame::at(patch, from)?; NODES];
         for (slot, x) in frames.iter_mut().zip(nodes(from, to)).skip(1) {
             *slot = Frame::at(patch, x)?;
         }
-        let mut checks = [first; 4];
+        let mut checks = [frames[0]; 4];
         for (slot, x) in checks.iter_mut().zip(between(from, to)) {
             *slot = Frame::at(patch, x)?;
         }
         Ok(Self {
             from,
             to,
-            depth,
             nodes: frames,
             checks,
         })
     }
 
-    fn halves(&self, patch: &(impl Rails<f64> + ?Sized)) -> PatternResult<[Self; 2]> {
-        let middle = 0.5 * (self.from + self.to);
-        let depth = self.depth + 1;
-        let left = Self::of(patch, self.from, middle, self.nodes[0], depth)?;
-        let right = Self::of(patch, middle, self.to, self.nodes[DEGREE / 2], depth)?;
-        Ok([left, right])
-    }
-
     /// Why the interval cannot be resolved.
-    fn hopeless(&self, reached: f64, demanded: f64) -> PatternError {
+    fn hopeless(&self, demanded: f64) -> PatternError {
         let pairs = self.nodes.iter().zip(self.nodes.iter().skip(1));
         let over = pairs
             .filter(|(a, b)| dot(&a.normal, &b.normal) < 0.5)
@@ -304,7 +377,7 @@ impl Samples {
         match over {
             Some(x) => PatternError::NoTangentPlane { x },
             None => PatternError::NotReached {
-                reached: reached.max(demanded.next_up()),
+                reached: demanded.next_up(),
                 demanded,
                 x: self.from,
             },
@@ -327,8 +400,8 @@ impl Samples {
         (poly, SAFETY * (largest + poly.tail()))
     }
 
-    /// The functions of the interval; `None` where they are not resolved. Moves `state` to its end.
-    fn panel(&self, demand: &Demand, state: &mut State) -> PatternResult<Option<Panel>> {
+    /// The functions of the interval, as if the development began with it; `None` where they are not resolved.
+    fn panel(&self, demand: &Demand) -> PatternResult<Option<(Panel, Share)>> {
         let strain = self.all().fold(
             self.nodes[0],
             |m, f| if f.strain > m.strain { *f } else { m },
@@ -352,7 +425,7 @@ impl Samples {
         let (long, speed) = (largest(&|f| f.length), largest(&Frame::speed));
 
         let (turn, turn_defect) = self.checked(&rows, |f| f.turn);
-        let theta = turn.integral(half, state.theta);
+        let theta = turn.integral(half, 0.0);
         let node_rows = node_rows();
         let velocity = |frame: &Frame, theta: f64| {
             let (s, c) = theta.sin_cos();
@@ -371,7 +444,7 @@ impl Samples {
             let off = [0, 1].map(|i| v[i] - speeds[i].at(row));
             rail_defect = rail_defect.max(SAFETY * off[0].hypot(off[1]));
         }
-        let rail = [0, 1].map(|i| speeds[i].integral(half, state.rail[i]));
+        let rail = [0, 1].map(|i| speeds[i].integral(half, 0.0));
         // The other rail from the first and the ruling, so that both ends are on the flat ruling.
         let (length, length_defect) = self.checked(&rows, |f| f.length);
         let opposite = |row: &Row, length: f64| {
@@ -406,10 +479,10 @@ impl Samples {
         });
 
         // Is it resolved? Not below what rounding leaves, and short intervals may be as bad as their share.
-        let share = width.max(1.0 / 1024.0);
+        let part = width.max(1.0 / 1024.0);
         let quadrature = width * (turn_defect * demand.reach + rail_defect);
         let noise = 8.0 * (rounding[0] * demand.reach + rounding[1]);
-        let worst = [quadrature / share, far_defect, space_defect]
+        let worst = [quadrature / part, far_defect, space_defect]
             .into_iter()
             .fold(0.0, f64::max);
         if worst > (0.25 * demand.allowed).max(noise) || normal_defect > NORMAL_DEFECT.max(noise) {
@@ -419,14 +492,22 @@ impl Samples {
         self.check_between(&across, rounding[1])?;
         let along = [0, 1].map(|i| self.interpolant(|f| f.along[i]));
 
-        state.strain = state.strain.max(strain.strain);
-        state.angle_error += width * (turn_defect + rounding[0]);
-        state.error += width * (rail_defect + rounding[1] + speed * state.angle_error);
-        state.theta = theta.at(&basis(1.0));
-        state.rail = rail.each_ref().map(|f| f.at(&basis(1.0)));
-        self.measure(half, state);
+        let end = basis(1.0);
+        let mut share = Share {
+            theta: theta.at(&end),
+            rail: rail.each_ref().map(|f| f.at(&end)),
+            strain: strain.strain,
+            lengths: [0.0; 2],
+            area: 0.0,
+            quadrature: [0.0; 2],
+            defects: [turn_defect + rounding[0], rail_defect + rounding[1]].map(|d| width * d),
+            way: width * speed,
+            longest: long,
+            far_defect,
+        };
+        self.measure(half, &mut share);
         let bending = self.bending(half, &normal);
-        Ok(Some(Panel {
+        let panel = Panel {
             from: self.from,
             to: self.to,
             theta,
@@ -437,9 +518,10 @@ impl Samples {
             along,
             across,
             bending,
-            error: state.error + long * state.angle_error + far_defect,
-            angle_error: state.angle_error,
-        }))
+            error: 0.0,
+            angle_error: 0.0,
+        };
+        Ok(Some((panel, share)))
     }
 
     /// The sign of the speeds across the ruling between the samples.
@@ -461,22 +543,22 @@ impl Samples {
     }
 
     /// Adds the lengths of the rails and the area of the interval: `|R| (a + b)/2` for each `dx`.
-    fn measure(&self, half: f64, state: &mut State) {
+    fn measure(&self, half: f64, share: &mut Share) {
         let mut add = |sum: &mut f64, slot: usize, f: &dyn Fn(&Frame) -> f64| {
             let poly = self.interpolant(f);
             let total = poly.total(half);
             *sum += total;
-            state.quadrature[slot] +=
+            share.quadrature[slot] +=
                 2.0 * half * SAFETY * poly.tail() + 4.0 * f64::EPSILON * total.abs();
         };
-        let [mut first, mut second] = state.lengths;
-        let mut area = state.area;
+        let [mut first, mut second] = share.lengths;
+        let mut area = share.area;
         add(&mut first, 0, &|f| f.along[0].hypot(f.across[0]));
         add(&mut second, 0, &|f| f.along[1].hypot(f.across[1]));
         add(&mut area, 1, &|f| {
             0.5 * f.length * (f.across[0] + f.across[1])
         });
-        (state.lengths, state.area) = ([first, second], area);
+        (share.lengths, share.area) = ([first, second], area);
     }
 
     fn bending(&self, half: f64, normal: &[Interpolant; 3]) -> Interpolant {

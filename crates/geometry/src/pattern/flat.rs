@@ -6,6 +6,7 @@ use super::piece::Piece;
 use super::placement::Placement;
 use super::segment::Segment;
 use crate::vector::{cross, dot};
+use rayon::prelude::*;
 
 /// A ruling of a flat pattern.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -198,14 +199,22 @@ fn rulings(pieces: &[Piece]) -> Vec<FlatRuling> {
         let stations = piece.stations();
         // The first ruling of a later piece is the last one of the piece before.
         let skip = usize::from(index > 0);
-        for (k, &x) in stations.iter().enumerate().skip(skip) {
-            let at = piece.development.at(x);
+        let seen = |(k, x): (usize, &f64)| {
             let after = match Piece::halfway(&stations, k) {
                 Some(x) => Some(piece.seen(x)),
                 None => pieces
                     .get(index + 1)
                     .and_then(|next| Piece::halfway(&next.stations(), 0).map(|x| next.seen(x))),
             };
+            (*x, piece.development.at(*x), after)
+        };
+        let all: Vec<_> = stations
+            .par_iter()
+            .enumerate()
+            .with_min_len(64)
+            .map(seen)
+            .collect();
+        for (x, at, after) in all.into_iter().skip(skip) {
             let bend = match (&before, &after) {
                 (Some(m), Some(n)) => fold_angle(m, n, &piece.axis(&at)),
                 _ => 0.0,

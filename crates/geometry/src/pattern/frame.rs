@@ -19,7 +19,6 @@
 use super::error::{PatternError, PatternResult};
 use crate::surface::Rails;
 use crate::vector::{cross, dot, sub};
-use torse_algebra::Jet;
 
 type Vector = [f64; 3];
 
@@ -46,8 +45,16 @@ const ROUNDINGS: f64 = 8.0;
 
 impl Frame {
     pub(super) fn at(patch: &(impl Rails<f64> + ?Sized), x: f64) -> PatternResult<Self> {
-        let [p, q] = patch.rail_jets(&x, 1)?;
-        let ([p, dp], [q, dq]) = (value_and_slope(&p, x)?, value_and_slope(&q, x)?);
+        let ends = patch.ends_and_slopes(&x)?;
+        if !ends
+            .as_flattened()
+            .as_flattened()
+            .iter()
+            .all(|c| c.is_finite())
+        {
+            return Err(PatternError::NotFinite { x });
+        }
+        let [[p, dp], [q, dq]] = ends;
         let ruling = sub(&q, &p);
         let (Some((length, r)), Some((speed, middle))) =
             (polar(&ruling), polar(&mean(&dp, &dq)).or(polar(&dp)))
@@ -136,21 +143,6 @@ pub(super) fn check_across(
         v,
         depth: cut_off * length,
     })
-}
-
-fn value_and_slope(rail: &[Jet<f64>; 3], x: f64) -> PatternResult<[Vector; 2]> {
-    let mut out = [[0.0; 3]; 2];
-    for (axis, jet) in rail.iter().enumerate() {
-        for (order, row) in out.iter_mut().enumerate() {
-            // A jet that is too short is as unknown as NaN.
-            let c = jet.coefficients().get(order).copied().unwrap_or(f64::NAN);
-            if !c.is_finite() {
-                return Err(PatternError::NotFinite { x });
-            }
-            row[axis] = c;
-        }
-    }
-    Ok(out)
 }
 
 fn mean(a: &Vector, b: &Vector) -> Vector {

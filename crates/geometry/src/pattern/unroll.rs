@@ -110,10 +110,9 @@ impl Unrolling {
             0.25 * self.tolerance,
             self.developable.max(self.allowed),
         )?;
-        let fitted = [
-            fit(&development, 0, 0.5 * self.tolerance)?,
-            fit(&development, 1, 0.5 * self.tolerance)?,
-        ];
+        let side = |side| fit(&development, side, 0.5 * self.tolerance);
+        let (first, second) = rayon::join(|| side(0), || side(1));
+        let fitted = [first?, second?];
         let distance = fitted[0].distance.max(fitted[1].distance);
         #[allow(clippy::cast_precision_loss)]
         let last = (self.rulings - 1) as f64;

@@ -20,8 +20,9 @@ mod pencil;
 use crate::basis::Basis;
 use crate::coordinate::{Coordinate, check_finite, is_zero};
 use crate::curve::Curve;
+use crate::dual::Dual;
 use crate::error::{GeometryError, Place, Result};
-use crate::vector::{add, combine, cross, dot, scale, sub};
+use crate::vector::{add, combine, cross, dot, scale, sub, times_two_to};
 use std::cmp::Ordering;
 use torse_algebra::{ExactError, Jet, Scalar};
 
@@ -76,6 +77,21 @@ impl<S: Coordinate> Ruling<S> {
     #[must_use]
     pub fn point(&self, x1: &S) -> [S; 3] {
         add(&scale(x1, &self.direction), &self.foot)
+    }
+
+    /// The ruling of the planes times a power of two: the same line, with `a x a'` quadratic in the planes.
+    #[inline(always)]
+    pub(crate) fn of_planes_times_two_to(self, power: i32) -> Self {
+        Self {
+            direction: times_two_to(&self.direction, 2 * power),
+            moment: times_two_to(&self.moment, 2 * power),
+            foot: self.foot,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn coordinates(&self) -> impl Iterator<Item = &S> {
+        self.direction.iter().chain(&self.moment).chain(&self.foot)
     }
 
     /// The parameter `x1` of the intersection with a plane.
@@ -232,16 +248,9 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
     /// # Ok::<(), GeometryError>(())
     /// ```
     pub fn ruling(&self, x: &S) -> Result<Ruling<S>> {
-        let ruling = self.unit_ruling(x)?;
-        // a x a' is quadratic in the planes.
-        let restored = |v: &[S; 3]| v.each_ref().map(|c| c.times_two_to(2 * self.exponent));
-        let (direction, moment) = (restored(&ruling.direction), restored(&ruling.moment));
-        finite("ruling", direction.iter().chain(&moment), x)?;
-        Ok(Ruling {
-            direction,
-            moment,
-            foot: ruling.foot,
-        })
+        let ruling = self.unit_ruling(x)?.of_planes_times_two_to(self.exponent);
+        finite("ruling", ruling.coordinates(), x)?;
+        Ok(ruling)
     }
 
     /// The ruling of the planes over `2^exponent`: the same line, with another length of its direction.
@@ -255,7 +264,7 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
             return Err(no_ruling(x));
         };
         let ruling = ruling_of(&plane, &slope).map_err(|_| no_ruling(x))?;
-        finite("ruling", ruling.foot.iter().chain(&ruling.direction), x)?;
+        finite("ruling", ruling.coordinates(), x)?;
         Ok(ruling)
     }
 
@@ -319,6 +328,21 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
         ruling_of(&plane, &slope).map_err(|_| no_ruling(x))
     }
 
+    /// [`PlaneFamily::unit_ruling`] with its first derivative.
+    pub(crate) fn unit_ruling_and_slope(&self, x: &S) -> Result<Ruling<Dual<S>>> {
+        let rows = self.unit.derivatives(x, 2)?;
+        let [h0, h1, h2] = rows.as_slice() else {
+            return Err(no_ruling(x));
+        };
+        let along = |value: &Plane<S>, slope: &Plane<S>| -> Plane<Dual<S>> {
+            std::array::from_fn(|i| Dual {
+                value: value[i].clone(),
+                slope: slope[i].clone(),
+            })
+        };
+        ruling_of(&along(h0, h1), &along(h1, h2)).map_err(|_| no_ruling(x))
+    }
+
     /// The edge of regression at `x` as a Taylor series to this order.
     ///
     /// # Errors
@@ -358,6 +382,7 @@ pub fn characteristic_point_of<S: Scalar>(
 ///
 /// # Errors
 /// [`ExactError::DivisionByZero`] when the planes are parallel.
+#[inline(always)]
 pub fn ruling_of<S: Scalar>(plane: &Plane<S>, slope: &Plane<S>) -> Result<Ruling<S>, ExactError> {
     let (a, b) = (normal_of(plane), normal_of(slope));
     let direction = cross(&a, &b);
@@ -372,10 +397,12 @@ pub fn ruling_of<S: Scalar>(plane: &Plane<S>, slope: &Plane<S>) -> Result<Ruling
 
 /// The normal `(p, q, r)` of a plane.
 #[must_use]
+#[inline(always)]
 pub fn normal_of<S: Clone>(plane: &Plane<S>) -> [S; 3] {
     [plane[0].clone(), plane[1].clone(), plane[2].clone()]
 }
 
+#[inline(always)]
 fn divide<S: Scalar>(v: &[S; 3], by: &S) -> Result<[S; 3], ExactError> {
     Ok([
         v[0].divided_by(by)?,

@@ -3,11 +3,11 @@
 use super::{Joint, Point};
 use crate::basis::{Basis, Bernstein, Shape, hermite};
 use crate::coordinate::Coordinate;
+use crate::curve::SpaceCurve;
 use crate::curve::{Curve, RationalCurve, arc_length, curvature, ellipse_arc};
 use crate::error::{GeometryError, Place, Result};
 use crate::join::{JointMeasure, measure_curves, next_curve};
 use crate::scalars::Over;
-use crate::surface::SpaceCurve;
 use torse_algebra::Jet;
 
 /// A curve in space over [0, 1] with any basis, weighted or not.
@@ -204,6 +204,20 @@ impl<S: Coordinate> SpaceCurve<S> for Rail<S> {
         match &self.curve {
             RailCurve::Plain(curve) => curve.jet(x, order),
             RailCurve::Weighted(curve) => curve.jet(x, order),
+        }
+    }
+
+    fn space_point(&self, x: &S) -> Result<[S; 3]> {
+        match &self.curve {
+            RailCurve::Plain(curve) => curve.space_point(x),
+            RailCurve::Weighted(curve) => curve.space_point(x),
+        }
+    }
+
+    fn point_and_slope(&self, x: &S) -> Result<[[S; 3]; 2]> {
+        match &self.curve {
+            RailCurve::Plain(curve) => curve.point_and_slope(x),
+            RailCurve::Weighted(curve) => curve.point_and_slope(x),
         }
     }
 }

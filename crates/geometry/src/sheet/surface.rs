@@ -284,6 +284,26 @@ macro_rules! rails_over {
                 }
             }
 
+            fn ruling_ends(&self, x: &$scalar) -> Result<[[$scalar; 3]; 2]> {
+                match &self.construction {
+                    Construction::Ruled(patch) => patch.ruling_ends(x),
+                    Construction::Envelope(patch) => patch.ruling_ends(x),
+                    Construction::Tangent(patch) => patch.ruling_ends(x),
+                    Construction::Connecting(patch) => patch.ruling_ends(x),
+                    Construction::Part(part) => part.ruling_ends(x),
+                }
+            }
+
+            fn ends_and_slopes(&self, x: &$scalar) -> Result<[[[$scalar; 3]; 2]; 2]> {
+                match &self.construction {
+                    Construction::Ruled(patch) => patch.ends_and_slopes(x),
+                    Construction::Envelope(patch) => patch.ends_and_slopes(x),
+                    Construction::Tangent(patch) => patch.ends_and_slopes(x),
+                    Construction::Connecting(patch) => patch.ends_and_slopes(x),
+                    Construction::Part(part) => part.ends_and_slopes(x),
+                }
+            }
+
             fn is_developable_by_construction(&self) -> bool {
                 match &self.construction {
                     Construction::Ruled(_) => false,

@@ -13,7 +13,7 @@ pub use part::Part;
 pub use partials::{Forms, Partials};
 pub use principal::Principal;
 pub use rotation::{Half, RotationSurface, rotation_parameter};
-pub use ruled::{Rails, RuledSurface, SpaceCurve, partials_between};
+pub use ruled::{Rails, RuledSurface, partials_between};
 pub use tensor::TensorSurface;
 
 use crate::coordinate::Coordinate;

@@ -3,6 +3,7 @@
 use super::{Partials, Rails, Surface, partials_between};
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result};
+use crate::vector::scale;
 use torse_algebra::Jet;
 
 /// The rulings of another patch from `from` to `to`, with a parameter of their own in [0, 1].
@@ -80,6 +81,11 @@ impl<S: Coordinate, P: Rails<S>> Rails<S> for Part<P, S> {
             Jet::from_coefficients(jet.value().clone(), scaled.collect::<Vec<_>>())
         };
         Ok(jets.map(|rail| rail.map(slower)))
+    }
+
+    fn ends_and_slopes(&self, x: &S) -> Result<[[[S; 3]; 2]; 2]> {
+        let rails = self.whole.ends_and_slopes(&self.at(x))?;
+        Ok(rails.map(|[end, slope]| [end, scale(&self.width(), &slope)]))
     }
 
     fn ruling_ends(&self, x: &S) -> Result<[[S; 3]; 2]> {

@@ -3,35 +3,14 @@
 use super::{Partials, Surface, TensorSurface};
 use crate::basis::{Basis, Bernstein};
 use crate::coordinate::Coordinate;
-use crate::curve::{Curve, RationalCurve, derivatives_of};
+use crate::curve::{Curve, SpaceCurve, derivatives_of, first_two};
 use crate::error::{GeometryError, Result};
 use crate::vector::{lerp, sub};
 use torse_algebra::Jet;
 
-/// A curve in space (or in another dimension), known by its Taylor series.
-pub trait SpaceCurve<S: Coordinate, const D: usize = 3> {
-    /// The Taylor series of the coordinates at `x`.
-    ///
-    /// # Errors
-    /// [`GeometryError`] where the curve has no point or derivative.
-    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; D]>;
-}
-
-impl<S: Coordinate, B: Basis<S>, const D: usize> SpaceCurve<S, D> for Curve<B, S, D> {
-    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; D]> {
-        self.jet(x, order)
-    }
-}
-
-impl<S: Coordinate, B: Basis<S>, const D: usize> SpaceCurve<S, D> for RationalCurve<B, S, D> {
-    fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; D]> {
-        self.jet(x, order)
-    }
-}
-
 /// Two rails `P, Q` with a common parameter; the surface between them is
 /// `T(u, v) = (1 - v) P(u) + v Q(u)`; [`partials_between`] makes a [`Surface`] of it.
-pub trait Rails<S: Coordinate> {
+pub trait Rails<S: Coordinate>: Sync {
     /// The Taylor series of both rails at `x`.
     ///
     /// # Errors
@@ -45,6 +24,15 @@ pub trait Rails<S: Coordinate> {
     fn ruling_ends(&self, x: &S) -> Result<[[S; 3]; 2]> {
         let rails = self.rail_jets(x, 0)?;
         Ok(rails.map(|rail| rail.map(|s| s.value().clone())))
+    }
+
+    /// The points `P(x)` and `Q(x)` of the two rails, each with its first derivative.
+    ///
+    /// # Errors
+    /// As [`Rails::rail_jets`]; [`GeometryError::LengthMismatch`] where a series is too short.
+    fn ends_and_slopes(&self, x: &S) -> Result<[[[S; 3]; 2]; 2]> {
+        let [p, q] = self.rail_jets(x, 1)?;
+        Ok([first_two(&p)?, first_two(&q)?])
     }
 
     /// Whether one plane touches the surface along each ruling by the way it is made, so that
@@ -129,6 +117,17 @@ impl<S: Coordinate, P: SpaceCurve<S>, Q: SpaceCurve<S>> Rails<S> for RuledSurfac
         Ok([
             self.first.space_jet(x, order)?,
             self.second.space_jet(x, order)?,
+        ])
+    }
+
+    fn ruling_ends(&self, x: &S) -> Result<[[S; 3]; 2]> {
+        Ok([self.first.space_point(x)?, self.second.space_point(x)?])
+    }
+
+    fn ends_and_slopes(&self, x: &S) -> Result<[[[S; 3]; 2]; 2]> {
+        Ok([
+            self.first.point_and_slope(x)?,
+            self.second.point_and_slope(x)?,
         ])
     }
 }

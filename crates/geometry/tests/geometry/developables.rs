@@ -1,5 +1,6 @@
 //! Developables: exactly developable, tangent to their planes, and unrolled isometrically.
 
+use crate::support::{osculating_planes, saddle};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use torse_algebra::rational::{integer, ratio};
@@ -230,13 +231,7 @@ fn the_printed_oblique_construction_is_not_developable() {
 
 #[test]
 fn a_patch_across_its_edge_of_regression_is_reported_with_the_place() {
-    let planes = vec![
-        [0., 0., 1., 0.],
-        [0., -1., 1., 0.],
-        [1., -2., 1., 0.],
-        [3., -3., 1., 1.],
-    ];
-    let family = PlaneFamily::new(Bernstein, planes).unwrap();
+    let family = osculating_planes();
     let across = TangentPatch::new(family.clone(), [-1.0, 3.0]).unwrap();
     let certificate = certify(&across, 16).unwrap();
     assert!(!certificate.is_regular());
@@ -257,11 +252,7 @@ fn a_patch_across_its_edge_of_regression_is_reported_with_the_place() {
 
 #[test]
 fn a_saddle_is_reported_as_not_developable() {
-    let rail = |points: [[f64; 3]; 2]| Curve::new(Bernstein, points.to_vec()).unwrap();
-    let saddle = RuledSurface::new(
-        rail([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]),
-        rail([[0.0, 1.0, 0.0], [1.0, 1.0, 1.0]]),
-    );
+    let saddle = saddle();
     let certificate = certify(&saddle, 16).unwrap();
     assert!(certificate.determinant.value > 0.5 && certificate.gaussian.unwrap().value > 0.9);
 }

@@ -1,5 +1,6 @@
 //! Enclosed certificates: they hold the known values, and everything that samples find.
 
+use crate::support::{osculating_planes, rail, saddle};
 use proptest::prelude::*;
 use torse_algebra::{Ball, rational::ratio};
 use torse_geometry::developable::{Enclosed, certify, enclose};
@@ -33,11 +34,7 @@ fn holds(enclosed: Enclosed, value: f64, accuracy: f64) -> bool {
 #[test]
 fn a_saddle_has_the_known_twist_determinant_and_curvature() {
     // z = x y: at x = 0 the tangent plane turns by 45 degrees, det = 1/sqrt 2, and K = -1 in the corner.
-    let rail = |points: [[f64; 3]; 2]| Curve::new(Bernstein, points.to_vec()).unwrap();
-    let saddle = RuledSurface::new(
-        rail([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]),
-        rail([[0.0, 1.0, 0.0], [1.0, 1.0, 1.0]]),
-    );
+    let saddle = saddle();
     let proved = enclose(&saddle.over(&ball).unwrap(), BITS, 1e-2, 64);
     assert!(
         holds(proved.twist, std::f64::consts::FRAC_PI_4, 1e-2),
@@ -53,21 +50,10 @@ fn a_saddle_has_the_known_twist_determinant_and_curvature() {
     }
 }
 
-/// The osculating planes of the twisted cubic.
-fn cubic() -> PlaneFamily<Bernstein, f64> {
-    let planes = vec![
-        [0., 0., 1., 0.],
-        [0., -1., 1., 0.],
-        [1., -2., 1., 0.],
-        [3., -3., 1., 1.],
-    ];
-    PlaneFamily::new(Bernstein, planes).unwrap()
-}
-
 #[test]
 fn the_clearance_of_a_tangent_surface_is_its_distance_from_the_spine_curve() {
     // Half a tangent from the edge, and |S'| is least at x = 0, where it is one.
-    let beside = TangentPatch::new(cubic(), [0.5, 1.0]).unwrap();
+    let beside = TangentPatch::new(osculating_planes(), [0.5, 1.0]).unwrap();
     let proved = enclose(&beside.over(&ball).unwrap(), BITS, 1e-2, 64);
     assert!(holds(proved.clearance, 0.5, 1e-2), "{proved:?}");
     assert_eq!(proved.is_regular(), Some(true));
@@ -79,7 +65,7 @@ fn the_clearance_of_a_tangent_surface_is_its_distance_from_the_spine_curve() {
         ),
         (0.0, 0.0, 0.0)
     );
-    let across = TangentPatch::new(cubic(), [-1.0, 3.0]).unwrap();
+    let across = TangentPatch::new(osculating_planes(), [-1.0, 3.0]).unwrap();
     let proved = enclose(&across.over(&ball).unwrap(), BITS, 1e-2, 16);
     assert_eq!(proved.is_regular(), Some(false));
 }
@@ -108,10 +94,9 @@ fn a_cylinder_clears_every_bound_and_a_cone_across_its_apex_none() {
     // The direction a x a' grows along x, so the ends of the rulings run apart, but the rulings never meet.
     let proved = enclose(&sheet.over(&ball).unwrap(), BITS, 1e-2, 24);
     assert_eq!(proved.is_regular(), Some(true), "{proved:?}");
-    let rail = |points: [[f64; 3]; 2]| Curve::new(Bernstein, points.to_vec()).unwrap();
     let cone = RuledSurface::new(
-        rail([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
-        rail([[-1.0, 0.0, 2.0], [0.0, -1.0, 2.0]]),
+        rail(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
+        rail(&[[-1.0, 0.0, 2.0], [0.0, -1.0, 2.0]]),
     );
     let proved = enclose(&cone.over(&ball).unwrap(), BITS, 1e-2, 16);
     assert_eq!(proved.is_regular(), Some(false));

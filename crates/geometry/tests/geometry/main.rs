@@ -6,6 +6,7 @@
 )]
 
 mod agreement;
+mod batches;
 mod certified;
 mod connections;
 mod constructions;
@@ -16,5 +17,6 @@ mod identities;
 mod joins;
 mod patterns;
 mod singular;
+mod support;
 mod surfaces;
 mod ulps;

@@ -1,5 +1,6 @@
 //! Singular patches are never called regular, and every answer is a number or an error.
 
+use crate::support::{Rail, osculating_planes, rail};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -13,12 +14,6 @@ use torse_geometry::{
     Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, GeometryError, Over, PlaneFamily,
     Rails, RuledSurface, TangentPatch, exact, exact_ball, join,
 };
-
-type Rail = Curve<Bernstein, f64, 3>;
-
-fn rail(points: &[[f64; 3]]) -> Rail {
-    Curve::new(Bernstein, points.to_vec()).unwrap()
-}
 
 fn enclosed(patch: &RuledSurface<Rail, Rail>, cells: usize) -> EnclosedCertificate {
     enclose(
@@ -154,13 +149,7 @@ fn an_apex_as_a_rail_has_a_vanishing_normal_and_no_empty_interval() {
 
 #[test]
 fn an_edge_on_the_border_and_next_to_it() {
-    let planes = vec![
-        [0., 0., 1., 0.],
-        [0., -1., 1., 0.],
-        [1., -2., 1., 0.],
-        [3., -3., 1., 1.],
-    ];
-    let family = PlaneFamily::new(Bernstein, planes).unwrap();
+    let family = osculating_planes();
     let at = |from: f64| {
         let patch = TangentPatch::new(family.clone(), [from, 1.0]).unwrap();
         let balls = patch.over(&|x| exact_ball(*x, 128)).unwrap();
@@ -276,13 +265,7 @@ fn parts_of_any_size_have_the_same_shape() {
 
 #[test]
 fn patches_of_different_kinds_go_through_one_list() {
-    let planes = vec![
-        [0., 0., 1., 0.],
-        [0., -1., 1., 0.],
-        [1., -2., 1., 0.],
-        [3., -3., 1., 1.],
-    ];
-    let family = PlaneFamily::new(Bernstein, planes).unwrap();
+    let family = osculating_planes();
     let arc = |r: f64, z: f64| rail(&[[r, 0.0, z], [r, r, z], [0.0, r, z]]);
     let sheets: Vec<Box<dyn Rails<f64>>> = vec![
         Box::new(TangentPatch::new(family, [0.5, 1.0]).unwrap()),

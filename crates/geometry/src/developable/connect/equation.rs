@@ -1,8 +1,8 @@
 //! The equation of a connecting developable and its derivatives.
 
 use crate::coordinate::Coordinate;
+use crate::curve::SpaceCurve;
 use crate::error::{GeometryError, Result};
-use crate::surface::SpaceCurve;
 use crate::vector::{det, sub};
 use torse_algebra::Jet;
 

@@ -27,9 +27,9 @@ pub use trace::{Branch, BranchEnd, NODE_RADIUS};
 
 use super::certificate::certify;
 use crate::coordinate::Coordinate;
+use crate::curve::SpaceCurve;
 use crate::error::{GeometryError, Place, Result, count};
 use crate::scalars::{Over, exact_ball};
-use crate::surface::SpaceCurve;
 use crate::vector::{cross, dot, norm, sub};
 use equation::{Contact, Equation};
 use torse_algebra::Ball;

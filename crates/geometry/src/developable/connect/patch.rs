@@ -3,9 +3,10 @@
 use super::equation::{Equation, Expansion};
 use super::trace::{Branch, NODE_RADIUS, solution};
 use crate::coordinate::Coordinate;
+use crate::curve::SpaceCurve;
 use crate::error::{GeometryError, Place, Result};
 use crate::scalars::{Over, exact_ball};
-use crate::surface::{Partials, Rails, SpaceCurve, Surface, partials_between};
+use crate::surface::{Partials, Rails, Surface, partials_between};
 use torse_algebra::{Ball, Jet, Rational, Scalar};
 
 /// The developable patch that touches two curves along a [`Branch`]: its rails are parts of the curves, and

@@ -7,7 +7,7 @@
 //! graph falls, and no patch comes of it: its rulings would run against the one rail.
 
 use super::equation::{Contact, Equation};
-use crate::surface::SpaceCurve;
+use crate::curve::SpaceCurve;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use torse_algebra::rational::{Rational, to_f64};

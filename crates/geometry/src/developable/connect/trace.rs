@@ -7,7 +7,7 @@
 
 use super::equation::Equation;
 use super::survey::{ParameterBox, corners, rises};
-use crate::surface::SpaceCurve;
+use crate::curve::SpaceCurve;
 use torse_algebra::Ball;
 
 /// How a branch ends.

@@ -1,12 +1,17 @@
 //! SVG of drawings.
 
-use crate::drawing::{Arc, Drawing, Layer, Path};
+mod commands;
+mod read;
+mod xml;
+
+use crate::drawing::{Drawing, Layer};
 use crate::error::{ExchangeError, Result};
+use commands::commands;
 use std::fmt::Write;
 
 /// The drawing as SVG in true size: one unit is one millimetre, each layer a group with its name (a layer for
 /// Inkscape too), arcs as arcs, notes as the description. The bend angle of a line is its attribute `data-bend`,
-/// in radians. Numbers are in the shortest form that reads back to the same f64.
+/// in radians; `data-order` is its place among all paths of the drawing. Numbers are in the shortest form that reads back to the same f64.
 ///
 /// # Errors
 /// [`ExchangeError::Empty`] for a drawing without paths.
@@ -47,7 +52,8 @@ pub fn svg(drawing: &Drawing) -> Result<String> {
         let _ = writeln!(text, "<desc>{notes}</desc>");
     }
     for layer in Layer::ALL {
-        let paths = || drawing.paths().iter().filter(|path| path.layer() == layer);
+        let all = || drawing.paths().iter().enumerate();
+        let paths = || all().filter(|(_, path)| path.layer() == layer);
         let letters = || drawing.texts().iter().filter(|text| text.layer == layer);
         if paths().next().is_none() && letters().next().is_none() {
             continue;
@@ -57,10 +63,14 @@ pub fn svg(drawing: &Drawing) -> Result<String> {
             text,
             "<g id=\"{name}\" inkscape:groupmode=\"layer\" inkscape:label=\"{name}\" stroke=\"{colour}\">"
         );
-        for path in paths() {
+        for (order, path) in paths() {
             let bend = path.bend().map(|a| format!(" data-bend=\"{}\"", a + 0.0));
             let bend = bend.unwrap_or_default();
-            let _ = writeln!(text, "<path d=\"{}\"{bend}/>", commands(path));
+            let _ = writeln!(
+                text,
+                "<path d=\"{}\" data-order=\"{order}\"{bend}/>",
+                commands(path)
+            );
         }
         for letter in letters() {
             let ([x, y], content) = (letter.at, escaped(&letter.content));
@@ -76,29 +86,6 @@ pub fn svg(drawing: &Drawing) -> Result<String> {
     }
     text.push_str("</svg>\n");
     Ok(text)
-}
-
-fn commands(path: &Path) -> String {
-    let point = |[x, y]: [f64; 2]| format!("{} {}", x + 0.0, 0.0 - y);
-    let start = path.vertices().first().map(|v| v.point).unwrap_or_default();
-    let mut text = format!("M{}", point(start));
-    let straight_back = |to: [f64; 2], bulge: f64| path.is_closed() && to == start && bulge == 0.0;
-    for (from, to) in path.sides() {
-        match Arc::of(from, to) {
-            Some(arc) => {
-                // Left in the drawing is against the clock, which SVG, with y down, calls negative.
-                let (large, sweep) = (u8::from(from.bulge.abs() > 1.0), u8::from(from.bulge < 0.0));
-                let r = arc.radius;
-                let _ = write!(text, "A{r} {r} 0 {large} {sweep} {}", point(to));
-            }
-            None if straight_back(to, from.bulge) => {}
-            None => text.push_str(&format!("L{}", point(to))),
-        }
-    }
-    if path.is_closed() {
-        text.push('Z');
-    }
-    text
 }
 
 fn colour(layer: Layer) -> &'static str {

@@ -1,0 +1,147 @@
+//! Surfaces that are no developables: tensor products, given by their nets or made from curves.
+
+use super::curves::shape_of;
+use super::points::list;
+use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
+use super::{MOST_CONTROLS, Parts, keys, named};
+use crate::design::{FreeSurface, Tensor};
+use torse_geometry::basis::Shape;
+use torse_geometry::prelude::{GeometryError, Place, Rail};
+use torse_geometry::sheet::RailCurve;
+use torse_geometry::{Curve, TensorSurface};
+
+/// The ways to make a surface.
+const KINDS: [&str; 4] = ["net", "swung", "swept", "rotation"];
+
+type SpaceCurve = Curve<Shape<f64>, f64, 3>;
+type PlaneCurve = Curve<Shape<f64>, f64, 2>;
+
+pub fn surfaces(
+    reader: &mut Reader,
+    section: Option<Value<'_>>,
+    parts: &Parts,
+) -> Named<FreeSurface> {
+    named(reader, section, "[surfaces]", |reader, name, value, _| {
+        let what = format!("[surfaces.{name}]");
+        let mut entries = reader.entries(value, &what, keys::SURFACE)?;
+        surface(reader, name, &mut entries, parts)
+    })
+}
+
+fn surface(
+    reader: &mut Reader,
+    name: &str,
+    entries: &mut Entries<'_>,
+    parts: &Parts,
+) -> Option<FreeSurface> {
+    let (what, span) = (entries.what.clone(), entries.span.clone());
+    let mut given = KINDS.iter().filter(|kind| entries.has(kind));
+    let (Some(kind), None) = (given.next().copied(), given.next()) else {
+        let help = format!("one of `{}`", KINDS.join("`, `"));
+        reader.complain(&span, format!("{what} is made in one of four ways"), &help);
+        return None;
+    };
+    let value = entries.take(kind)?;
+    let place = value.span();
+    let made = match kind {
+        "net" => {
+            let [u, v] = ["shape-u", "shape-v"].map(|key| match entries.take(key) {
+                Some(value) => shape_of(reader, value),
+                None => Some(Shape::Bernstein),
+            });
+            let rows = reader.list(value, "rows of points", [2, MOST_CONTROLS])?;
+            let rows: Vec<_> = rows
+                .into_iter()
+                .map(|row| list(reader, row, &parts.points, [2, MOST_CONTROLS]))
+                .collect();
+            let net = rows.into_iter().collect::<Option<Vec<_>>>()?;
+            TensorSurface::new(u?, v?, net).map(|surface| vec![surface])
+        }
+        "rotation" => {
+            let profile = reader.named(value, "curve", &parts.curves)?;
+            turned(profile)
+        }
+        _ => {
+            let [first, second] = curves(reader, value, &parts.curves)?;
+            let factor = match entries.take("factor") {
+                Some(value) if kind == "swung" => {
+                    let positive = |factor| factor > 0.0;
+                    reader.number_in(value, Dimension::None, "(0, infinity)", positive)?
+                }
+                Some(value) => {
+                    reader.complain(&value.span(), "only what is swung has a `factor`", "");
+                    return None;
+                }
+                None => 1.0,
+            };
+            let made = if kind == "swung" {
+                swung(first, second, factor)
+            } else {
+                swept(first, second)
+            };
+            made.map(|surface| vec![surface])
+        }
+    };
+    for key in keys::SURFACE {
+        if let Some(value) = entries.take(key) {
+            let message = format!("`{key}` means nothing for a surface made by `{kind}`");
+            reader.complain(&value.span(), message, "");
+        }
+    }
+    Some(FreeSurface {
+        name: name.to_owned(),
+        kind,
+        parts: accepted(reader, &place, made)?,
+    })
+}
+
+fn curves<'p>(
+    reader: &mut Reader,
+    value: Value<'_>,
+    known: &'p Named<Rail>,
+) -> Option<[&'p Rail; 2]> {
+    let items = reader.list(value, "curves", [2, 2])?;
+    let mut both = items
+        .into_iter()
+        .map(|item| reader.named(item, "curve", known));
+    match (both.next()?, both.next()?) {
+        (Some(first), Some(second)) => Some([first, second]),
+        _ => None,
+    }
+}
+
+/// A curve without weights: tensor products have none.
+fn plain(rail: &Rail) -> Result<&SpaceCurve, GeometryError> {
+    match rail.curve() {
+        RailCurve::Plain(curve) => Ok(curve),
+        RailCurve::Weighted(_) => Err(GeometryError::Degenerate {
+            what: "tensor product of a weighted curve",
+            at: Place::Whole,
+        }),
+    }
+}
+
+/// Two coordinates of a curve.
+fn flat(rail: &Rail, [i, j]: [usize; 2]) -> Result<PlaneCurve, GeometryError> {
+    Ok(plain(rail)?.mapped(|p| [p[i], p[j]]))
+}
+
+/// A profile `[x, z]` that swings along a trajectory `[x, y]`.
+fn swung(profile: &Rail, trajectory: &Rail, factor: f64) -> Result<Tensor, GeometryError> {
+    TensorSurface::swung(&flat(profile, [0, 2])?, &flat(trajectory, [0, 1])?, &factor)
+}
+
+fn swept(section: &Rail, trajectory: &Rail) -> Result<Tensor, GeometryError> {
+    TensorSurface::swept(plain(section)?, plain(trajectory)?)
+}
+
+/// A profile `[x, z]` turned about the z axis: a tensor product for each quarter.
+fn turned(profile: &Rail) -> Result<Vec<Tensor>, GeometryError> {
+    let quarters = TensorSurface::quarter_turns(&flat(profile, [0, 2])?)?;
+    let plain = quarters.iter().map(|quarter| {
+        let (u, v) = quarter.bases();
+        let net = quarter.rows().map(<[_]>::to_vec).collect();
+        TensorSurface::new(*u, Shape::from(*v), net)
+    });
+    plain.collect()
+}

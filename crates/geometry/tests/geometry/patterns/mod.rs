@@ -1,0 +1,7 @@
+//! Flat patterns.
+
+mod carried;
+mod chains;
+mod closed_forms;
+mod laws;
+mod refused;
