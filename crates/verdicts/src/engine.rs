@@ -7,7 +7,8 @@ use rayon::prelude::*;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use torse_algebra::{Fraction, work};
-use torse_language::derivation::{Claim, DerivationError, Figure, Paper, Written};
+use torse_language::core::Elaborator;
+use torse_language::derivation::{Claim, DerivationError, Figure, Finding, Paper, Written};
 use torse_language::notation::{self, Formula};
 use torse_language::words::{Kind, Verdict};
 use torse_prove::decide::{Decision, Refutation};
@@ -116,6 +117,7 @@ fn decided(
     budget: u64,
 ) -> Result<Outcome, Box<DerivationError>> {
     let entry = &claim.entry;
+    check_finding(claim)?;
     if let Some(figure) = &claim.figure {
         outcome.steps.extend(entry.underspecified.clone());
         drawn(&mut outcome, figure);
@@ -164,6 +166,16 @@ fn decided(
     }
     net::cast(&mut outcome, claim, statement);
     Ok(outcome)
+}
+
+/// The formulas of a finding make sense where the claim is.
+fn check_finding(claim: &Claim) -> Result<(), Box<DerivationError>> {
+    let elaborator = Elaborator::new(&claim.declarations);
+    for hole in claim.finding.iter().flat_map(Finding::holes) {
+        let term = elaborator.term(&hole.expr);
+        term.map_err(|fault| Box::new(fault.into_error(&hole.origin)))?;
+    }
+    Ok(())
 }
 
 /// Decides the readings of a sentence, each as a claim.

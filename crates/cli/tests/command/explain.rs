@@ -144,7 +144,7 @@ readings = [
         "assuming x < 1/2",
         "given r == y",
         "solved for r",
-        "where r, a real number; y in (0, 1]; x in [0, 1]",
+        "where y in (0, 1]; r, a real number; x in [0, 1]",
         "with c = deep + y deep = y^2",
         "said by 0 < y <= 1: the paper, “for small y” (mini/table)",
         "x < 1/2: ours, not needed, to try it",
@@ -166,9 +166,9 @@ readings = [
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     let table = &json["claims"][0];
     assert_eq!(table["hypotheses"][0]["quote"], "for small y");
-    assert_eq!(table["hypotheses"][1]["needed"], false);
-    assert_eq!(table["hypotheses"][2]["role"], "given");
-    assert_eq!(table["symbols"][1]["set"], "y in (0, 1]");
+    assert_eq!(table["hypotheses"][1]["role"], "given");
+    assert_eq!(table["hypotheses"][2]["needed"], false);
+    assert_eq!(table["symbols"][0]["set"], "y in (0, 1]");
     assert_eq!(table["definitions"][0]["head"], "c");
     assert_eq!(table["unknowns"][0], "r");
     let read = &json["claims"][1];

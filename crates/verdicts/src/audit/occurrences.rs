@@ -76,7 +76,7 @@ pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
     let stated: BTreeSet<&str> = statement.flat_map(|w| w.expr.names()).collect();
     let adds = stated.into_iter().filter(|name| {
         let free = matches!(declarations.symbol(name), Some(SymbolKind::Real(_)));
-        free && !subject.print.names.contains(stem(name))
+        free && !subject.print.letters.contains(stem(name))
     });
     let shown = |name: &str| format!("`{name}`");
     let (lacks, adds) = (lacks.map(shown).collect(), adds.map(shown).collect());

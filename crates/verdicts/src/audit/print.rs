@@ -11,6 +11,8 @@ pub struct Print {
     pub numbers: BTreeSet<Rational>,
     /// The names of mathematics: Greek letters in our spelling, single Latin letters beside signs.
     pub names: BTreeSet<String>,
+    /// These, and all single Latin letters: some of them are words.
+    pub letters: BTreeSet<String>,
     /// How many relations there are.
     pub relations: usize,
     /// Equations.
@@ -80,6 +82,7 @@ impl Print {
             }
             if let Some(name) = greek(c) {
                 print.names.insert(name.to_owned());
+                print.letters.insert(name.to_owned());
             }
             if c.is_ascii_alphabetic() {
                 let length = rest.iter().take_while(|c| c.is_alphabetic()).count();
@@ -88,6 +91,9 @@ impl Print {
                 let near = letters.get(..i).unwrap_or_default();
                 let before = near.iter().rev().find(|c| **c != ' ');
                 let beside = |c: Option<&char>| c.is_some_and(|c| "_=<>+-−*/^(≤≥≠'′".contains(*c));
+                if length == 1 {
+                    print.letters.insert(word.clone());
+                }
                 if length == 1 && (beside(after) || beside(before)) {
                     print.names.insert(word.clone());
                 }

@@ -1,0 +1,18 @@
+//! The sentence that tells what was found.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
+
+mod common;
+
+use torse_verdicts::engine::decide_claim;
+
+#[test]
+fn a_hole_with_a_name_that_nothing_declares_is_a_mistake() {
+    let decided = |hole: &str| {
+        let claim = format!("states = 'x == x'\nfinding = 'it is {{{hole}}}'");
+        let paper = common::paper("finding", "[symbols]\nx = {}\n", &[&claim]);
+        decide_claim("finding", &paper.claims[0]).map_err(|error| error.to_string())
+    };
+    assert!(decided("x^2 : 3").is_ok());
+    assert_eq!(decided("x + z").unwrap_err(), "`z` is not declared");
+}
