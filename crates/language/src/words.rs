@@ -44,6 +44,8 @@ pub enum Verdict {
     Misprint,
     /// False, with an exact counterexample.
     False,
+    /// The sentence has more than one reading, and what is true of it depends on the reading.
+    Depends,
     /// Not decided; the reason and what was tried are stated.
     Undecided,
     /// No point satisfies the assumptions.
@@ -58,8 +60,6 @@ pub enum Verdict {
     Reproduced,
     /// A figure redrawn under listed assumptions.
     Partial,
-    /// The sentence has more than one reading, and what is true of it depends on the reading.
-    Depends,
 }
 
 /// A sign that a statement may not be what the paper prints.

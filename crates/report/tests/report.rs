@@ -37,7 +37,10 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
       "kind": "identity",
       "verdict": "false",
       "evidence": "witness",
+      "part_of": null,
       "printed": "det H = 0 for every n",
+      "reading": null,
+      "garbled": null,
       "parsed": "det(H) == 0",
       "corrected": null,
       "corrected_condition": null,
@@ -53,14 +56,23 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
       },
       "note": null,
       "net": null,
-      "contradiction": null
+      "contradiction": null,
+      "hypotheses": [],
+      "symbols": [],
+      "definitions": [],
+      "bases": [],
+      "unknowns": [],
+      "readings": []
     },
     {
       "id": "sample/eq-5.third",
       "kind": "construction",
       "verdict": "conditional",
       "evidence": "identity",
+      "part_of": null,
       "printed": "Q¹_1 = Q_m + (1/α₁)(Q_m − Q_{m−1})",
+      "reading": null,
+      "garbled": null,
       "parsed": "Q1 == Q[m] + ...",
       "corrected": null,
       "corrected_condition": null,
@@ -68,7 +80,13 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
       "witness": null,
       "note": null,
       "net": null,
-      "contradiction": null
+      "contradiction": null,
+      "hypotheses": [],
+      "symbols": [],
+      "definitions": [],
+      "bases": [],
+      "unknowns": [],
+      "readings": []
     }
   ]
 }

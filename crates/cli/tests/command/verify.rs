@@ -188,7 +188,7 @@ fn the_json_has_the_fields_of_the_interface_and_the_same_bytes_twice() {
     );
     for claim in claims {
         let claim = claim.as_object().unwrap();
-        assert_eq!(claim.len(), 13);
+        assert_eq!(claim.len(), 22);
         assert!(claim["contradiction"].is_null(), "{claim:?}");
         assert!(claim["verdict"].is_string() && claim["printed"].is_string());
         assert!(claim["witness"].is_object() || claim["witness"].is_null());
@@ -223,7 +223,7 @@ fn flipping_one_coefficient_of_a_true_claim_flips_its_verdict() {
         let path = copy.path().join(file);
         let text = fs::read_to_string(&path).unwrap();
         let claim = text.find(&format!("id = \"{id}\"")).unwrap();
-        let states = claim + text[claim..].find("states =").unwrap();
+        let states = claim + text[claim..].find("\nstates =").unwrap() + 1;
         let printed = states + text[states..].find(from).unwrap();
         let line_ends = states + text[states..].find('\n').unwrap();
         assert!(printed < line_ends, "{id} has no `{from}`");
