@@ -2,10 +2,10 @@
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
-use crate::mistakes::Mistakes;
+use crate::format::Format;
 use crate::run::{Budget, Run};
 use crate::{guard, selection, terminal};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use torse_language::derivation::{Answer, Claim, DerivationError, Paper};
@@ -39,12 +39,6 @@ const EXAMPLES: &str = "\
 Examples:
   torse audit
   torse audit gbt-developable/thm-4 --format json";
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    Text,
-    Json,
-}
 
 impl Audit {
     /// Decides, looks, prints the open flags and the answers.
@@ -83,15 +77,11 @@ impl Audit {
             Format::Json => json(&found)?,
         })?;
         let open = found.iter().any(|audited| !audited.open.is_empty());
-        Ok(tell(mistakes, open))
+        Ok(mistakes.tell(match open {
+            true => Exit::Differs,
+            false => Exit::AsExpected,
+        }))
     }
-}
-
-fn tell(mistakes: Mistakes, open: bool) -> Exit {
-    mistakes.tell(match open {
-        true => Exit::Differs,
-        false => Exit::AsExpected,
-    })
 }
 
 /// The claims that have outcomes, with them.
@@ -211,14 +201,13 @@ struct Stale<'a> {
 }
 
 fn json(found: &[Audited<'_>]) -> Result<String, Failure> {
-    let id = |audited: &'_ Audited<'_>| audited.claim.entry.id.get_ref().clone();
-    let ids: Vec<String> = found.iter().map(id).collect();
     let mut listing = Listing {
         open: vec![],
         answered: vec![],
         stale: vec![],
     };
-    for (audited, id) in found.iter().zip(&ids) {
+    for audited in found {
+        let id = audited.claim.entry.id.get_ref().as_str();
         listing.open.extend(audited.open.iter().map(|sign| Open {
             id,
             flag: words::flag(sign.flag),

@@ -11,6 +11,7 @@ mod design;
 mod exit;
 mod explain;
 mod figures;
+mod format;
 mod guard;
 mod mistakes;
 mod recheck;

@@ -3,9 +3,10 @@
 use crate::against::{self, Verdicts};
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
+use crate::format::Format;
 use crate::run::{Budget, Run};
 use crate::{figures, guard, selection, terminal, verdicts};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use std::path::PathBuf;
 use torse_report::{ReportError, verdicts_json};
 
@@ -45,12 +46,6 @@ Examples:
   torse verify --format json > verdicts.json
   torse verify --against verdicts.json
   torse verify --timings --derivations my-papers";
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    Text,
-    Json,
-}
 
 impl Verify {
     /// Decides, prints, and says how it went.

@@ -6,6 +6,7 @@
 //! In the same way `A implies B` is B at the points of A, and `A or B` is B at the points at which A fails; a statement of
 //! many parts is a conjunction of such alternatives.
 
+use std::ops::Range;
 use torse_language::core::{Claim, Hypothesis, Source, Statement};
 use torse_language::derivation::Origin;
 use torse_language::syntax::Connective;
@@ -25,19 +26,12 @@ pub fn parts(claim: &Claim) -> Vec<Claim> {
             continue;
         }
         let cut = cut(&hypothesis.statement, true);
-        let Some(cut) = cut.filter(|cut| cut.len() * parts.len() <= MAX_PARTS) else {
+        let divided =
+            cut.and_then(|cut| divided(&parts, &cut, place..place + 1, &hypothesis.origin));
+        let Some(divided) = divided else {
             return vec![claim.clone()];
         };
-        let with = |part: &Claim, statements: &Part| {
-            let mut part = part.clone();
-            let all = statements.iter().map(|s| assumed(s, &hypothesis.origin));
-            part.hypotheses.splice(place..=place, all);
-            part
-        };
-        parts = parts
-            .iter()
-            .flat_map(|part| cut.iter().map(move |statements| with(part, statements)))
-            .collect();
+        parts = divided;
     }
     parts
 }
@@ -52,17 +46,9 @@ pub fn under(
 ) -> Option<Vec<Claim>> {
     let mut parts = vec![claim.clone()];
     for statement in statements {
-        let cut = cut(statement, truth).filter(|cut| cut.len() * parts.len() <= MAX_PARTS)?;
-        let with = |part: &Claim, statements: &Part| {
-            let mut part = part.clone();
-            let all = statements.iter().map(|s| assumed(s, origin));
-            part.hypotheses.extend(all);
-            part
-        };
-        parts = parts
-            .iter()
-            .flat_map(|part| cut.iter().map(move |statements| with(part, statements)))
-            .collect();
+        // Behind all that is assumed already.
+        let end = parts.first()?.hypotheses.len();
+        parts = divided(&parts, &cut(statement, truth)?, end..end, origin)?;
     }
     Some(parts)
 }
@@ -88,12 +74,26 @@ pub fn clauses(statement: &Statement) -> Option<Vec<Vec<&Statement>>> {
     }
 }
 
-fn assumed(statement: &Statement, origin: &Origin) -> Hypothesis {
-    Hypothesis {
+/// Each of these claims with each part in this place of its hypotheses; `None` if there are too many.
+fn divided(
+    claims: &[Claim],
+    cut: &[Part],
+    place: Range<usize>,
+    origin: &Origin,
+) -> Option<Vec<Claim>> {
+    let assumed = |statement: &Statement| Hypothesis {
         statement: statement.clone(),
         source: Source::Assume,
         origin: origin.clone(),
-    }
+    };
+    let with = |claim: &Claim, part: &Part| {
+        let mut claim = claim.clone();
+        let all = part.iter().map(assumed);
+        claim.hypotheses.splice(place.clone(), all);
+        claim
+    };
+    let pairs = claims.iter().flat_map(|c| cut.iter().map(move |p| (c, p)));
+    (claims.len() * cut.len() <= MAX_PARTS).then(|| pairs.map(|(c, p)| with(c, p)).collect())
 }
 
 /// Whether the statement is more than a conjunction of comparisons and denials of such.

@@ -27,16 +27,7 @@ use torse_language::syntax::{Connective, Relation};
 pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, Fault> {
     let elaborator = Rc::new(Elaborator::new(&claim.declarations));
     let core = core::Claim::elaborated(&elaborator, claim, statement)?;
-    let parts = Parts {
-        deciders: alternatives::parts(&core)
-            .into_iter()
-            .map(|claim| Decider {
-                claim,
-                elaborator: Rc::clone(&elaborator),
-            })
-            .collect(),
-        origin: &statement.origin,
-    };
+    let parts = Parts::of(alternatives::parts(&core), &elaborator, &statement.origin);
     let decision = parts
         .decide(&core.statement)
         .map_err(|fault| fault.within(&statement.origin))?;
@@ -61,6 +52,7 @@ type Instance = BTreeMap<String, i64>;
 /// The domain of a claim, cut into parts without alternatives.
 struct Parts<'a> {
     deciders: Vec<Decider<'a>>,
+    elaborator: Rc<Elaborator<'a>>,
     /// Where the statement is written.
     origin: &'a Origin,
 }
@@ -71,7 +63,19 @@ struct Decider<'a> {
     elaborator: Rc<Elaborator<'a>>,
 }
 
-impl Parts<'_> {
+impl<'a> Parts<'a> {
+    fn of(claims: Vec<core::Claim>, elaborator: &Rc<Elaborator<'a>>, origin: &'a Origin) -> Self {
+        let decider = |claim| Decider {
+            claim,
+            elaborator: Rc::clone(elaborator),
+        };
+        Self {
+            deciders: claims.into_iter().map(decider).collect(),
+            elaborator: Rc::clone(elaborator),
+            origin,
+        }
+    }
+
     fn decide(&self, statement: &core::Statement) -> Result<Decision, Fault> {
         match statement {
             core::Statement::Join(Connective::And, a, b) => {
@@ -82,13 +86,7 @@ impl Parts<'_> {
                 Ok(decide::both(first, self.decide(b)?))
             }
             core::Statement::Not(inner) => {
-                let decided = self.decide(inner)?;
-                let own_alone = self.deciders.iter().all(Decider::brings_no_divisors);
-                let decided = if own_alone {
-                    everywhere_defined(decided)
-                } else {
-                    decided
-                };
+                let decided = self.everywhere_defined(self.decide(inner)?);
                 let anywhere = || self.deciders.iter().find_map(|part| part.anywhere(inner));
                 Ok(decide::negated(decided, anywhere))
             }
@@ -106,6 +104,27 @@ impl Parts<'_> {
                 None => self.everywhere(statement),
             },
             other => self.everywhere(other),
+        }
+    }
+
+    /// A proof without the conditions that only say where its own terms are defined: those that no eliminated symbol
+    /// brought in.
+    fn everywhere_defined(&self, decision: Decision) -> Decision {
+        match decision {
+            Decision::Proven {
+                evidence,
+                conditions,
+                steps,
+            } if !conditions.is_empty()
+                && self.deciders.iter().all(Decider::brings_no_divisors) =>
+            {
+                Decision::Proven {
+                    evidence,
+                    conditions: vec![],
+                    steps,
+                }
+            }
+            other => other,
         }
     }
 
@@ -170,15 +189,9 @@ impl Parts<'_> {
             else {
                 return Ok(None);
             };
-            there.extend(claims.into_iter().map(|claim| Decider {
-                claim,
-                elaborator: Rc::clone(&part.elaborator),
-            }));
+            there.extend(claims);
         }
-        let there = Parts {
-            deciders: there,
-            origin: self.origin,
-        };
+        let there = Parts::of(there, &self.elaborator, self.origin);
         Ok(Some(match there.decide(conclusion) {
             // No point, or none at which the premises are so: the second is a proof.
             Ok(Decision::Vacuous { reason }) => match self.everywhere(conclusion)? {
@@ -228,20 +241,6 @@ fn conjoined(parts: impl Iterator<Item = Result<Decision, Fault>>) -> Result<Dec
     }))
 }
 
-/// A proof without the conditions that only say where its own terms are defined.
-fn everywhere_defined(decision: Decision) -> Decision {
-    match decision {
-        Decision::Proven {
-            evidence, steps, ..
-        } => Decision::Proven {
-            evidence,
-            conditions: vec![],
-            steps,
-        },
-        other => other,
-    }
-}
-
 impl Decider<'_> {
     /// Whether no eliminated symbol brought in a divisor.
     fn brings_no_divisors(&self) -> bool {
@@ -251,6 +250,7 @@ impl Decider<'_> {
             g.domain.pivots.is_empty() && solved.all(|(_, v)| v.conditions().is_empty())
         })
     }
+
     /// A point of the domain at which both sides of the first comparison are defined.
     fn anywhere(&self, statement: &core::Statement) -> Option<Witness> {
         let at = |instance: &Instance| {

@@ -1,4 +1,4 @@
-//! A refuted conjunction, part by part: which part fails, which hold and by what.
+//! Conjunctions: their parts, and of a refuted one which part fails, which hold and by what.
 
 use torse_algebra::work;
 use torse_language::derivation::{Claim, Written};
@@ -11,7 +11,7 @@ use torse_prove::evidence::Evidence;
 /// What is true of each part, a line each; nothing for what is no conjunction. Each part may take so much work.
 #[must_use]
 pub fn part_by_part(claim: &Claim, statement: &Written, budget: u64) -> Vec<String> {
-    let parts = parts(&statement.expr);
+    let parts = conjuncts(&statement.expr);
     if parts.len() < 2 {
         return vec![];
     }
@@ -30,9 +30,11 @@ pub fn part_by_part(claim: &Claim, statement: &Written, budget: u64) -> Vec<Stri
     parts.iter().map(told).collect()
 }
 
-fn parts(expr: &Expr) -> Vec<&Expr> {
+/// The statements that a conjunction joins.
+#[must_use]
+pub fn conjuncts(expr: &Expr) -> Vec<&Expr> {
     match &expr.node {
-        Node::Join(Connective::And, a, b) => [parts(a), parts(b)].concat(),
+        Node::Join(Connective::And, a, b) => [conjuncts(a), conjuncts(b)].concat(),
         _ => vec![expr],
     }
 }

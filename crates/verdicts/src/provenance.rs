@@ -36,17 +36,8 @@ pub fn slots(claim: &Claim) -> Vec<Slot> {
     let mut found: Vec<(Slot, &Origin)> = names
         .map(|(name, range)| (Slot::Range(name.to_owned()), &range.origin))
         .collect();
-    let listed = |list: &'_ [Hypothesis], slot: fn(usize) -> Slot| -> Vec<(Slot, Origin)> {
-        let numbered = list.iter().enumerate();
-        let of = |(i, h): (usize, &Hypothesis)| (slot(i), h.formula.origin.clone());
-        numbered.map(of).collect()
-    };
-    let written = [
-        listed(&claim.assumptions, Slot::Assume),
-        listed(&claim.given, Slot::Given),
-    ]
-    .concat();
-    found.extend(written.iter().map(|(slot, origin)| (slot.clone(), origin)));
+    let written = placed(&claim.assumptions, Slot::Assume).chain(placed(&claim.given, Slot::Given));
+    found.extend(written.map(|(slot, hypothesis)| (slot, &hypothesis.formula.origin)));
     // What other files say comes first: it was there before the claim.
     found.sort_by_key(|(_, origin)| {
         let elsewhere = origin.source.name != claim.origin.source.name;
@@ -55,10 +46,24 @@ pub fn slots(claim: &Claim) -> Vec<Slot> {
     found.into_iter().map(|(slot, _)| slot).collect()
 }
 
+/// The entries of a list with their places.
+fn placed(
+    list: &[Hypothesis],
+    slot: fn(usize) -> Slot,
+) -> impl Iterator<Item = (Slot, &Hypothesis)> {
+    let numbered = list.iter().enumerate();
+    numbered.map(move |(i, hypothesis)| (slot(i), hypothesis))
+}
+
 /// The hypotheses of a claim, in the order of [`slots`].
 #[must_use]
 pub fn assumed(claim: &Claim) -> Vec<Assumed> {
-    let slots = slots(claim);
+    let all = hypotheses(claim).into_iter();
+    all.map(|(_, hypothesis)| hypothesis).collect()
+}
+
+/// The hypotheses with their places.
+fn hypotheses(claim: &Claim) -> Vec<(Slot, Assumed)> {
     let entry = |slot: &Slot| {
         let listed = |role, list: &[Hypothesis], i: usize| {
             list.get(i).map(|h| {
@@ -99,7 +104,10 @@ pub fn assumed(claim: &Claim) -> Vec<Assumed> {
             needed: None,
         })
     };
-    slots.iter().filter_map(entry).collect()
+    let paired = slots(claim).into_iter();
+    paired
+        .filter_map(|slot| entry(&slot).map(|hypothesis| (slot, hypothesis)))
+        .collect()
 }
 
 /// The claim without some of its hypotheses.
@@ -107,8 +115,7 @@ pub fn assumed(claim: &Claim) -> Vec<Assumed> {
 pub fn without(claim: &Claim, dropped: &[Slot]) -> Claim {
     let mut fewer = claim.clone();
     let kept = |list: &[Hypothesis], slot: fn(usize) -> Slot| -> Vec<Hypothesis> {
-        let numbered = list.iter().enumerate();
-        let kept = numbered.filter(|(i, _)| !dropped.contains(&slot(*i)));
+        let kept = placed(list, slot).filter(|(slot, _)| !dropped.contains(slot));
         kept.map(|(_, hypothesis)| hypothesis.clone()).collect()
     };
     fewer.assumptions = kept(&claim.assumptions, Slot::Assume);
@@ -206,18 +213,21 @@ pub fn unneeded(claim: &Claim, outcome: &Outcome) -> Vec<Slot> {
 /// The hypotheses that are needed, as conditions.
 #[must_use]
 pub fn conditions(claim: &Claim, needed: &[(Slot, bool)]) -> Vec<Formula> {
-    let all = slots(claim);
-    let paired = all.iter().zip(assumed(claim));
-    let kept = paired.filter(|(slot, _)| needed.contains(&((*slot).clone(), true)));
+    let is_needed = |slot: &Slot| {
+        needed
+            .iter()
+            .any(|(tried, needed)| tried == slot && *needed)
+    };
+    let kept = hypotheses(claim)
+        .into_iter()
+        .filter(|(slot, _)| is_needed(slot));
     kept.map(|(_, hypothesis)| hypothesis.formula).collect()
 }
 
 /// A condition that is a hypothesis of ours, by its formula.
 #[must_use]
 pub fn slot_of(claim: &Claim, condition: &Formula) -> Option<Slot> {
-    let all = slots(claim);
-    let hypotheses = assumed(claim);
-    let mut paired = all.into_iter().zip(hypotheses);
+    let mut paired = hypotheses(claim).into_iter();
     let found = paired.find(|(slot, h)| h.formula == *condition && can_be_dropped(claim, slot));
     found.map(|(slot, _)| slot)
 }

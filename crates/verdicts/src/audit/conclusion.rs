@@ -1,7 +1,7 @@
 //! What is concluded must not be assumed.
 
-use super::formulas::conjuncts;
 use super::{Sign, Subject, sign};
+use crate::conjunction::conjuncts;
 use std::sync::Arc;
 use torse_language::notation;
 use torse_language::syntax::{Expr, Node, Relation};

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use torse_language::derivation::Claim;
 use torse_language::derivation::declarations::Declarations;
-use torse_language::syntax::{Connective, Expr, Node};
+use torse_language::syntax::Expr;
 
 /// The formulas of a claim.
 pub struct Formulas<'a> {
@@ -85,13 +85,5 @@ pub fn every<'e>(expr: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     visit(expr);
     for part in expr.parts() {
         every(part, visit);
-    }
-}
-
-/// The statements that a conjunction joins.
-pub fn conjuncts(expr: &Expr) -> Vec<&Expr> {
-    match &expr.node {
-        Node::Join(Connective::And, a, b) => [conjuncts(a), conjuncts(b)].concat(),
-        _ => vec![expr],
     }
 }

@@ -1,7 +1,7 @@
 //! An equation whose sides are the same as they are written says nothing.
 
-use super::formulas::conjuncts;
 use super::{Sign, Subject, sign};
+use crate::conjunction::conjuncts;
 use torse_language::derivation::declarations::Declarations;
 use torse_language::notation;
 use torse_language::syntax::{Expr, Node, Relation};
