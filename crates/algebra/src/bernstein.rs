@@ -109,6 +109,18 @@ impl BernsteinForm {
         self.numerators.iter().map(|n| &self.scale * n)
     }
 
+    /// The coefficients without their common positive factor [`Self::scale`]: what signs are read from.
+    #[must_use]
+    pub fn numerators(&self) -> &[Integer] {
+        &self.numerators
+    }
+
+    /// The positive number that each numerator is to be multiplied with.
+    #[must_use]
+    pub fn scale(&self) -> &Rational {
+        &self.scale
+    }
+
     /// The least and the greatest coefficient: bounds of all values on the box.
     #[must_use]
     pub fn bounds(&self) -> (Rational, Rational) {

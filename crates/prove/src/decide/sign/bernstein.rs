@@ -1,54 +1,229 @@
 //! Bernstein coefficients on a part of the box, and what they tell.
+//!
+//! The coefficients at the corners of the index range are the values at the corners of the box, so that a search can end
+//! at once where the polynomial is negative at one.
 
-use super::coordinates::{Coordinates, Region};
+use super::coordinates::{Coordinates, Region, Side};
 use crate::decide::domain::truth;
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use torse_algebra::bernstein::{BernsteinForm, Term};
 use torse_algebra::planted::{Planted, planted};
+use torse_algebra::positivity::RationalBox;
 use torse_algebra::rational::integer;
-use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
+use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
 use torse_language::syntax::Relation;
 
 /// The most Bernstein coefficients computed.
 const MAX_PIECES: usize = 20_000;
 
-/// `Some(true)` if the coefficients show the polynomial to be positive on the region, `Some(false)` for
-/// nonnegative, `None` if they do not tell.
-///
-/// A polynomial with nonnegative coefficients is positive if on every face of the region that belongs to
-/// the domain some coefficient is positive: the Bernstein polynomials of a face are positive inside it.
-pub fn sign(polynomial: &Polynomial, coordinates: &Coordinates, region: &Region) -> Option<bool> {
-    let mut pieces = vec![polynomial.clone()];
-    let mut faces: Vec<Vec<Face>> = vec![];
-    let ends = coordinates.closed_ends(region);
-    for ((side, place), (lower, upper)) in coordinates.sides.iter().zip(region).zip(ends) {
-        let (count, split) = split(&pieces, &side.symbol, place);
-        pieces = split;
-        if pieces.len() > MAX_PIECES {
+/// A polynomial on a part of the box: for each product of numbers (pi, roots) and of unbounded coordinates a Bernstein
+/// form with rational coefficients, all of the same degrees. Halving costs additions of integers.
+#[derive(Debug, Clone)]
+pub struct Spread {
+    parts: Vec<Part>,
+    /// The degree in each side of the box.
+    degrees: Vec<usize>,
+}
+
+#[derive(Debug, Clone)]
+struct Part {
+    /// Powers of unbounded coordinates, which are not negative.
+    ray: Polynomial,
+    /// Powers of pi and of roots.
+    number: Polynomial,
+    form: BernsteinForm,
+}
+
+/// What the coefficients show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shown {
+    /// Greater than zero on the part of the domain.
+    Positive,
+    /// Zero or more.
+    Nonnegative,
+    /// A corner of the part, at the ends of the unbounded coordinates, where it is less than zero.
+    NegativeCorner,
+    /// Nothing.
+    Nothing,
+}
+
+impl Spread {
+    /// The polynomial on the whole box; `None` if there are too many coefficients.
+    pub fn new(polynomial: &Polynomial, coordinates: &Coordinates) -> Option<Self> {
+        let sides = &coordinates.sides;
+        let degree = |side: &Side| usize::from(polynomial.degree_in(&side.symbol));
+        let degrees: Vec<usize> = sides.iter().map(degree).collect();
+        let count = degrees
+            .iter()
+            .try_fold(1_usize, |n, d| n.checked_mul(d + 1));
+        if count.is_none_or(|count| count > MAX_PIECES) {
             return None;
         }
-        let face = |first, last| Face { first, last };
-        let low = lower.then(|| face(0, 1));
-        let high = upper.then(|| face(count - 1, count));
-        faces.push(
-            [Some(face(0, count)), low, high]
-                .into_iter()
-                .flatten()
-                .collect(),
-        );
+        // A box has at least one side.
+        let region = RationalBox::unit(sides.len().max(1)).ok()?;
+        let highest = degrees.iter().map(|d| u32::try_from(*d).ok());
+        let mut highest: Vec<u32> = highest.collect::<Option<_>>()?;
+        highest.resize(region.dimension(), 0);
+        let mut sorted: BTreeMap<(Polynomial, Polynomial), Vec<Term>> = BTreeMap::new();
+        for term in polynomial.terms() {
+            let (mut ray, mut number) = (Polynomial::integer(1), Polynomial::integer(1));
+            let mut exponents = vec![0; region.dimension()];
+            for (symbol, exponent) in term.powers {
+                let power = || Polynomial::symbol(symbol.clone()).power(u32::from(exponent));
+                if let Some(side) = sides.iter().position(|side| side.symbol == *symbol) {
+                    *exponents.get_mut(side)? = u32::from(exponent);
+                } else if matches!(symbol, Symbol::Pi | Symbol::Root(_)) {
+                    number = &number * &power();
+                } else {
+                    ray = &ray * &power();
+                }
+            }
+            // The term of the highest degrees gives all forms the same number of coefficients.
+            let padding = || vec![(highest.clone(), integer(0))];
+            let own = sorted.entry((ray, number)).or_insert_with(padding);
+            own.push((exponents, term.coefficient.clone()));
+        }
+        let part = |((ray, number), terms): ((Polynomial, Polynomial), Vec<Term>)| {
+            let form = BernsteinForm::new(&terms, &region).ok()?;
+            Some(Part { ray, number, form })
+        };
+        let parts = sorted.into_iter().map(part).collect::<Option<_>>()?;
+        Some(Self { parts, degrees })
     }
-    let mut positive = vec![];
-    for piece in &pieces {
-        let sign = ray_sign(piece)?;
-        if !sign.nonnegative {
-            return None;
+
+    /// The degree in a side of the box.
+    pub fn degree(&self, side: usize) -> usize {
+        self.degrees.get(side).copied().unwrap_or(0)
+    }
+
+    /// The polynomial on the two halves across a side.
+    pub fn halves(&self, side: usize) -> Option<[Self; 2]> {
+        let mut halves = [vec![], vec![]];
+        for Part { ray, number, form } in &self.parts {
+            let (low, high) = form.halves(side)?;
+            for (half, form) in halves.iter_mut().zip([low, high]) {
+                let (ray, number) = (ray.clone(), number.clone());
+                half.push(Part { ray, number, form });
+            }
         }
-        positive.push(if coordinates.rays_open {
-            sign.somewhere
+        Some(halves.map(|parts| Self {
+            parts,
+            degrees: self.degrees.clone(),
+        }))
+    }
+
+    /// What the coefficients on this region show.
+    ///
+    /// A polynomial with nonnegative coefficients is positive if on every face of the region that belongs to
+    /// the domain some coefficient is positive: the Bernstein polynomials of a face are positive inside it.
+    pub fn shown(&self, coordinates: &Coordinates, region: &Region) -> Shown {
+        let count = self.degrees.iter().map(|d| d + 1).product();
+        let (mut positive, mut nothing) = (Vec::with_capacity(count), false);
+        for place in 0..count {
+            match self.sign_at(place) {
+                Some(sign) if sign.constant_negative && self.is_corner(place) => {
+                    return Shown::NegativeCorner;
+                }
+                Some(sign) if sign.nonnegative => positive.push(if coordinates.rays_open {
+                    sign.somewhere
+                } else {
+                    sign.constant
+                }),
+                _ => nothing = true,
+            }
+        }
+        if nothing {
+            return Shown::Nothing;
+        }
+        let ends = coordinates.closed_ends(region);
+        let faces = self
+            .degrees
+            .iter()
+            .zip(ends)
+            .map(|(degree, (lower, upper))| {
+                let face = |first, last| Face { first, last };
+                let low = lower.then(|| face(0, 1));
+                let high = upper.then(|| face(*degree, degree + 1));
+                let all = [Some(face(0, degree + 1)), low, high];
+                all.into_iter().flatten().collect()
+            });
+        let faces: Vec<Vec<Face>> = faces.collect();
+        if every_face_positive(&positive, &faces) || planted(Planted::ZeroTakenForPositive) {
+            Shown::Positive
         } else {
-            sign.constant
-        });
+            Shown::Nonnegative
+        }
     }
-    Some(every_face_positive(&positive, &faces) || planted(Planted::ZeroTakenForPositive))
+
+    /// Whether the coefficient at this place is the value at a corner.
+    fn is_corner(&self, mut place: usize) -> bool {
+        self.degrees.iter().rev().all(|degree| {
+            let index = place % (degree + 1);
+            place /= degree + 1;
+            index == 0 || index == *degree
+        })
+    }
+
+    /// The sign of the coefficient at this place, a polynomial in the unbounded coordinates.
+    fn sign_at(&self, place: usize) -> Option<RaySign> {
+        let mut sign = RaySign {
+            nonnegative: true,
+            constant: false,
+            constant_negative: false,
+            somewhere: false,
+        };
+        // The parts of one ray stand together.
+        for parts in self.parts.chunk_by(|a, b| a.ray == b.ray) {
+            let order = number_sign(parts, place)?;
+            let constant = parts.first().is_some_and(|part| part.ray.is_one());
+            sign.nonnegative &= order.is_ge();
+            sign.somewhere |= order.is_gt();
+            sign.constant |= constant && order.is_gt();
+            sign.constant_negative |= constant && order.is_lt();
+        }
+        Some(sign)
+    }
+}
+
+/// How the number that these parts make up at a place compares with zero. Products of powers of pi and roots are
+/// linearly independent over the rationals, so that a sum of them is zero only if each coefficient is.
+fn number_sign(parts: &[Part], place: usize) -> Option<Ordering> {
+    let sign = |part: &Part| {
+        part.form
+            .numerators()
+            .get(place)
+            .map(|n| n.cmp(&Integer::ZERO))
+    };
+    let signs: Vec<Ordering> = parts.iter().map(sign).collect::<Option<_>>()?;
+    let (some_positive, some_negative) = (
+        signs.contains(&Ordering::Greater),
+        signs.contains(&Ordering::Less),
+    );
+    // Each product of powers is a positive number.
+    Some(match (some_positive, some_negative) {
+        (false, false) => Ordering::Equal,
+        (true, false) => Ordering::Greater,
+        (false, true) => Ordering::Less,
+        (true, true) => {
+            let total = parts.iter().fold(Polynomial::zero(), |sum, part| {
+                let weight = part
+                    .form
+                    .numerators()
+                    .get(place)
+                    .map(|n| part.form.scale() * n);
+                &sum + &part.number.scaled(&weight.unwrap_or_default())
+            });
+            let total = Fraction::from(total);
+            if truth(&total, Relation::Greater)? {
+                Ordering::Greater
+            } else if truth(&total, Relation::Less)? {
+                Ordering::Less
+            } else {
+                Ordering::Equal
+            }
+        }
+    })
 }
 
 /// A range of Bernstein indices of one coordinate.
@@ -76,88 +251,14 @@ fn every_face_positive(positive: &[bool], faces: &[Vec<Face>]) -> bool {
     })
 }
 
-/// Every piece in the Bernstein form of one coordinate on an interval, all of the same degree: the number
-/// of coefficients of a piece, and all of them.
-fn split(
-    pieces: &[Polynomial],
-    symbol: &Symbol,
-    (low, high): &(Rational, Rational),
-) -> (usize, Vec<Polynomial>) {
-    let t = Polynomial::symbol(symbol.clone());
-    let moved = &Polynomial::constant(low) + &t.scaled(&(high - low));
-    let unmoved = *low == integer(0) && *high == integer(1);
-    let degrees = pieces.iter().map(|p| usize::from(p.degree_in(symbol)));
-    let degree = degrees.max().unwrap_or(0);
-    let mut result = vec![];
-    for piece in pieces {
-        let coefficients = if unmoved {
-            piece.coefficients_in(symbol)
-        } else {
-            piece
-                .substituted(|s| (s == symbol).then(|| moved.clone()))
-                .coefficients_in(symbol)
-        };
-        for j in 0..=degree {
-            // b_j = sum over i <= j of binom(j, i) / binom(degree, i) c_i
-            let terms = coefficients.iter().take(j + 1).enumerate();
-            result.push(terms.fold(Polynomial::zero(), |sum, (i, c)| {
-                &sum + &c.scaled(&(binomial(j, i) / binomial(degree, i)))
-            }));
-        }
-    }
-    (degree + 1, result)
-}
-
-fn binomial(n: usize, k: usize) -> Rational {
-    (0..k).fold(integer(1), |product, i| {
-        let (top, below) = (
-            i64::try_from(n - i).unwrap_or(i64::MAX),
-            i64::try_from(i + 1).unwrap_or(i64::MAX),
-        );
-        product * integer(top) / integer(below)
-    })
-}
-
 /// What the coefficients of a polynomial in nonnegative symbols, pi and roots tell.
 struct RaySign {
     /// Every coefficient is nonnegative.
     nonnegative: bool,
     /// The constant one is positive.
     constant: bool,
+    /// The constant one is negative.
+    constant_negative: bool,
     /// Some coefficient is positive.
     somewhere: bool,
-}
-
-fn ray_sign(polynomial: &Polynomial) -> Option<RaySign> {
-    // Group by the powers of the nonnegative symbols; the coefficients are numbers.
-    let mut groups: BTreeMap<Polynomial, Polynomial> = BTreeMap::new();
-    for term in polynomial.terms() {
-        let (mut powers, mut number) = (
-            Polynomial::integer(1),
-            Polynomial::constant(&term.coefficient),
-        );
-        for (symbol, exponent) in term.powers {
-            let power = Polynomial::symbol(symbol.clone()).power(u32::from(exponent));
-            if matches!(symbol, Symbol::Pi | Symbol::Root(_)) {
-                number = &number * &power;
-            } else {
-                powers = &powers * &power;
-            }
-        }
-        let entry = groups.entry(powers).or_insert_with(Polynomial::zero);
-        *entry = &*entry + &number;
-    }
-    let mut sign = RaySign {
-        nonnegative: true,
-        constant: false,
-        somewhere: false,
-    };
-    for (powers, number) in groups {
-        let number = Fraction::from(number);
-        sign.nonnegative &= truth(&number, Relation::AtLeast)?;
-        let positive = truth(&number, Relation::Greater)?;
-        sign.somewhere |= positive;
-        sign.constant |= positive && powers.is_one();
-    }
-    Some(sign)
 }

@@ -1,6 +1,6 @@
 //! The search for a certificate: boxes are halved where the coefficients of the whole do not tell.
 
-use super::bernstein::sign;
+use super::bernstein::{Shown, Spread};
 use super::certificate::{Certificate, Factor, Piece, Reason, assumed};
 use super::coordinates::{Coordinates, Region};
 use super::samples;
@@ -19,6 +19,8 @@ const STRICT_CUT_DEPTH: u32 = 9;
 const MAX_BOXES: usize = 200;
 /// The same where assumptions cut the box obliquely.
 const MAX_CUT_BOXES: usize = 1_000;
+/// How often a box is halved in one direction of the search: what is not seen on boxes this small is not seen.
+const MAX_DEPTH: u32 = 48;
 /// The most multiples of one assumption that are tried.
 const MAX_MULTIPLES: usize = 6;
 
@@ -277,9 +279,21 @@ fn direct(
     if samples::refute(&target, limits, &coordinates) {
         return None;
     }
+    let bounds = bounds.into_iter().map(|(number, negative, strict)| {
+        let spread = Spread::new(&negative, &coordinates)?;
+        Some(Limit {
+            number,
+            strict,
+            negative: spread,
+        })
+    });
+    let place = Place {
+        region: coordinates.whole(),
+        target: Spread::new(&target, &coordinates)?,
+        limits: bounds.collect::<Option<_>>()?,
+    };
     let mut search = Search {
-        target,
-        bounds,
+        place,
         coordinates,
         budget: 0,
         strict_depth: 0,
@@ -305,10 +319,63 @@ fn direct(
     })
 }
 
+/// A region with the polynomials on it.
+#[derive(Clone)]
+struct Place {
+    region: Region,
+    target: Spread,
+    limits: Vec<Limit>,
+}
+
+/// An assumption: its number, its negative, and whether it must not be zero.
+#[derive(Clone)]
+struct Limit {
+    number: usize,
+    negative: Spread,
+    strict: bool,
+}
+
+impl Place {
+    /// The halves across the coordinate in which the polynomials bend most, long sides first.
+    fn halves(&self) -> Option<[Self; 2]> {
+        let widths = self.region.iter().enumerate();
+        let weighted = widths.filter_map(|(side, (low, high))| {
+            let limits = self.limits.iter().map(|limit| limit.negative.degree(side));
+            let degree = limits
+                .max()
+                .unwrap_or(0)
+                .max(self.target.degree(side).saturating_sub(1));
+            let degree = i64::try_from(degree).ok()?;
+            (degree > 0).then(|| (side, (high - low) * integer(degree)))
+        });
+        let (side, _) = weighted.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
+        let [mut low, mut high] = self.target.halves(side)?.map(|target| Self {
+            region: self.region.clone(),
+            target,
+            limits: Vec::with_capacity(self.limits.len()),
+        });
+        for limit in &self.limits {
+            let [below, above] = limit.negative.halves(side)?;
+            low.limits.push(Limit {
+                negative: below,
+                ..*limit
+            });
+            high.limits.push(Limit {
+                negative: above,
+                ..*limit
+            });
+        }
+        let (from, to) = self.region.get(side)?;
+        let middle = (from + to) / integer(2);
+        low.region.get_mut(side)?.1 = middle.clone();
+        high.region.get_mut(side)?.0 = middle;
+        Some([low, high])
+    }
+}
+
 struct Search {
-    target: Polynomial,
-    /// Assumptions: number, negative, and whether it must not be zero.
-    bounds: Vec<(usize, Polynomial, bool)>,
+    /// The whole box.
+    place: Place,
     coordinates: Coordinates,
     budget: usize,
     strict_depth: u32,
@@ -321,54 +388,60 @@ impl Search {
         self.budget = budget;
         self.strict_depth = strict_depth;
         self.pieces.clear();
-        let positive = self.run(self.coordinates.whole(), 0)?;
+        let place = self.place.clone();
+        let positive = self.run(place, 0)?;
         Some((positive, std::mem::take(&mut self.pieces)))
     }
 
-    /// The sign on a region, as in [`sign`]; the pieces that show it are added.
-    fn run(&mut self, region: Region, depth: u32) -> Option<bool> {
+    /// Whether the target is positive on a part, `None` if it is not shown to be zero or more; the pieces that show it
+    /// are added.
+    fn run(&mut self, place: Place, depth: u32) -> Option<bool> {
         self.budget = self.budget.checked_sub(1)?;
-        let outside = self.bounds.iter().find(|(_, negative, strict)| {
-            let shown = sign(negative, &self.coordinates, &region);
-            shown == Some(true) || (*strict && shown == Some(false))
-        });
-        if let Some((number, ..)) = outside {
-            let reason = Reason::Outside(*number);
-            self.pieces.push(Piece { region, reason });
+        let shown = |spread: &Spread| spread.shown(&self.coordinates, &place.region);
+        let outside = place
+            .limits
+            .iter()
+            .find(|limit| match shown(&limit.negative) {
+                Shown::Positive => true,
+                Shown::Nonnegative => limit.strict,
+                Shown::NegativeCorner | Shown::Nothing => false,
+            });
+        if let Some(limit) = outside {
+            let reason = Reason::Outside(limit.number);
+            self.pieces.push(Piece {
+                region: place.region,
+                reason,
+            });
             return Some(true);
         }
-        let whole = sign(&self.target, &self.coordinates, &region);
+        let whole = match shown(&place.target) {
+            Shown::Positive => Some(true),
+            Shown::Nonnegative => Some(false),
+            Shown::Nothing => None,
+            // Without assumptions the corner belongs to the closure of the domain: nothing is left to be found.
+            Shown::NegativeCorner => {
+                if place.limits.is_empty() {
+                    self.budget = 0;
+                }
+                None
+            }
+        };
         let before = self.pieces.len();
         // A region that is known to be nonnegative is halved a few times only in search of strictness: a
         // zero of the polynomial would use up all boxes.
-        let done = whole == Some(true) || (whole == Some(false) && depth >= self.strict_depth);
-        if !done && let Some([low, high]) = self.halves(&region) {
-            let parts = self.run(low, depth + 1).zip(self.run(high, depth + 1));
-            if let Some((a, b)) = parts {
-                return Some(a && b);
+        let done = whole == Some(true)
+            || (whole == Some(false) && depth >= self.strict_depth)
+            || depth >= MAX_DEPTH;
+        if !done && let Some([low, high]) = place.halves() {
+            let below = self.run(low, depth + 1);
+            if let Some(below) = below
+                && let Some(above) = self.run(high, depth + 1)
+            {
+                return Some(below && above);
             }
             self.pieces.truncate(before);
         }
-        let reason = Reason::Coefficients;
+        let (region, reason) = (place.region, Reason::Coefficients);
         whole.inspect(|_| self.pieces.push(Piece { region, reason }))
-    }
-
-    /// The halves across the coordinate in which the polynomials bend most, long sides first.
-    fn halves(&self, region: &Region) -> Option<[Region; 2]> {
-        let widths = self.coordinates.sides.iter().zip(region).enumerate();
-        let weighted = widths.filter_map(|(position, (side, (low, high)))| {
-            let own = i64::from(self.target.degree_in(&side.symbol)) - 1;
-            let bounds = self.bounds.iter();
-            let degrees = bounds.map(|(_, p, _)| i64::from(p.degree_in(&side.symbol)));
-            let degree = own.max(degrees.max().unwrap_or(0));
-            (degree > 0).then(|| (position, (high - low) * integer(degree)))
-        });
-        let (position, _) = weighted.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
-        let (mut low, mut high) = (region.clone(), region.clone());
-        let (from, to) = region.get(position)?;
-        let middle = (from + to) / integer(2);
-        low.get_mut(position)?.1 = middle.clone();
-        high.get_mut(position)?.0 = middle;
-        Some([low, high])
     }
 }
