@@ -35,8 +35,8 @@ pub(crate) struct Scope<'s, N> {
     depth: usize,
     /// How many infinitesimals there are.
     pub(crate) level: usize,
-    /// Whether a declared symbol is bound, so that closed terms have other values here.
-    symbols: bool,
+    /// What is known below this binding, where it is one of a declared symbol.
+    memory: Option<Memory<N>>,
 }
 
 enum Binding<N> {
@@ -53,7 +53,7 @@ impl<N: Clone> Scope<'_, N> {
             binding: Binding::Nothing,
             depth: 0,
             level: 0,
-            symbols: false,
+            memory: None,
         }
     }
 
@@ -62,7 +62,7 @@ impl<N: Clone> Scope<'_, N> {
             outer: Some(self),
             depth: self.depth + 1,
             level: self.level,
-            symbols: self.symbols || matches!(binding, Binding::Symbol(..)),
+            memory: matches!(binding, Binding::Symbol(..)).then(Memory::default),
             binding,
         }
     }
@@ -96,22 +96,51 @@ impl<N: Clone> Scope<'_, N> {
         }
     }
 
-    /// Whether one of these declared symbols has another value than at the point.
-    fn changes(&self, names: &BTreeSet<Arc<str>>) -> bool {
-        let own =
-            matches!(&self.binding, Binding::Symbol(name, _) if names.contains(name.declared()));
-        own || self.outer.is_some_and(|outer| outer.changes(names))
+    /// The memory of the innermost binding of one of these declared symbols; `None` if all have their values of the
+    /// point.
+    fn memory_of(&self, names: &BTreeSet<Arc<str>>) -> Option<&Memory<N>> {
+        match (&self.binding, &self.memory) {
+            (Binding::Symbol(name, _), Some(own)) if names.contains(name.declared()) => Some(own),
+            _ => self.outer.and_then(|outer| outer.memory_of(names)),
+        }
+    }
+
+    /// Whether a declared symbol is bound.
+    fn has_symbols(&self) -> bool {
+        self.memory.is_some() || self.outer.is_some_and(Self::has_symbols)
     }
 
     fn symbol(&self, name: &Name) -> Option<&Series<N>> {
-        if !self.symbols {
-            return None;
-        }
         match &self.binding {
             Binding::Symbol(own, value) if own == name => Some(value),
             _ => self.outer.and_then(|outer| outer.symbol(name)),
         }
     }
+}
+
+/// What was evaluated under the same values of all declared symbols, by the addresses of terms.
+struct Memory<N> {
+    /// The values of closed terms.
+    closed: RefCell<BTreeMap<usize, Value<N>>>,
+    /// The expansions of formulas that are closed but for the variable they were expanded by.
+    expansions: RefCell<BTreeMap<usize, Vec<Expansion<N>>>>,
+}
+
+impl<N> Default for Memory<N> {
+    fn default() -> Self {
+        Self {
+            closed: RefCell::default(),
+            expansions: RefCell::default(),
+        }
+    }
+}
+
+/// A formula at `point + e` with the infinitesimal e of this level, up to `e^order`.
+struct Expansion<N> {
+    point: Series<N>,
+    level: usize,
+    order: usize,
+    value: Value<N>,
 }
 
 /// The functions of one basis at one degree and one tuple of arguments.
@@ -127,9 +156,11 @@ pub struct Evaluator<'a, A: Arithmetic> {
     pub(crate) arithmetic: &'a A,
     pub(crate) values: &'a dyn Fn(&Name) -> Option<A::Number>,
     pub(crate) claim: Option<&'a Claim>,
-    /// The values of closed terms, by their addresses.
-    closed: RefCell<BTreeMap<usize, Value<A::Number>>>,
+    /// What was evaluated with the values of the point.
+    memory: Memory<A::Number>,
     is_closed: RefCell<BTreeMap<usize, bool>>,
+    /// Which bodies of derivatives are closed but for their variable.
+    is_closed_but: RefCell<BTreeMap<usize, bool>>,
     /// The declared symbols of closed terms.
     names: RefCell<BTreeMap<usize, BTreeSet<Arc<str>>>>,
     rows: RefCell<Vec<Row<A::Number>>>,
@@ -145,8 +176,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             arithmetic,
             values,
             claim: None,
-            closed: RefCell::default(),
+            memory: Memory::default(),
             is_closed: RefCell::default(),
+            is_closed_but: RefCell::default(),
             names: RefCell::default(),
             rows: RefCell::default(),
         }
@@ -275,8 +307,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         }
     }
 
-    /// The value of a closed term: evaluated when it is asked for first, and where a declared symbol that occurs in it
-    /// has another value.
+    /// The value of a closed term, evaluated when it is asked for first under the values that declared symbols have here.
     fn once(
         &self,
         term: &Term,
@@ -284,19 +315,20 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         evaluate: impl FnOnce() -> Outcome<A>,
     ) -> Outcome<A> {
         let key = Arc::as_ptr(&term.node).addr();
-        if scope.symbols && self.occurs_changed(term, scope) {
-            return evaluate();
-        }
-        if let Some(known) = self.closed.borrow().get(&key) {
+        let memory = self.memory_for(term, scope);
+        if let Some(known) = memory.closed.borrow().get(&key) {
             return Ok(known.clone());
         }
         let value = evaluate()?;
-        self.closed.borrow_mut().insert(key, value.clone());
+        memory.closed.borrow_mut().insert(key, value.clone());
         Ok(value)
     }
 
-    /// Whether a symbol occurs in a term that has another value here than at the point.
-    fn occurs_changed(&self, term: &Term, scope: &Sc<'_, A>) -> bool {
+    /// The memory of the innermost binding that matters to a term.
+    fn memory_for<'s>(&'s self, term: &Term, scope: &'s Sc<'_, A>) -> &'s Memory<A::Number> {
+        if !scope.has_symbols() {
+            return &self.memory;
+        }
         let key = Arc::as_ptr(&term.node).addr();
         let mut all = self.names.borrow_mut();
         let names = all.entry(key).or_insert_with(|| {
@@ -306,7 +338,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             });
             names
         });
-        scope.changes(names)
+        scope.memory_of(names).unwrap_or(&self.memory)
     }
 
     /// Whether a term depends on no variable of an enclosing binder.
@@ -318,6 +350,17 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         let closed = term.is_closed();
         self.is_closed.borrow_mut().insert(key, closed);
         closed
+    }
+
+    /// The same for the body of a derivative, its own variable left out.
+    fn is_closed_but_for(&self, body: &Term, variable: u32) -> bool {
+        let key = Arc::as_ptr(&body.node).addr();
+        let known = self.is_closed_but.borrow().get(&key).copied();
+        known.unwrap_or_else(|| {
+            let closed = body.is_closed_but_for(variable);
+            self.is_closed_but.borrow_mut().insert(key, closed);
+            closed
+        })
     }
 
     pub(crate) fn symbol(&self, name: Name, scope: &Sc<'_, A>) -> Result<Series<A::Number>, Gap> {
@@ -437,7 +480,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             return Err(Unknown::Large { what: "a degree" }.into());
         }
         let key = Arc::as_ptr(family).addr();
-        if !scope.symbols {
+        if !scope.has_symbols() {
             let rows = self.rows.borrow();
             let known = rows.iter().find(|row| {
                 row.family == key && row.degree == degree && row.arguments == arguments
@@ -449,7 +492,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         let functions: Rc<[_]> = self
             .recursion(family, steps, &family.variables, &arguments, scope)?
             .into();
-        if !scope.symbols {
+        if !scope.has_symbols() {
             let mut rows = self.rows.borrow_mut();
             if rows.len() >= 24 {
                 rows.remove(0);
@@ -627,13 +670,48 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             return Err(Unknown::Large { what }.into());
         }
         let point = self.number(at, scope)?;
-        let (level, terms) = (scope.level + 1, usize::try_from(order).unwrap_or(0));
-        let mut inner = scope.with(variable, Value::Number(point.shifted(level, terms, a)));
-        inner.level = level;
+        let terms = usize::try_from(order).unwrap_or(0);
         let factorial = (1..=order).map(torse_numbers::rational::integer).product();
         let factorial = Series::rational(&factorial, a);
-        self.term(body, &inner)?
-            .each(&|s| s.coefficient(level, terms, a).times(&factorial, a))
+        let read = |level: usize, value: &Value<A::Number>| {
+            value.each(&|s| s.coefficient(level, terms, a).times(&factorial, a))
+        };
+        let level = scope.level + 1;
+        let expanded = || {
+            let mut inner = scope.with(
+                variable,
+                Value::Number(point.clone().shifted(level, terms, a)),
+            );
+            inner.level = level;
+            self.term(body, &inner)
+        };
+        if !self.is_closed_but_for(body, variable) {
+            return read(level, &expanded()?);
+        }
+        // An expansion to a higher order at the same point, of a formula that depends on nothing else, has all lower ones.
+        let key = Arc::as_ptr(&body.node).addr();
+        let memory = self.memory_for(body, scope);
+        if let Some(known) = memory.expansions.borrow().get(&key).and_then(|all| {
+            all.iter()
+                .find(|known| known.order >= terms && known.point == point)
+        }) {
+            return read(known.level, &known.value);
+        }
+        let value = expanded()?;
+        let derivative = read(level, &value);
+        let expansion = Expansion {
+            point,
+            level,
+            order: terms,
+            value,
+        };
+        memory
+            .expansions
+            .borrow_mut()
+            .entry(key)
+            .or_default()
+            .push(expansion);
+        derivative
     }
 }
 

@@ -52,8 +52,18 @@ impl Term {
     /// Whether no variable of an enclosing binder occurs. Shared parts are visited once.
     #[must_use]
     pub fn is_closed(&self) -> bool {
+        self.is_bound(std::collections::BTreeSet::new())
+    }
+
+    /// The same where the variable of this number may occur.
+    #[must_use]
+    pub fn is_closed_but_for(&self, variable: u32) -> bool {
+        self.is_bound([variable].into())
+    }
+
+    fn is_bound(&self, mut bound: std::collections::BTreeSet<u32>) -> bool {
         let mut seen = std::collections::BTreeSet::new();
-        let (mut used, mut bound) = (vec![], std::collections::BTreeSet::new());
+        let mut used = vec![];
         let mut pending = vec![self];
         while let Some(term) = pending.pop() {
             if !seen.insert(Arc::as_ptr(&term.node).addr()) {

@@ -83,16 +83,26 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
     let unknowns = unknowns(claim, draft, work)?;
     let mut rounded = false;
     for round in 0..ROUNDS {
-        // The values alone cost a fraction of the rates, which are not needed where the equations hold.
-        let gaps = expanded(&equations, draft, &|_| false, work)?.gaps;
-        if let Some(solved) = solved(&gaps, rounded) {
-            return match solved {
-                Solved::Exactly => Some(solved),
-                Solved::Nearly => Some(snapped(&equations, draft, work).unwrap_or(solved)),
-            };
+        let found = |gaps: &[Slope]| {
+            solved(gaps, rounded).map(|solved| match solved {
+                Solved::Exactly => solved,
+                Solved::Nearly => snapped(&equations, draft, work).unwrap_or(solved),
+            })
+        };
+        // The values alone cost a fraction of the rates, which are not needed where the equations hold. Numbers that
+        // were drawn by chance do not satisfy them.
+        if round > 0
+            && let Some(solved) = found(&expanded(&equations, draft, &|_| false, work)?.gaps)
+        {
+            return Some(solved);
         }
         // The unknowns alone mostly suffice.
         let some = expanded(&equations, draft, &|name| unknowns.contains(name), work)?;
+        if round == 0
+            && let Some(solved) = found(&some.gaps)
+        {
+            return Some(solved);
+        }
         let reals = Reals { bits: BITS, work };
         let few = columns(claim, &some, draft, &unknowns);
         let changes = match eliminated(few, &some.gaps, &reals) {
