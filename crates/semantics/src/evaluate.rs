@@ -159,8 +159,6 @@ pub struct Evaluator<'a, A: Arithmetic> {
     /// What was evaluated with the values of the point.
     memory: Memory<A::Number>,
     is_closed: RefCell<BTreeMap<usize, bool>>,
-    /// Which bodies of derivatives are closed but for their variable.
-    is_closed_but: RefCell<BTreeMap<usize, bool>>,
     /// The declared symbols of closed terms.
     names: RefCell<BTreeMap<usize, BTreeSet<Arc<str>>>>,
     rows: RefCell<Vec<Row<A::Number>>>,
@@ -178,7 +176,6 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             claim: None,
             memory: Memory::default(),
             is_closed: RefCell::default(),
-            is_closed_but: RefCell::default(),
             names: RefCell::default(),
             rows: RefCell::default(),
         }
@@ -279,8 +276,13 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                 variable,
                 order,
                 body,
+                closed,
                 at,
-            } => self.derivative(variable.number(), order, body, at, &inside),
+            } => {
+                let order = self.integer(order, "the order of a derivative", &inside)?;
+                let point = self.number(at, &inside)?;
+                self.derivative(variable.number(), order, (body, *closed), point, &inside)
+            }
             Node::Apply(function, arguments) => {
                 // What is costly and depends on no variable of a binder has one value at the point.
                 let costly = matches!(
@@ -350,17 +352,6 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         let closed = term.is_closed();
         self.is_closed.borrow_mut().insert(key, closed);
         closed
-    }
-
-    /// The same for the body of a derivative, its own variable left out.
-    fn is_closed_but_for(&self, body: &Term, variable: u32) -> bool {
-        let key = Arc::as_ptr(&body.node).addr();
-        let known = self.is_closed_but.borrow().get(&key).copied();
-        known.unwrap_or_else(|| {
-            let closed = body.is_closed_but_for(variable);
-            self.is_closed_but.borrow_mut().insert(key, closed);
-            closed
-        })
     }
 
     pub(crate) fn symbol(&self, name: Name, scope: &Sc<'_, A>) -> Result<Series<A::Number>, Gap> {
@@ -654,13 +645,12 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
     fn derivative(
         &self,
         variable: u32,
-        order: &Term,
-        body: &Term,
-        at: &Term,
+        order: i64,
+        (body, closed): (&Term, bool),
+        point: Series<A::Number>,
         scope: &Sc<'_, A>,
     ) -> Outcome<A> {
         let a = self.arithmetic;
-        let order = self.integer(order, "the order of a derivative", scope)?;
         if order < 0 {
             let what = "the order of a derivative";
             return Err(Undefined::Negative { what }.into());
@@ -669,7 +659,6 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             let what = "the order of a derivative";
             return Err(Unknown::Large { what }.into());
         }
-        let point = self.number(at, scope)?;
         let terms = usize::try_from(order).unwrap_or(0);
         let factorial = (1..=order).map(torse_numbers::rational::integer).product();
         let factorial = Series::rational(&factorial, a);
@@ -685,7 +674,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             inner.level = level;
             self.term(body, &inner)
         };
-        if !self.is_closed_but_for(body, variable) {
+        if !closed {
             return read(level, &expanded()?);
         }
         // An expansion to a higher order at the same point, of a formula that depends on nothing else, has all lower ones.

@@ -32,6 +32,8 @@ pub struct Effort {
     pub points: u64,
     /// The operations on numbers that one statement may take.
     pub budget: u64,
+    /// The operations that the points at which one condition fails may take.
+    pub beyond: u64,
     /// The operations on polynomials that all small instances of one statement may take; none are tried with 0.
     pub polynomials: u64,
     /// What the stream of points is seeded by, besides the id of the claim.
@@ -42,6 +44,7 @@ pub struct Effort {
 pub const ALWAYS: Effort = Effort {
     points: 20,
     budget: 500_000,
+    beyond: 100_000,
     polynomials: 0,
     seed: "",
 };
@@ -183,7 +186,7 @@ impl Case<'_> {
             condition,
             &self.seed,
             BEYOND,
-            effort.budget,
+            effort.beyond,
         );
         let found = found.unwrap_or_default();
         Sides {

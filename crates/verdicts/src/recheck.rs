@@ -16,6 +16,7 @@ use torse_language::derivation::Claim;
 pub const THOROUGH: Effort = Effort {
     points: 60,
     budget: 6_000_000,
+    beyond: 6_000_000,
     polynomials: 1_000_000,
     seed: "again ",
 };

@@ -135,6 +135,8 @@ pub enum Node {
         order: Term,
         /// The formula.
         body: Term,
+        /// Whether no variable of an enclosing binder occurs in the formula, besides that of the derivative.
+        closed: bool,
         /// Where.
         at: Term,
     },

@@ -56,8 +56,7 @@ impl Term {
     }
 
     /// The same where the variable of this number may occur.
-    #[must_use]
-    pub fn is_closed_but_for(&self, variable: u32) -> bool {
+    pub(crate) fn is_closed_but_for(&self, variable: u32) -> bool {
         self.is_bound([variable].into())
     }
 

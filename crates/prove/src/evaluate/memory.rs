@@ -71,6 +71,7 @@ impl Memory {
                 order,
                 body,
                 at,
+                ..
             } => {
                 inside(&mut all, order, &[]);
                 inside(&mut all, at, &[]);

@@ -323,6 +323,7 @@ impl<'a> Evaluator<'a> {
                 order,
                 body,
                 at,
+                ..
             } => self.remembered(term, bound, || {
                 self.symbolically(|| self.derivative(variable, order, body, at, place, bound))
             }),

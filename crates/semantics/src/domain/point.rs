@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use super::set;
-use super::solve::{Solved, solve};
+use super::solve::{Solved, is_equations, solve};
 use super::stream::Stream;
 use crate::gap::Work;
 use crate::judge::Judge;
@@ -11,7 +11,7 @@ use crate::name::Name;
 use crate::real::Real;
 use std::collections::BTreeMap;
 use std::fmt;
-use torse_language::core::{Claim, Set};
+use torse_language::core::{Claim, Set, Statement};
 use torse_numbers::Affine;
 
 /// A point: a number for each symbol, coordinate and member that a statement asks for.
@@ -100,9 +100,13 @@ fn whole(value: &Real) -> Option<i64> {
     i64::try_from(&value.to_integer()).ok()
 }
 
-/// Whether every hypothesis is true.
-pub(crate) fn check_hypotheses(judge: &Judge<'_>) -> Result<(), Outside> {
-    for (number, hypothesis) in judge.claim.hypotheses.iter().enumerate() {
+/// Whether every hypothesis is true; those that are `known` to be are not judged.
+pub(crate) fn check_hypotheses(
+    judge: &Judge<'_>,
+    known: impl Fn(&Statement) -> bool,
+) -> Result<(), Outside> {
+    let hypotheses = judge.claim.hypotheses.iter().enumerate();
+    for (number, hypothesis) in hypotheses.filter(|(_, h)| !known(&h.statement)) {
         let judgement = judge.hypothesis(&hypothesis.statement);
         if judgement != Judgement::True {
             return Err(Outside::Hypothesis { number, judgement });
@@ -130,7 +134,7 @@ pub(crate) fn drawn<'a>(
     };
     // The sets first: they cost nothing.
     check_sets(claim, &draft.values()).ok()?;
-    check_hypotheses(&judge).ok()?;
+    check_hypotheses(&judge, |h| !near && is_equations(h)).ok()?;
     check_sets(claim, &draft.values()).ok()?;
     (!draft.empty.get()).then_some((draft, near))
 }

@@ -36,7 +36,7 @@ const MAX_CANDIDATES: usize = 160;
 /// How the equations are satisfied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Solved {
-    /// Exactly.
+    /// Exactly: the two sides of each are the same number.
     Exactly,
     /// Nearly: see [`NEAR_BITS`].
     Nearly,
@@ -63,6 +63,22 @@ pub(crate) fn constraints(claim: &Claim) -> Vec<(Relation, &Term, &Term)> {
         }
     }
     all
+}
+
+/// Whether a hypothesis is a conjunction of equations, all of which [`solve`] looks at.
+pub(crate) fn is_equations(statement: &Statement) -> bool {
+    let mut pending = vec![statement];
+    while let Some(statement) = pending.pop() {
+        match statement {
+            Statement::Join(Connective::And, a, b) => pending.extend([&**a, &**b]),
+            Statement::Compare {
+                relation: Relation::Equal,
+                ..
+            } => {}
+            _ => return false,
+        }
+    }
+    true
 }
 
 /// The equations among them.

@@ -180,6 +180,7 @@ impl Elaborator<'_> {
             let node = Node::Derivative {
                 variable: bound.variable.clone(),
                 order: order.clone(),
+                closed: body.is_closed_but_for(bound.variable.number()),
                 body,
                 at: bound.outside.clone(),
             };
@@ -211,10 +212,12 @@ impl Elaborator<'_> {
             value: inner,
             body: function.body.clone(),
         };
+        let body = self.made(body, place);
         let derivative = Node::Derivative {
-            variable,
             order,
-            body: self.made(body, place),
+            closed: body.is_closed_but_for(variable.number()),
+            variable,
+            body,
             at: self.made(Node::Variable(parameter.clone()), place),
         };
         Lambda {
