@@ -20,6 +20,8 @@ const ATTEMPTS_PER_POINT: u64 = 12;
 const LEAST_ATTEMPTS: u64 = 60;
 /// No further points are drawn if the statement is decided at none of the first so many.
 const HOPELESS: u64 = 40;
+/// No further points are drawn if none of the first so many lies in the domain.
+const NOWHERE: u64 = 80;
 /// No further points are drawn if each of the first so many costs more than its share.
 const COSTLY: u64 = 3;
 /// Every how many-th point lies at the edges of the declared sets: where a statement holds, and where a condition fails.
@@ -278,23 +280,27 @@ impl<'a> Survey<'a> {
         denied: &BTreeMap<usize, ()>,
         each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
     ) -> u64 {
-        let mut costly = 0;
+        let (mut costly, mut nowhere) = (0, true);
         for attempt in 0..self.attempts {
             let available = self.share.min(self.work.left());
-            if available == 0 || (attempt == COSTLY && costly == COSTLY) {
+            let hopeless =
+                (attempt == COSTLY && costly == COSTLY) || (attempt == NOWHERE && nowhere);
+            if available == 0 || hopeless {
                 return attempt;
             }
             let own = Work::new(available);
             let go_on = self.one(statement, conditions, denied, attempt, &own, each);
             let _ = self.work.spend(available - own.left());
             costly += u64::from(own.left() == 0);
-            if !go_on {
+            nowhere &= go_on.is_none();
+            if go_on == Some(false) {
                 return attempt + 1;
             }
         }
         self.attempts
     }
 
+    /// Judges the statement at the point of this attempt: whether to go on; `None` if it is no point of the domain.
     fn one(
         &self,
         statement: &Statement,
@@ -303,15 +309,13 @@ impl<'a> Survey<'a> {
         attempt: u64,
         work: &Work,
         each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
-    ) -> bool {
+    ) -> Option<bool> {
         let stream = Stream::new(self.seed, attempt);
         let stream = match (attempt + 1) % self.edges {
             0 => stream.at_edges(),
             _ => stream,
         };
-        let Some((draft, near)) = drawn(self.claim, stream, work) else {
-            return true;
-        };
+        let (draft, near) = drawn(self.claim, stream, work)?;
         let judge = Judge {
             claim: self.claim,
             values: &|name| draft.value(name),
@@ -320,17 +324,17 @@ impl<'a> Survey<'a> {
             work,
         };
         if conditions.iter().any(|c| judge.judge(c) != Judgement::True) {
-            return each(Seen::Excepted);
+            return Some(each(Seen::Excepted));
         }
         let judgement = judge.judge(statement);
         if draft.empty.get() {
-            return true;
+            return None;
         }
-        each(Seen::Judged {
+        Some(each(Seen::Judged {
             judgement,
             draft: &draft,
             near,
-        })
+        }))
     }
 
     /// Finds, for each `not p` of a statement, a point of the domain at which p is false: `not p` is true then.

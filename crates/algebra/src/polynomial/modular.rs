@@ -7,9 +7,18 @@ use crate::symbol::Symbol;
 /// The Mersenne prime 2^61 - 1.
 const PRIME: u64 = (1 << 61) - 1;
 
+/// The residue of a number below 2^64: as 2^61 is 1, the high bits are added to the low ones.
+fn folded(n: u64) -> u64 {
+    let sum = (n & PRIME) + (n >> 61);
+    if sum >= PRIME { sum - PRIME } else { sum }
+}
+
+/// The product of two residues.
+#[allow(clippy::cast_possible_truncation)]
 fn times(a: u64, b: u64) -> u64 {
-    // Below 2^61, so the remainder fits.
-    u64::try_from(u128::from(a) * u128::from(b) % u128::from(PRIME)).unwrap_or(0)
+    let product = u128::from(a) * u128::from(b);
+    // Below 2^122: both parts are below 2^61.
+    folded((product as u64 & PRIME) + (product >> 61) as u64)
 }
 
 fn minus(a: u64, b: u64) -> u64 {
@@ -29,6 +38,10 @@ fn power(base: u64, mut exponent: u64) -> u64 {
 }
 
 fn residue(n: &Integer) -> u64 {
+    if let Ok(small) = i64::try_from(n) {
+        let size = folded(small.unsigned_abs());
+        return if small < 0 { minus(0, size) } else { size };
+    }
     let modulus = Integer::from(PRIME);
     u64::try_from(remainder(n, &modulus)).unwrap_or(0)
 }
@@ -45,29 +58,32 @@ fn number(n: usize) -> u64 {
 /// same for every polynomial: `all` lists the symbols that get numbers). Denominators are units and
 /// left out.
 fn image(p: &Polynomial, main: &Symbol, all: &[Symbol]) -> Vec<u64> {
-    let values: Vec<Option<u64>> = p
-        .symbols()
-        .iter()
-        .map(|s| {
-            if s == main {
-                None
-            } else {
-                all.binary_search(s).ok().map(number)
-            }
-        })
-        .collect();
+    // The powers of the number of each symbol, up to its degree; none for `main`.
+    let powers = |symbol: &Symbol| {
+        let value = match all.binary_search(symbol) {
+            Ok(position) if symbol != main => number(position),
+            _ => return vec![],
+        };
+        let degree = usize::from(p.degree_in(symbol));
+        let next = |power: &u64| Some(times(*power, value));
+        std::iter::successors(Some(1), next)
+            .take(degree + 1)
+            .collect()
+    };
+    let values: Vec<Vec<u64>> = p.symbols().iter().map(powers).collect();
     let mut result = vec![0; usize::from(p.degree_in(main)) + 1];
     for (row, coefficient) in p.rows().zip(&p.coefficients) {
         let mut term = residue(coefficient);
         let mut degree = 0;
-        for (exponent, value) in row.iter().zip(&values) {
-            match value {
+        for (exponent, powers) in row.iter().zip(&values) {
+            match powers.get(usize::from(*exponent)) {
                 None => degree = usize::from(*exponent),
-                Some(value) => term = times(term, power(*value, u64::from(*exponent))),
+                Some(1) => {}
+                Some(power) => term = times(term, *power),
             }
         }
         if let Some(slot) = result.get_mut(degree) {
-            *slot = (*slot + term) % PRIME;
+            *slot = folded(*slot + term);
         }
     }
     result
@@ -111,4 +127,21 @@ pub(super) fn gcd_degree_bound(a: &Polynomial, b: &Polynomial, main: &Symbol) ->
     u16::try_from(gcd_degree(image_a, image_b))
         .unwrap_or(trivial)
         .min(trivial)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn folding_gives_the_remainder(a in 0..PRIME, b in 0..PRIME, n in any::<u64>(), z in any::<i64>()) {
+            let remainder_of = |n: u128| n % u128::from(PRIME);
+            prop_assert_eq!(u128::from(folded(n)), remainder_of(n.into()));
+            prop_assert_eq!(u128::from(times(a, b)), remainder_of(u128::from(a) * u128::from(b)));
+            let far = Integer::from(z) + Integer::from(PRIME) * Integer::from(PRIME);
+            prop_assert_eq!(residue(&Integer::from(z)), residue(&far));
+        }
+    }
 }
