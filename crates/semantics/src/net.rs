@@ -21,7 +21,7 @@ const LEAST_ATTEMPTS: u64 = 60;
 /// No further points are drawn if the statement is decided at none of the first so many.
 const HOPELESS: u64 = 40;
 /// No further points are drawn if none of the first so many lies in the domain.
-const NOWHERE: u64 = 80;
+const NOWHERE: u64 = 150;
 /// No further points are drawn if each of the first so many costs more than its share.
 const COSTLY: u64 = 3;
 /// Every how many-th point lies at the edges of the declared sets: where a statement holds, and where a condition fails.
