@@ -1,7 +1,7 @@
 //! Developables between two curves: the known ones are found, and none is missed.
 
 use proptest::prelude::*;
-use torse_geometry::developable::{BranchEnd, Reason, certify, connect};
+use torse_geometry::developable::{BranchEnd, NODE_RADIUS, Reason, certify, connect};
 use torse_geometry::pattern::unroll;
 use torse_geometry::vector::{cross, det, dot, norm, sub};
 use torse_geometry::{Bernstein, Curve, Gbt, GeometryError, Over, Rails, SpaceCurve, exact_ball};
@@ -12,17 +12,20 @@ fn rail(points: &[[f64; 3]]) -> Rail {
     Curve::new(Bernstein, points.to_vec()).unwrap()
 }
 
-/// `F(s, t)` and the product of its partial derivatives, from derivatives of the curves.
-fn equation(one: &Rail, two: &Rail, s: f64, t: f64) -> (f64, f64) {
+/// `F(s, t)`, its partial derivatives, and the size of what they are differences of.
+fn equation(one: &Rail, two: &Rail, s: f64, t: f64) -> [f64; 4] {
     let (p, q) = (
         one.derivatives(&s, 2).unwrap(),
         two.derivatives(&t, 2).unwrap(),
     );
     let r = sub(&q[0], &p[0]);
-    (
+    let size = |c: &[[f64; 3]]| norm(&c[1]) + norm(&c[2]);
+    [
         det(&p[1], &q[1], &r),
-        det(&p[2], &q[1], &r) * det(&p[1], &q[2], &r),
-    )
+        det(&p[2], &q[1], &r),
+        det(&p[1], &q[2], &r),
+        size(&p) * size(&q) * norm(&r),
+    ]
 }
 
 #[test]
@@ -31,7 +34,6 @@ fn a_curve_and_its_translate_are_joined_by_a_cylinder() {
     let upper = lower.mapped(|p| [p[0] + 0.3, p[1] - 0.2, p[2] + 2.0]);
     let found = connect(&lower, &upper).unwrap();
     let patch = found.chosen().unwrap();
-    assert!(patch.branch().is_proved());
     assert_eq!(patch.branch().ends(), [BranchEnd::Border; 2]);
     assert!((patch.branch().coverage() - 1.0).abs() < 1e-9 && found.gaps().is_empty());
     for x in [0.0, 0.2, 0.77, 1.0] {
@@ -73,7 +75,7 @@ fn the_rulings_of_a_torse_are_found_from_two_curves_on_it() {
     let (first, second) = torse();
     let found = connect(&first, &second).unwrap();
     let patch = found.chosen().unwrap();
-    assert!(patch.branch().is_proved() && (patch.branch().coverage() - 1.0).abs() < 1e-7);
+    assert!((patch.branch().coverage() - 1.0).abs() < 1e-7);
     for [s, t] in patch.branch().nodes() {
         assert!((s - 0.5 * (t + t * t)).abs() < 1e-9, "{s} {t}");
     }
@@ -201,12 +203,86 @@ fn curves_of_different_bases_and_sizes_connect() {
         let upper = Curve::new(Gbt::new(0.0, -0.5).unwrap(), points(3.0, -0.2)).unwrap();
         let found = connect(&lower, &upper).unwrap();
         let patch = found.chosen().unwrap();
-        assert!(
-            patch.branch().is_proved() && patch.branch().coverage() > 0.8,
-            "{k:e}"
-        );
+        assert!(patch.branch().coverage() > 0.8, "{k:e}");
         assert!(certify(&patch, 32).unwrap().is_regular());
     }
+}
+
+/// Solutions that rise beyond doubt of rounding, on 39 antidiagonals of the square: by signs of a fine sampling
+/// and bisection between them, which is another way to find them.
+fn rising_solutions(one: &Rail, two: &Rail) -> Vec<[f64; 2]> {
+    let mut found = Vec::new();
+    for i in 1..40 {
+        let u = 0.05 * f64::from(i);
+        let reach = u.min(2.0 - u);
+        let at = |k: f64| {
+            let w = reach * (k / 200.0 - 1.0);
+            [0.5 * (u - w), 0.5 * (u + w)]
+        };
+        let value = |k: f64| {
+            let [s, t] = at(k);
+            equation(one, two, s, t)
+        };
+        for k in 0..400 {
+            let (mut a, mut b) = (f64::from(k), f64::from(k + 1));
+            let negative = value(a)[0] < 0.0;
+            if (value(b)[0] < 0.0) == negative {
+                continue;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (a + b);
+                let same = (value(middle)[0] < 0.0) == negative;
+                (a, b) = if same { (middle, b) } else { (a, middle) };
+            }
+            let [_, by_s, by_t, size] = value(a);
+            if by_s * by_t < 0.0 && by_s.abs().min(by_t.abs()) > 1e-9 * size {
+                found.push(at(a));
+            }
+        }
+    }
+    found
+}
+
+/// Every rising solution is on a branch, which is where its links say, or in a cell that is called undecided.
+fn assert_none_is_missed(p: &[[f64; 3]], q: &[[f64; 3]]) -> usize {
+    let (one, two) = (rail(p), rail(q));
+    let found = connect(&one, &two).unwrap();
+    let solutions = rising_solutions(&one, &two);
+    for solution in &solutions {
+        let within = |a: [f64; 2], b: [f64; 2], by: f64| {
+            (0..2).all(|i| a[i].min(b[i]) - by <= solution[i] && solution[i] <= a[i].max(b[i]) + by)
+        };
+        let known = found.branches().iter().any(|branch| {
+            let mut links = branch.nodes().windows(2);
+            links.any(|link| within(link[0], link[1], 2.0 * NODE_RADIUS))
+        });
+        let mut cells = found.undecided().iter();
+        let open = cells.any(|c| within([c.s[0], c.t[0]], [c.s[1], c.t[1]], 1e-12));
+        assert!(known || open, "{solution:?} {:?}", found.branches());
+    }
+    solutions.len()
+}
+
+#[test]
+fn a_branch_that_falls_as_slowly_as_can_be_is_none() {
+    // Between s = 0.61 and 1 the solutions fall in t from 0.83 to 0.4457, the last third of them by 1e-4; at a
+    // distance of 1e-3 from them the derivatives have the signs of a rising branch.
+    let p = [
+        [0.0, -1.0587966379300993, -1.5727852006793375],
+        [-1.1370479528880417, -1.3566742305839086, -1.46630754003673],
+        [1.6329577039878196, -1.630410886055638, -1.8318763362454922],
+        [
+            -1.5645469253472801,
+            -1.3364652008348944,
+            -1.5250285878738383,
+        ],
+    ];
+    let q = [
+        [-1.2052327045813014, 1.0871294811633188, 2.764329815441339],
+        [-1.6551091578164057, -1.0346496844427633, 2.6780795534629925],
+        [0.7392315580633276, 1.2117817145212253, 1.9673106781361436],
+    ];
+    assert!(assert_none_is_missed(&p, &q) > 20);
 }
 
 proptest! {
@@ -220,39 +296,7 @@ proptest! {
         let q: Vec<[f64; 3]> = q.into_iter().map(|[x, y, z]| [x, y, z + 3.0]).collect();
         let (one, two) = (rail(&p), rail(&q));
         let Ok(found) = connect(&one, &two) else { return Ok(()) };
-        // On antidiagonals s + t = u, by signs of a fine sampling: another way to find solutions.
-        for i in 1..40 {
-            let u = 0.05 * f64::from(i);
-            let reach = u.min(2.0 - u);
-            let at = |k: i32| {
-                let w = reach * (f64::from(k) / 200.0 - 1.0);
-                [0.5 * (u - w), 0.5 * (u + w)]
-            };
-            for k in 0..400 {
-                let (a, b) = (at(k), at(k + 1));
-                let ((f, rising), (g, _)) = (equation(&one, &two, a[0], a[1]), equation(&one, &two, b[0], b[1]));
-                let inside = |[s, t]: [f64; 2], margin: f64| {
-                    s.min(t).min(1.0 - s).min(1.0 - t) > margin
-                };
-                if f * g >= 0.0 || rising >= 0.0 || !inside(a, 0.01) {
-                    continue;
-                }
-                let known = found.branches().iter().any(|branch| {
-                    branch.nodes().windows(2).any(|pair| {
-                        let [from, to] = [pair[0], pair[1]];
-                        let (lower, upper) = (from[0] + from[1], to[0] + to[1]);
-                        if !(lower <= u && u <= upper) {
-                            return false;
-                        }
-                        let part = (u - lower) / (upper - lower);
-                        (from[0] + part * (to[0] - from[0]) - a[0]).abs() < 0.01
-                    })
-                });
-                let near = |range: [f64; 2], x: f64| range[0] - 0.01 <= x && x <= range[1] + 0.01;
-                let open = found.undecided().iter().any(|c| near(c.s, a[0]) && near(c.t, a[1]));
-                prop_assert!(known || open, "u = {u}: {a:?} {:?}", found.branches());
-            }
-        }
+        assert_none_is_missed(&p, &q);
         for (index, branch) in found.branches().iter().enumerate() {
             for pair in branch.nodes().windows(2) {
                 prop_assert!(pair[0][0] < pair[1][0] + 1e-12 && pair[0][1] < pair[1][1] + 1e-12);

@@ -11,7 +11,9 @@
 //! are curves in the square of parameters; each part that rises in both, a *branch*, gives one patch. There
 //! may be several, or none, and they need not reach the ends of the curves. [`connect`] finds them all, in
 //! two steps that check each other: bisection with balls shows where solutions can be ([`ParameterBox`]), and
-//! what is followed from there on f64 is proved afterwards, box by box.
+//! what is followed from there on f64 is proved afterwards, box by box. Each cell with rising solutions is then
+//! accounted for: a branch runs through it from end to end, or it is among the
+//! [undecided](Connections::undecided).
 //!
 //! Two coplanar curves satisfy the equation everywhere; then every ruled surface between them is flat, and no
 //! branch is singled out.
@@ -107,7 +109,7 @@ impl<P: Clone, Q: Clone> Connections<P, Q> {
     }
 
     /// Cells about which nothing was decided (a crossing or a turn of branches lies there, or nothing at all):
-    /// outside of these and next to the branches there is no rising solution.
+    /// every rising solution is in one of these or [on a branch](Branch::nodes).
     #[must_use]
     pub fn undecided(&self) -> &[ParameterBox] {
         &self.open
@@ -151,7 +153,7 @@ const RULINGS: usize = 33;
 /// let upper = rail([[0.5, 0.0, 2.0], [3.0, 2.0, 3.0], [6.0, -1.0, 2.0]])?;
 /// let found = connect(&lower, &upper)?;
 /// let patch = found.chosen().expect("one developable");
-/// assert!(patch.branch().is_proved() && patch.branch().coverage() > 0.8);
+/// assert!(patch.branch().coverage() > 0.8);
 /// let certificate = certify(&patch, 32)?;
 /// assert!(certificate.is_regular() && certificate.is_developable_within(1e-7));
 /// // What is left of the curves cannot be reached without twist.
@@ -167,23 +169,35 @@ where
     let bits = precision(rails)?;
     let ball = |x: &f64| exact_ball(*x, bits);
     let (one, two) = (first.over(&ball)?, second.over(&ball)?);
+    let balls = (&one, &two);
     let survey::Survey {
         rising,
         falling,
-        open,
+        mut open,
     } = survey::survey(&one, &two, bits);
     let mut branches: Vec<Branch> = Vec::new();
-    for cell in &rising {
-        let Some(seed) = trace::seed(rails, cell) else {
+    let mut seeds: Vec<(ParameterBox, [f64; 2])> = Vec::new();
+    for cell in rising {
+        let Some(seed) = trace::seed(rails, balls, &cell, bits) else {
+            open.push(cell);
             continue;
         };
-        if branches.iter().any(|branch| passes(branch, rails, seed)) {
+        seeds.push((cell, seed));
+        if branches.iter().any(|branch| branch.passes(seed)) {
             continue;
         }
-        if let Some(branch) = trace::trace(rails, seed) {
-            branches.push(trace::prove(branch, rails, (&one, &two), bits));
+        for piece in trace::trace(rails, balls, seed, bits) {
+            let known = |node: &[f64; 2]| branches.iter().any(|branch| branch.passes(*node));
+            if !piece.nodes.iter().any(known) {
+                branches.push(piece);
+            }
         }
     }
+    // The one rising graph in a cell is all on a branch that meets it and does not end there.
+    open.extend(seeds.into_iter().filter_map(|(cell, seed)| {
+        let whole = |branch: &Branch| branch.passes(seed) && !branch.stops_in(&cell);
+        (!branches.iter().any(whole)).then_some(cell)
+    }));
     branches.sort_by(|a, b| {
         a.nodes
             .partial_cmp(&b.nodes)
@@ -237,27 +251,6 @@ fn precision<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(rails: (&P, &Q)) -> Result<
     let small = scale.exponent().unwrap_or(0).min(0).unsigned_abs();
     // The equation is a product of three lengths.
     Ok(BITS + 3 * usize::try_from(small).unwrap_or(0))
-}
-
-/// Whether a branch runs through this solution.
-fn passes<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
-    branch: &Branch,
-    rails: (&P, &Q),
-    [s, t]: [f64; 2],
-) -> bool {
-    let u = s + t;
-    let turned = |node: &[f64; 2]| [node[0] + node[1], node[1] - node[0]];
-    branch.nodes.windows(2).any(|pair| {
-        let [Some([u0, w0]), Some([u1, w1])] = [0, 1].map(|i| pair.get(i).map(turned)) else {
-            return false;
-        };
-        if !(u0 - 1e-9..=u1 + 1e-9).contains(&u) {
-            return false;
-        }
-        let guess = w0 + (w1 - w0) * (u - u0) / (u1 - u0);
-        let on = trace::solution(rails, u, guess, 2.0 * (u1 - u0) + 1e-6);
-        on.is_some_and(|w| (w - (t - s)).abs() < 1e-7)
-    })
 }
 
 /// The branch to take, and why.

@@ -13,8 +13,7 @@ use torse_algebra::{Ball, Jet, Rational, Scalar};
 /// the tangent planes of both agree along each ruling.
 ///
 /// The common parameter `x` in [0, 1] is proportional to the sum `s + t` of the parameters of the curves.
-/// On f64 each ruling is a solution up to rounding, on balls an enclosure of the true one (of a branch that
-/// [is proved](Branch::is_proved); another is refused).
+/// On f64 each ruling is a solution up to rounding, on balls an enclosure of the true one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConnectingPatch<P, Q> {
     first: P,
@@ -141,12 +140,6 @@ impl<P: SpaceCurve<Ball>, Q: SpaceCurve<Ball>> Rails<Ball> for ConnectingPatch<P
     fn rail_jets(&self, x: &Ball, order: usize) -> Result<[[Jet<Ball>; 3]; 2]> {
         let [from, to] = self.span().map(|end| exact_ball(end, x.bits()));
         let u = from.clone() + (to - from) * x.clone();
-        if !self.branch.is_proved() {
-            return Err(GeometryError::Degenerate {
-                what: "a branch that is not proved cannot be enclosed",
-                at: Place::Parameter(u.approximate()),
-            });
-        }
         let w = self.enclosed(&u);
         self.series(&u, w, order)
     }

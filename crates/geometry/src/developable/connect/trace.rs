@@ -1,5 +1,8 @@
 //! Following one branch of solutions, and proving what was followed.
 //!
+//! What f64 follows may leave one branch for another where two come close. So nothing is believed of it but
+//! where to look: each link of two nodes is proved by itself, and the branch is cut where a link is not.
+//!
 //! A rising branch crosses each antidiagonal `s + t = u` of the square once, and there `F` changes its sign at
 //! a simple zero, for along the antidiagonal its derivative is `(F_t - F_s)/2` with `F_s`, `F_t` of opposite
 //! signs. So `u` is a parameter for steep and flat branches alike, and Newton's method on `w = t - s` finds
@@ -15,7 +18,8 @@ use torse_algebra::Ball;
 pub enum BranchEnd {
     /// At an end of one of the curves.
     Border,
-    /// Inside: there it turns back, or crosses another branch (as at an inflection of both curves).
+    /// Inside: there it turns back, or crosses another branch (as at an inflection of both curves), or comes so
+    /// close to one of these that it was followed no further.
     Turns,
 }
 
@@ -24,13 +28,12 @@ pub enum BranchEnd {
 pub struct Branch {
     pub(super) nodes: Vec<[f64; 2]>,
     pub(super) ends: [BranchEnd; 2],
-    pub(super) proved: bool,
 }
 
 impl Branch {
-    /// Pairs `[s, t]` on the branch, rising in both. When the branch [is proved](Branch::is_proved), the true
-    /// branch crosses the antidiagonal of each within [`NODE_RADIUS`], and between two of them it runs in
-    /// their bounding box, widened by that much.
+    /// Pairs `[s, t]` on the branch, rising in both. It is proved (with balls) that there is one strictly rising
+    /// branch through all of them: it crosses the antidiagonal of each within [`NODE_RADIUS`], and between two
+    /// of them it runs in their bounding box, widened by that much, which holds no other solution.
     #[must_use]
     pub fn nodes(&self) -> &[[f64; 2]] {
         &self.nodes
@@ -40,12 +43,6 @@ impl Branch {
     #[must_use]
     pub fn ends(&self) -> [BranchEnd; 2] {
         self.ends
-    }
-
-    /// Whether it is proved (with balls) that there is one strictly rising branch through all nodes.
-    #[must_use]
-    pub fn is_proved(&self) -> bool {
-        self.proved
     }
 
     /// First and last parameter on the first curve and on the second.
@@ -60,6 +57,29 @@ impl Branch {
     pub fn coverage(&self) -> f64 {
         let [[a, b], [c, d]] = self.ranges();
         0.5 * (b - a + d - c)
+    }
+
+    /// Whether a solution that is known within half of [`NODE_RADIUS`] is on it: it is when it is in the box of
+    /// a link, which holds no other.
+    pub(super) fn passes(&self, solution: [f64; 2]) -> bool {
+        let within = |link: &[[f64; 2]]| match link {
+            [from, to] => (0..2).all(|i| {
+                let (a, b) = (from[i].min(to[i]), from[i].max(to[i]));
+                a - 0.5 * NODE_RADIUS <= solution[i] && solution[i] <= b + 0.5 * NODE_RADIUS
+            }),
+            _ => false,
+        };
+        self.nodes.windows(2).any(within)
+    }
+
+    /// Whether it ends in this cell, and not because a curve ends there.
+    pub(super) fn stops_in(&self, cell: &ParameterBox) -> bool {
+        let near = |[a, b]: [f64; 2], x: f64| a - NODE_RADIUS <= x && x <= b + NODE_RADIUS;
+        let ends = [self.nodes.first(), self.nodes.last()];
+        ends.into_iter().zip(self.ends).any(|(node, end)| {
+            let inside = node.is_some_and(|[s, t]| near(cell.s, *s) && near(cell.t, *t));
+            end == BranchEnd::Turns && inside
+        })
     }
 }
 
@@ -103,11 +123,20 @@ pub(super) fn solution<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
     (last < 1e-12).then_some(w)
 }
 
-/// The solution in a rising cell, by bisection along the antidiagonal between its corners.
-pub(super) fn seed<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
+/// The solution in a rising cell, by bisection along the antidiagonal between its corners; known within half of
+/// [`NODE_RADIUS`], or `None`.
+pub(super) fn seed<P, Q, A, B>(
     rails: (&P, &Q),
+    balls: (&A, &B),
     cell: &ParameterBox,
-) -> Option<[f64; 2]> {
+    bits: usize,
+) -> Option<[f64; 2]>
+where
+    P: SpaceCurve<f64>,
+    Q: SpaceCurve<f64>,
+    A: SpaceCurve<Ball>,
+    B: SpaceCurve<Ball>,
+{
     let on = |k: f64| {
         let ([s0, s1], [t0, t1]) = (cell.s, cell.t);
         [s1 + k * (s0 - s1), t0 + k * (t1 - t0)]
@@ -128,31 +157,46 @@ pub(super) fn seed<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
             b = middle;
         }
     }
-    Some(on(0.5 * (a + b)))
+    let seed = on(0.5 * (a + b));
+    let around = around(seed, 0.5 * NODE_RADIUS);
+    (corners(balls.0, balls.1, &around, bits) == Some(true)).then_some(seed)
 }
 
-/// The branch through a solution, in both directions.
-pub(super) fn trace<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
+/// The square of this half width about a point.
+fn around([s, t]: [f64; 2], radius: f64) -> ParameterBox {
+    ParameterBox {
+        s: [s - radius, s + radius],
+        t: [t - radius, t + radius],
+    }
+}
+
+/// The branch through a solution, in both directions; in pieces where it could not be proved.
+pub(super) fn trace<P, Q, A, B>(
     rails: (&P, &Q),
+    balls: (&A, &B),
     from: [f64; 2],
-) -> Option<Branch> {
+    bits: usize,
+) -> Vec<Branch>
+where
+    P: SpaceCurve<f64>,
+    Q: SpaceCurve<f64>,
+    A: SpaceCurve<Ball>,
+    B: SpaceCurve<Ball>,
+{
     let u = from[0] + from[1];
-    let w = solution(rails, u, from[1] - from[0], 0.1)?;
+    let Some(w) = solution(rails, u, from[1] - from[0], 0.1) else {
+        return Vec::new();
+    };
     let (mut nodes, start) = follow(rails, [u, w], -1.0);
     let (after, end) = follow(rails, [u, w], 1.0);
     nodes.reverse();
     nodes.push([u, w]);
     nodes.extend(after);
-    let nodes: Vec<[f64; 2]> = nodes
+    // The border is met up to rounding.
+    let nodes = nodes
         .into_iter()
-        .map(|[u, w]| [0.5 * (u - w), 0.5 * (u + w)])
-        .collect();
-    let long = nodes.len() >= 2;
-    long.then_some(Branch {
-        nodes,
-        ends: [start, end],
-        proved: false,
-    })
+        .map(|[u, w]| [0.5 * (u - w), 0.5 * (u + w)].map(|x| x.clamp(0.0, 1.0)));
+    proved(nodes.collect(), [start, end], rails, balls, bits)
 }
 
 /// `min(s, t, 1 - s, 1 - t)`: negative outside of the square.
@@ -188,11 +232,12 @@ fn follow<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
         };
         let node = [last[0] + h, w];
         if inside(node) < 0.0 {
-            if let Some(border) = border(rails, last, node) {
-                // Not twice the same point, when the last node was on the border but for rounding.
-                if (border[0] - last[0]).abs() > 1e-12 || nodes.is_empty() {
-                    nodes.push(border);
-                }
+            let Some(border) = border(rails, last, node) else {
+                return (nodes, BranchEnd::Turns);
+            };
+            // Not twice the same point, when the last node was on the border but for rounding.
+            if (border[0] - last[0]).abs() > 1e-12 {
+                nodes.push(border);
             }
             return (nodes, BranchEnd::Border);
         }
@@ -227,62 +272,70 @@ fn border<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
     Some(if inside(b) > -1e-12 { b } else { a })
 }
 
-/// Proves the branch, adding nodes where boxes are too large for it.
-pub(super) fn prove<P, Q, A, B>(
-    branch: Branch,
+/// The pieces of what was followed that are proved, with nodes added where boxes are too large for it.
+fn proved<P, Q, A, B>(
+    nodes: Vec<[f64; 2]>,
+    [start, end]: [BranchEnd; 2],
     rails: (&P, &Q),
     balls: (&A, &B),
     bits: usize,
-) -> Branch
+) -> Vec<Branch>
 where
     P: SpaceCurve<f64>,
     Q: SpaceCurve<f64>,
     A: SpaceCurve<Ball>,
     B: SpaceCurve<Ball>,
 {
-    let mut nodes: Vec<[f64; 2]> = Vec::with_capacity(branch.nodes.len());
-    let mut open: Vec<[f64; 2]> = branch.nodes.into_iter().rev().collect();
-    let mut proved = true;
-    let around = |[s, t]: [f64; 2]| ParameterBox {
-        s: [s - NODE_RADIUS, s + NODE_RADIUS],
-        t: [t - NODE_RADIUS, t + NODE_RADIUS],
-    };
-    let crossed = |node| corners(balls.0, balls.1, &around(node), bits) == Some(true);
-    while let Some(next) = open.pop() {
-        let Some(&last) = nodes.last() else {
-            proved &= crossed(next);
-            nodes.push(next);
-            continue;
-        };
-        let (lower, upper) = (around(last), around(next));
+    let crossed = |node| corners(balls.0, balls.1, &around(node, NODE_RADIUS), bits) == Some(true);
+    let linked = |last: [f64; 2], next: [f64; 2]| {
+        let (lower, upper) = (around(last, NODE_RADIUS), around(next, NODE_RADIUS));
         let joined = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
         let cell = ParameterBox {
             s: joined(lower.s, upper.s),
             t: joined(lower.t, upper.t),
         };
-        if rises(balls.0, balls.1, &cell, bits) {
-            proved &= crossed(next);
-            nodes.push(next);
+        rises(balls.0, balls.1, &cell, bits)
+    };
+    let sum = |[s, t]: [f64; 2]| s + t;
+    let (first, last) = (nodes.first().copied(), nodes.last().copied());
+    let mut open: Vec<[f64; 2]> = nodes
+        .into_iter()
+        .rev()
+        .filter(|node| crossed(*node))
+        .collect();
+    let mut pieces: Vec<Vec<[f64; 2]>> = Vec::new();
+    let mut piece: Vec<[f64; 2]> = Vec::new();
+    while let Some(next) = open.pop() {
+        let Some(&before) = piece.last() else {
+            piece.push(next);
+            continue;
+        };
+        if linked(before, next) {
+            piece.push(next);
             continue;
         }
-        let sum = |[s, t]: [f64; 2]| s + t;
-        let u = 0.5 * (sum(last) + sum(next));
-        let guess = 0.5 * (last[1] - last[0] + next[1] - next[0]);
-        let between = solution(rails, u, guess, 0.1);
-        match between.filter(|_| sum(next) - sum(last) > LEAST_STEP) {
-            Some(w) => {
-                open.push(next);
-                open.push([0.5 * (u - w), 0.5 * (u + w)]);
-            }
-            None => {
-                proved = false;
-                nodes.push(next);
-            }
+        let guess = 0.5 * (before[1] - before[0] + next[1] - next[0]);
+        let u = 0.5 * (sum(before) + sum(next));
+        let between = (sum(next) - sum(before) > LEAST_STEP)
+            .then(|| solution(rails, u, guess, 0.1))
+            .flatten()
+            .map(|w| [0.5 * (u - w), 0.5 * (u + w)])
+            .filter(|node| crossed(*node));
+        open.push(next);
+        match between {
+            Some(node) => open.push(node),
+            None => pieces.push(std::mem::take(&mut piece)),
         }
     }
-    Branch {
+    pieces.push(piece);
+    let at = |node: Option<&[f64; 2]>, end: Option<[f64; 2]>, kind: BranchEnd| {
+        let reached = node.copied() == end;
+        if reached { kind } else { BranchEnd::Turns }
+    };
+    let branch = |nodes: Vec<[f64; 2]>| Branch {
+        ends: [at(nodes.first(), first, start), at(nodes.last(), last, end)],
         nodes,
-        ends: branch.ends,
-        proved,
-    }
+    };
+    let long = |nodes: &Vec<[f64; 2]>| nodes.len() >= 2;
+    pieces.into_iter().filter(long).map(branch).collect()
 }
