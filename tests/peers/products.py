@@ -1,22 +1,17 @@
-"""Times products of polynomials beside FLINT, on the same polynomials, in one interleaved run.
-
-    python3 -m venv venv && venv/bin/pip install python-flint
-    venv/bin/python tests/peers/products.py [--rounds N] [--program FILE]
+"""Products of polynomials beside FLINT, on the same polynomials.
 
 poly_s and poly_r are products of 500 by 500 terms in four variables, exponents 0 to 8, numerators of 63 bits. The
 denominators of poly_s are 2^k 3^j 5^l, those of poly_r random odd numbers of 31 bits. Both programs make them from
 the same stream of random numbers; their digests, and the values of the products, are compared before anything is
-timed. A round times each program once on each product; the table shows the least time of all rounds, which
-other work on the machine disturbs least. Without python-flint a notice is printed and nothing is timed.
-
-Exit code 1 if the programs disagree, 0 otherwise: times are shown, not judged.
+timed.
 """
 
-import argparse
 import pathlib
 import subprocess
 import sys
 import time
+
+from table import optional
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SEEDS = (12345, 987654321)
@@ -109,53 +104,39 @@ class Flint:
         return len(product), str(product(2, 3, 5, 7))
 
 
-def main():
-    arguments = argparse.ArgumentParser(description="Times products beside FLINT.")
-    arguments.add_argument("--rounds", type=int, default=7, help="measurements of each product")
-    arguments.add_argument("--program", help="a built example `products`, instead of building it")
-    options = arguments.parse_args()
+def built():
+    """The program that multiplies, built."""
+    build = ["cargo", "build", "--release", "-p", "torse-algebra", "--example", "products"]
+    described = subprocess.run(
+        [*build, "--message-format", "json-render-diagnostics"],
+        cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    return next(
+        line.split('"executable":"')[1].split('"')[0]
+        for line in described.stdout.splitlines()
+        if '"executable":"' in line
+    )
 
+
+def measured(rounds):
+    """Seconds for each product by program."""
     factors = {name: [rows(seed, name == "poly_r") for seed in SEEDS] for name in DIGESTS}
     for name, pair in factors.items():
         if tuple(map(digest, pair)) != DIGESTS[name]:
             sys.exit(f"{name}: not the terms of the benchmark")
-    try:
-        import flint
-    except ImportError:
-        print("notice: python-flint is not installed, nothing is timed (pip install python-flint)")
-        return
-    program = options.program
-    if program is None:
-        build = ["cargo", "build", "--release", "-p", "torse-algebra", "--example", "products"]
-        described = subprocess.run(
-            [*build, "--message-format", "json-render-diagnostics"],
-            cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True,
-        )  # fmt: skip
-        program = next(
-            line.split('"executable":"')[1].split('"')[0]
-            for line in described.stdout.splitlines()
-            if '"executable":"' in line
-        )
-    peers = {"torse": Torse(program), f"FLINT {flint.__FLINT_VERSION__}": Flint(flint, factors)}
-
-    sizes = {}
+    flint = optional("flint", "python-flint")
+    if flint is None:
+        return {}
+    peers = {"torse": Torse(built()), f"FLINT {flint.__FLINT_VERSION__}": Flint(flint, factors)}
+    tasks = {}
     for name in DIGESTS:
         values = [peer.value(name) for peer in peers.values()]
         if len(set(values)) != 1:
             sys.exit(f"{name}: the products differ")
-        sizes[name] = values[0][0]
-    best = {(name, peer): float("inf") for name in DIGESTS for peer in peers}
-    for _ in range(options.rounds):
-        for name in DIGESTS:
+        tasks[name] = f"product {name}, {values[0][0]} terms"
+    least = {task: dict.fromkeys(peers, float("inf")) for task in tasks.values()}
+    for _ in range(rounds):
+        for name, task in tasks.items():
             for label, peer in peers.items():
-                best[name, label] = min(best[name, label], peer.time(name))
-
-    ours, theirs = peers
-    print(f"{'product':8} {'terms':>7} {ours:>12} {theirs:>14} {'ratio':>6}   least of {options.rounds} rounds")
-    for name in DIGESTS:
-        a, b = best[name, ours], best[name, theirs]
-        print(f"{name:8} {sizes[name]:7} {a * 1e3:9.2f} ms {b * 1e3:11.2f} ms {a / b:6.2f}")
-
-
-if __name__ == "__main__":
-    main()
+                least[task][label] = min(least[task][label], peer.time(name))
+    return least

@@ -139,7 +139,7 @@ pub enum Mark {
     Line(Vec<[f64; 2]>),
     /// A hole that is round on the sheet: its centre and radius.
     Hole([f64; 2], f64),
-    /// A circle that is drawn and not cut.
+    /// A circle that is round on the sheet, drawn and not cut: its centre and radius.
     Circle([f64; 2], f64),
     /// Lettering that starts at a place: the text, its height, and its direction against the ruling in radians.
     Text([f64; 2], String, f64, f64),

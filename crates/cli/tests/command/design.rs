@@ -249,6 +249,95 @@ fn a_target_that_cannot_be_written_ends_with_five() {
 }
 
 #[test]
+fn hostile_designs_and_patterns_end_with_four_and_nothing_is_written() {
+    let folder = folder(CONE);
+    let unrolled = run(folder.path(), &["unroll", "part.toml", "--to", "part.dxf"]);
+    assert_eq!(unrolled.code, 0, "{}", unrolled.error);
+    let pattern = std::fs::read_to_string(folder.path().join("part.dxf")).unwrap();
+    std::fs::remove_file(folder.path().join("part.dxf")).unwrap();
+    let designs: [(&str, Vec<u8>); 7] = [
+        ("empty.toml", Vec::new()),
+        ("bytes.toml", vec![0xff, 0xfe, 0x00, 0x7f]),
+        (
+            "nested.toml",
+            ["x = ", &"[".repeat(50_000)].concat().into_bytes(),
+        ),
+        ("tower.toml", b"[let]\na = \"9^9^9^9^9\"\n".to_vec()),
+        ("circle.toml", b"[let]\na = \"b\"\nb = \"a\"\n".to_vec()),
+        (
+            "many.toml",
+            (0..20_000)
+                .map(|k| format!("[points.p{k}]\n"))
+                .collect::<String>()
+                .into_bytes(),
+        ),
+        (
+            "huge.toml",
+            [CONE.as_bytes(), &vec![b'#'; 5_000_000]].concat(),
+        ),
+    ];
+    for (name, bytes) in &designs {
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+        for arguments in [
+            ["unroll", name, "--to", "x.dxf"].as_slice(),
+            &["export", name, "--to", "x.step"],
+        ] {
+            let refused = run(folder.path(), arguments);
+            // A file without patches is right, but there is nothing to make of it.
+            let code = if *name == "empty.toml" { 5 } else { 4 };
+            assert_eq!(refused.code, code, "{name}: {}", refused.error);
+            assert!(
+                refused.error.len() < 100_000,
+                "{name}: {}",
+                refused.error.len()
+            );
+        }
+    }
+    let patterns: [(&str, Vec<u8>); 5] = [
+        ("half.dxf", pattern.as_bytes()[..pattern.len() / 2].to_vec()),
+        ("zeros.dxf", vec![0; 100_000]),
+        (
+            "infinite.dxf",
+            pattern
+                .replace("50.0", "1e999")
+                .replace("60", "nan")
+                .into_bytes(),
+        ),
+        (
+            "deep.svg",
+            [
+                "<svg xmlns=\"http://www.w3.org/2000/svg\">",
+                &"<g>".repeat(100_000),
+            ]
+            .concat()
+            .into_bytes(),
+        ),
+        (
+            "entity.svg",
+            b"<!DOCTYPE svg [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><svg>&b;</svg>".to_vec(),
+        ),
+    ];
+    for (name, bytes) in &patterns {
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+        let refused = run(folder.path(), &["fold", "part.toml", "--pattern", name]);
+        assert_eq!(
+            refused.code, 4,
+            "{name}: {}{}",
+            refused.output, refused.error
+        );
+        assert!(
+            !refused.error.is_empty() && refused.error.len() < 100_000,
+            "{name}"
+        );
+    }
+    // Nothing but what was put there.
+    assert_eq!(
+        files(folder.path()).len(),
+        1 + designs.len() + patterns.len()
+    );
+}
+
+#[test]
 fn values_are_printed_for_people_and_programs() {
     let folder = folder(CONE);
     let csv = run(

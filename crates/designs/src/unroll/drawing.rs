@@ -16,7 +16,7 @@ const REACH: f64 = 0.25;
 /// Draws the pieces: what is cut, bent and marked, each with its name, and notes of how exact it is.
 ///
 /// # Errors
-/// [`DesignError::Mark`] for a hole that leaves the sheet, [`DesignError::Exchange`].
+/// [`DesignError::Mark`] for a hole or a circle that leaves the sheet, [`DesignError::Exchange`].
 pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignError> {
     let mut drawing = Drawing::default();
     drawing.note(&format!("{}: {}", design.name, design.title))?;
@@ -91,6 +91,18 @@ fn marks(
         let point = flat.flatten(Place { piece, x, v });
         point.ok_or_else(|| failed(format!("[{x}, {v}] is outside the patch")))
     };
+    // Beyond an edge of the sheet, which may be the edge of regression, there is no surface to carry a circle back to.
+    let centre = |what: &str, place: [f64; 2], radius: f64| {
+        let centre = flatten(place)?;
+        let room = flat.outline().distance(centre);
+        if room > radius {
+            return Ok(centre);
+        }
+        let [u, v] = place;
+        Err(failed(format!(
+            "the {what} of radius {radius} mm at [{u}, {v}] leaves the sheet, which ends {room:.4} mm from there"
+        )))
+    };
     for mark in &patch.marks {
         match mark {
             Mark::Line(places) => {
@@ -105,18 +117,10 @@ fn marks(
                 drawing.polyline(Layer::Marks, &points)?;
             }
             Mark::Hole(place, radius) => {
-                let centre = flatten(*place)?;
-                let room = flat.outline().distance(centre);
-                if room <= *radius {
-                    return Err(failed(format!(
-                        "the hole of radius {radius} mm at [{}, {}] leaves the sheet, which ends {room:.4} mm from there",
-                        place[0], place[1]
-                    )));
-                }
-                drawing.circle(Layer::Outline, centre, *radius)?;
+                drawing.circle(Layer::Outline, centre("hole", *place, *radius)?, *radius)?;
             }
             Mark::Circle(place, radius) => {
-                drawing.circle(Layer::Marks, flatten(*place)?, *radius)?;
+                drawing.circle(Layer::Marks, centre("circle", *place, *radius)?, *radius)?;
             }
             Mark::Text(place, content, height, angle) => {
                 let (from, to) = (flatten([place[0], 0.0])?, flatten([place[0], 1.0])?);

@@ -253,3 +253,48 @@ fn marks_lie_where_the_development_takes_them() {
         Err(DesignError::Mark { .. })
     ));
 }
+
+#[test]
+fn lines_may_touch_an_edge_of_regression_and_circles_may_not_cross_it() {
+    // A tangent surface from its edge of regression, which is the rail at v = 0, to half a unit.
+    let marked = |marks: &str| {
+        design(&format!(
+            "families.cubic = {{ bernstein = [[0, 0, 1, 0], [0, -1, 1, 0], [1, -2, 1, 0], [3, -3, 1, 1]] }}
+             patches.tangents = {{ tangent = \"cubic\", range = [0, 0.5], marks = [{marks}] }}
+             tolerances = {{ outline = 1e-4 }}"
+        ))
+    };
+    let drawn = |marks: &str| {
+        let design = marked(marks);
+        let pieces = unroll(&design, &Demand::default()).unwrap();
+        let flat = pieces[0].flat.clone();
+        drawing(&design, &pieces).map(|drawing| (drawing, flat))
+    };
+    let lines = "{ line = [[0, 0], [1, 0]] }, { line = [[0.2, 1], [0.5, 0], [0.8, 1]] }";
+    let (drawing, flat) = drawn(lines).unwrap();
+    let marks = drawing
+        .paths()
+        .iter()
+        .filter(|path| path.layer() == Layer::Marks);
+    let marks: Vec<Vec<[f64; 2]>> = marks
+        .map(|path| path.vertices().iter().map(|vertex| vertex.point).collect())
+        .collect();
+    let room = |p: &[f64; 2]| flat.outline().distance(*p);
+    assert!(marks[0].len() > 4 && marks[0].iter().all(|p| room(p) < 2e-4));
+    // The second begins and ends at the one rail and touches the other, the edge, once.
+    let touching = marks[1].iter().map(|p| room(p) < 2e-4);
+    let runs = touching.fold((0, false), |(runs, before), now| {
+        (runs + u32::from(now && !before), now)
+    });
+    assert!(marks[1].len() > 4 && runs.0 == 3, "{runs:?}");
+    for (what, cut) in [("hole", ""), ("circle", ", hole = false")] {
+        let circle = |v: f64| format!("{{ at = [0.5, {v}], radius = 0.02{cut} }}");
+        assert!(drawn(&circle(0.5)).is_ok());
+        let Err(DesignError::Mark { patch, reason }) = drawn(&circle(0.0)) else {
+            panic!("a {what} on the edge of regression")
+        };
+        assert!(
+            patch == "tangents" && reason.contains(what) && reason.contains("leaves the sheet")
+        );
+    }
+}

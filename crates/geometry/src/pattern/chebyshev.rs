@@ -86,6 +86,26 @@ pub(super) fn basis(t: f64) -> Row {
     row
 }
 
+/// How many parameters are evaluated side by side.
+pub(super) const LANES: usize = 8;
+
+/// [`basis`] at several parameters: row `j` has the values of `T_j`.
+pub(super) type Rows = [[f64; LANES]; NODES];
+
+/// [`basis`] at several parameters, with the same bits.
+#[inline(always)]
+pub(super) fn bases(t: [f64; LANES]) -> Rows {
+    let mut rows = [[1.0; LANES]; NODES];
+    rows[1] = t;
+    for j in 2..NODES {
+        let (half, rest) = (j / 2, j - j / 2);
+        for k in 0..LANES {
+            rows[j][k] = 2.0 * rows[half][k] * rows[rest][k] - rows[rest - half][k];
+        }
+    }
+    rows
+}
+
 /// An interpolant by its coefficients.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Interpolant(Row);
@@ -126,6 +146,23 @@ impl Interpolant {
     #[inline(always)]
     pub(super) fn at(&self, basis: &Row) -> f64 {
         product(&self.0, basis)
+    }
+
+    /// The values for several parameters, with the bits of [`Interpolant::at`].
+    #[inline(always)]
+    pub(super) fn at_each(&self, rows: &Rows) -> [f64; LANES] {
+        let mut sums = [[0.0; LANES]; 4];
+        for (c, rows) in self.0.chunks_exact(4).zip(rows.chunks_exact(4)) {
+            for (sum, (c, row)) in sums.iter_mut().zip(c.iter().zip(rows)) {
+                for (sum, value) in sum.iter_mut().zip(row) {
+                    *sum += c * value;
+                }
+            }
+        }
+        let (last, row) = (self.0[DEGREE], &rows[DEGREE]);
+        std::array::from_fn(|k| {
+            (sums[0][k] + sums[1][k]) + (sums[2][k] + sums[3][k]) + last * row[k]
+        })
     }
 
     /// `factors[0] f + factors[1] g + constant`.
@@ -183,10 +220,9 @@ impl Interpolant {
         self.0[DEGREE - 1].abs() + self.0[DEGREE].abs()
     }
 
-    /// The coefficients up to the last that is larger than `least`, one at least.
-    pub(super) fn significant(&self, least: f64) -> &[f64] {
-        let last = self.0.iter().rposition(|c| c.abs() > least).unwrap_or(0);
-        self.0.get(..=last).unwrap_or(&self.0)
+    /// Of `T_0`, ..., `T_16`.
+    pub(super) fn coefficients(&self) -> &Row {
+        &self.0
     }
 }
 
@@ -222,6 +258,19 @@ mod tests {
         assert!(f.tail() < 1e-15);
         // A function with a corner leaves a tail.
         assert!(sampled(|x| (x - 0.4).abs(), 0.0, 1.0).tail() > 1e-4);
+    }
+
+    #[test]
+    fn values_side_by_side_have_the_bits_of_single_ones() {
+        let f = sampled(|x| (3.0 * x).sin() / (1.0 + x), 0.0, 1.0);
+        let t: [f64; LANES] = std::array::from_fn(|k| (k as f64 * 0.7).sin());
+        let all = f.at_each(&bases(t));
+        assert!(
+            t.iter()
+                .zip(all)
+                .all(|(t, value)| f.at(&basis(*t)) == value)
+        );
+        assert_ne!(all[0], all[1]);
     }
 
     #[test]

@@ -19,7 +19,9 @@
 //!
 //! and of a point on the ruling by `|R| E` more. Roundings of the samples are counted in `d`.
 
-use super::chebyshev::{DEGREE, Interpolant, NODES, Row, basis, between, node_rows, nodes};
+use super::chebyshev::{
+    DEGREE, Interpolant, LANES, NODES, Row, Rows, bases, basis, between, node_rows, nodes,
+};
 use super::error::{PatternError, PatternResult};
 use super::frame::{Frame, check_across};
 use crate::batch::widest;
@@ -31,6 +33,8 @@ use rayon::prelude::*;
 const MOST_PANELS: usize = 1 << 12;
 /// The shortest interval, as a number of halvings.
 const DEEPEST: u32 = 36;
+/// The coarsest error that is allowed, as a share of the size of the patch.
+const COARSEST: f64 = 0.0025;
 /// The checks see the defect at four parameters of an interval: the largest may be larger.
 const SAFETY: f64 = 2.0;
 /// Normals as precise as bends are asked for, in radians.
@@ -104,6 +108,7 @@ impl Development {
             .flat_map(|s| &s.nodes)
             .map(|f| [f.length, f.speed()])
             .fold([0.0_f64; 2], |m, f| [m[0].max(f[0]), m[1].max(f[1])]);
+        let allowed = allowed.min(COARSEST * (reach[0] + reach[1]));
         let demand = Demand {
             allowed,
             reach: reach[0] + reach[1],
@@ -147,23 +152,35 @@ impl Development {
     /// The ruling at `x` in [0, 1].
     pub(super) fn at(&self, x: f64) -> At {
         let panel = self.panel_at(x);
-        let row = panel.basis(x);
-        widest(
-            #[inline(always)]
-            || At {
-                rails: [0, 1].map(
-                    #[inline(always)]
-                    |side: usize| values(&panel.rails[side], &row),
-                ),
-                length: panel.length.at(&row),
-                space: [0, 1].map(
-                    #[inline(always)]
-                    |side: usize| values(&panel.space[side], &row),
-                ),
-                across: values(&panel.across, &row),
-                bending: panel.bending.at(&row),
-            },
-        )
+        panel.each(&[x])[0]
+    }
+
+    /// The rulings at these parameters.
+    pub(super) fn at_each(&self, xs: &[f64]) -> Vec<At> {
+        let runs = self.runs(xs);
+        runs.flat_map(|(panel, xs)| panel.each(xs).into_iter().take(xs.len()))
+            .collect()
+    }
+
+    /// The normals of the patch at these parameters.
+    pub(super) fn normals(&self, xs: &[f64]) -> Vec<[f64; 3]> {
+        let runs = self.runs(xs);
+        runs.flat_map(|(panel, xs)| panel.normals(xs).into_iter().take(xs.len()))
+            .collect()
+    }
+
+    /// The parameters in runs that are evaluated side by side: of one interval each, and not too many.
+    fn runs<'a>(&'a self, xs: &'a [f64]) -> impl Iterator<Item = (&'a Panel, &'a [f64])> {
+        let mut rest = xs;
+        std::iter::from_fn(move || {
+            let (first, more) = rest.split_first()?;
+            let panel = self.panel_at(*first);
+            let inside = |x: &&f64| panel.from < **x && **x <= panel.to;
+            let count = 1 + more.iter().take(LANES - 1).take_while(inside).count();
+            let (run, after) = rest.split_at(count);
+            rest = after;
+            Some((panel, run))
+        })
     }
 
     /// A point of a flat rail and the direction in which it proceeds, not normalised.
@@ -174,16 +191,6 @@ impl Development {
         let (along, across) = (panel.along[side].at(&row), panel.across[side].at(&row));
         let tangent = [along * c - across * s, along * s + across * c];
         [panel.rails[side].each_ref().map(|f| f.at(&row)), tangent]
-    }
-
-    /// The normal of the patch at `x`.
-    pub(super) fn normal(&self, x: f64) -> [f64; 3] {
-        let panel = self.panel_at(x);
-        let row = panel.basis(x);
-        widest(
-            #[inline(always)]
-            || values(&panel.normal, &row),
-        )
     }
 }
 
@@ -228,6 +235,55 @@ impl Panel {
         basis((2.0 * t - 1.0).clamp(-1.0, 1.0))
     }
 
+    /// [`basis`] at the first parameters, and at the last of them again.
+    #[inline(always)]
+    fn bases(&self, xs: &[f64]) -> Rows {
+        let last = xs.last().copied().unwrap_or(self.from);
+        bases(std::array::from_fn(|k| {
+            let x = xs.get(k).copied().unwrap_or(last);
+            let t = (x - self.from) / (self.to - self.from);
+            (2.0 * t - 1.0).clamp(-1.0, 1.0)
+        }))
+    }
+
+    /// The rulings at up to [`LANES`] parameters of this interval.
+    fn each(&self, xs: &[f64]) -> [At; LANES] {
+        widest(
+            #[inline(always)]
+            || {
+                let rows = self.bases(xs);
+                let rails = self.rails.each_ref().map(
+                    #[inline(always)]
+                    |rail| values(rail, &rows),
+                );
+                let space = self.space.each_ref().map(
+                    #[inline(always)]
+                    |rail| values(rail, &rows),
+                );
+                let across = values(&self.across, &rows);
+                let (length, bending) = (self.length.at_each(&rows), self.bending.at_each(&rows));
+                std::array::from_fn(
+                    #[inline(always)]
+                    |k| At {
+                        rails: rails.map(|rail| rail[k]),
+                        length: length[k],
+                        space: space.map(|rail| rail[k]),
+                        across: across[k],
+                        bending: bending[k],
+                    },
+                )
+            },
+        )
+    }
+
+    /// The normals at up to [`LANES`] parameters of this interval.
+    fn normals(&self, xs: &[f64]) -> [[f64; 3]; LANES] {
+        widest(
+            #[inline(always)]
+            || values(&self.normal, &self.bases(xs)),
+        )
+    }
+
     /// The part of a flat rail on `[from, to]`, inside this interval, as polynomials of its own.
     pub(super) fn rail_between(&self, side: usize, from: f64, to: f64) -> [Interpolant; 2] {
         if from <= self.from && to >= self.to {
@@ -247,12 +303,14 @@ impl Panel {
     }
 }
 
-/// The values of some functions.
+/// The values of some functions at several parameters.
 #[inline(always)]
-fn values<const K: usize>(functions: &[Interpolant; K], row: &Row) -> [f64; K] {
-    let mut values = [0.0; K];
-    for (value, function) in values.iter_mut().zip(functions) {
-        *value = function.at(row);
+fn values<const K: usize>(functions: &[Interpolant; K], rows: &Rows) -> [[f64; K]; LANES] {
+    let mut values = [[0.0; K]; LANES];
+    for (i, function) in functions.iter().enumerate() {
+        for (value, slot) in function.at_each(rows).into_iter().zip(&mut values) {
+            slot[i] = value;
+        }
     }
     values
 }
@@ -410,7 +468,7 @@ impl Samples {
             return Err(PatternError::NotDevelopable {
                 strain: strain.strain,
                 limit: demand.strain,
-                twist: strain.twist,
+                twist: strain.twist(),
                 x: strain.x,
             });
         }

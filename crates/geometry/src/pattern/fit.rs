@@ -9,7 +9,7 @@
 //! along the chord cannot leave the arc at its ends, so this is the distance of both from each other, up to the
 //! factor `1/cos(phi)` there, with `phi` half the swept angle.
 
-use super::chebyshev::Interpolant;
+use super::chebyshev::{Interpolant, NODES, Row};
 use super::development::Development;
 use super::error::{PatternError, PatternResult};
 use super::segment::Segment;
@@ -156,19 +156,20 @@ impl Rail<'_> {
                 break;
             }
             let [x, y] = panel.rail_between(self.side, from, to);
-            let (u, v) = frame.coefficients(&x, &y);
+            let both = frame.coefficients(&x, &y);
+            let [u, v] = both.each_ref().map(|list| trimmed(list));
             if chord > 0.0 {
                 // Forward along the chord, up to the tolerance.
-                for place in values(&u) {
+                for place in values(u) {
                     if place < before - tolerance {
                         return None;
                     }
                     before = before.max(place);
                 }
-                largest = largest.max(circle_bound(segment, &u, &v, chord));
+                largest = largest.max(circle_bound(segment, u, v, chord));
             } else {
                 // The segment is a point.
-                largest = largest.max(absolute(&u).hypot(absolute(&v)));
+                largest = largest.max(absolute(u).hypot(absolute(v)));
             }
             if largest > tolerance {
                 return None;
@@ -247,30 +248,25 @@ impl Chord {
     }
 
     /// The coefficients of a curve along and across the chord.
-    fn coefficients(&self, x: &Interpolant, y: &Interpolant) -> (Vec<f64>, Vec<f64>) {
-        let (x, y) = (x.significant(0.0), y.significant(0.0));
-        let count = x.len().max(y.len());
-        let (mut u, mut v) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        let [c, s] = self.axis;
-        for j in 0..count {
-            let mut p = [x, y].map(|list| list.get(j).copied().unwrap_or(0.0));
-            if j == 0 {
-                p = [p[0] - self.origin[0], p[1] - self.origin[1]];
-            }
-            u.push(c * p[0] + s * p[1]);
-            v.push(c * p[1] - s * p[0]);
+    fn coefficients(&self, x: &Interpolant, y: &Interpolant) -> [Row; 2] {
+        let ([c, s], mut origin) = (self.axis, self.origin);
+        let (mut along, mut across) = ([0.0; NODES], [0.0; NODES]);
+        let slots = along.iter_mut().zip(&mut across);
+        for ((u, v), (x, y)) in slots.zip(x.coefficients().iter().zip(y.coefficients())) {
+            let [x, y] = [x - origin[0], y - origin[1]];
+            (*u, *v) = (c * x + s * y, c * y - s * x);
+            // Only the constants are moved.
+            origin = [0.0; 2];
         }
-        (trimmed(u), trimmed(v))
+        [along, across]
     }
 }
 
 /// Without the last coefficients while they are far below the rounding of the largest.
-fn trimmed(mut list: Vec<f64>) -> Vec<f64> {
+fn trimmed(list: &[f64]) -> &[f64] {
     let largest = list.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
-    while list.len() > 1 && list.last().is_some_and(|c| c.abs() <= 1e-18 * largest) {
-        list.pop();
-    }
-    list
+    let last = list.iter().rposition(|c| c.abs() > 1e-18 * largest);
+    list.get(..=last.unwrap_or(0)).unwrap_or(list)
 }
 
 fn absolute(list: &[f64]) -> f64 {
@@ -285,7 +281,7 @@ fn circle_bound(segment: &Segment, u: &[f64], v: &[f64], chord: f64) -> f64 {
     if b == 0.0 {
         return absolute(v);
     }
-    let mut sum = vec![0.0; 2 * u.len().max(v.len())];
+    let mut sum = [0.0; 2 * NODES];
     for list in [u, v] {
         for (i, a) in list.iter().enumerate() {
             // T_i T_j = (T_(i+j) + T_|i-j|)/2, both orders at once.

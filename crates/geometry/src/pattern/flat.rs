@@ -191,30 +191,30 @@ impl FlatPattern {
     }
 }
 
+/// Rulings that a thread takes at a time.
+const SHARE: usize = 128;
+
 fn rulings(pieces: &[Piece]) -> Vec<FlatRuling> {
+    let shared = |xs: &[f64], f: &(dyn Fn(&[f64]) -> Vec<[f64; 3]> + Sync)| {
+        xs.par_chunks(SHARE).flat_map_iter(f).collect::<Vec<_>>()
+    };
+    // The facets between the rulings, as the viewer sees them.
+    let seen = |piece: &Piece| shared(&piece.halfway(), &|xs| piece.seen(xs));
+    let facets: Vec<Vec<[f64; 3]>> = pieces.iter().map(seen).collect();
     let mut list = Vec::new();
-    // The normal of the facet before, as the viewer sees it.
     let mut before: Option<[f64; 3]> = None;
     for (index, piece) in pieces.iter().enumerate() {
         let stations = piece.stations();
+        let here = facets.get(index).into_iter().flatten();
+        let next = facets.get(index + 1).and_then(|next| next.first());
+        let after = here.chain(next).copied().map(Some).chain([None]);
+        let all: Vec<At> = stations
+            .par_chunks(SHARE)
+            .flat_map_iter(|xs| piece.development.at_each(xs))
+            .collect();
         // The first ruling of a later piece is the last one of the piece before.
         let skip = usize::from(index > 0);
-        let seen = |(k, x): (usize, &f64)| {
-            let after = match Piece::halfway(&stations, k) {
-                Some(x) => Some(piece.seen(x)),
-                None => pieces
-                    .get(index + 1)
-                    .and_then(|next| Piece::halfway(&next.stations(), 0).map(|x| next.seen(x))),
-            };
-            (*x, piece.development.at(*x), after)
-        };
-        let all: Vec<_> = stations
-            .par_iter()
-            .enumerate()
-            .with_min_len(64)
-            .map(seen)
-            .collect();
-        for (x, at, after) in all.into_iter().skip(skip) {
+        for ((x, at), after) in stations.into_iter().zip(all).zip(after).skip(skip) {
             let bend = match (&before, &after) {
                 (Some(m), Some(n)) => fold_angle(m, n, &piece.axis(&at)),
                 _ => 0.0,

@@ -34,8 +34,8 @@ pub(super) struct Frame {
     pub across: [f64; 2],
     /// `1 - cos psi` at the worse end.
     pub strain: f64,
-    /// The angle between the tangent planes at the ends, in radians.
-    pub twist: f64,
+    /// How far the tangents of the rails lean out of the plane, `tan psi` at the ends times the speeds across.
+    out: [f64; 2],
     /// Bounds for the rounding of `turn` and of the speeds.
     pub rounding: [f64; 2],
 }
@@ -68,29 +68,45 @@ impl Frame {
         };
         // Where the rails run against each other, the edge of regression is in the middle and either
         // rail gives the plane.
-        let candidates = [
-            (speed, cross(&r, &middle)),
-            with_length(&r, &dp),
-            with_length(&r, &dq),
-        ];
-        let area = |(speed, v): &(f64, Vector)| speed * size(v);
-        let best = candidates.iter().map(area).fold(0.0, f64::max);
-        let chosen = candidates.iter().find(|c| area(c) > 1e-8 * best);
-        let Some((sine, n)) = chosen.and_then(|(_, v)| polar(v)) else {
+        let sides = [polar(&dp), polar(&dq)];
+        let speeds: f64 = sides.iter().flatten().map(|(speed, _)| speed).sum();
+        let best = sides
+            .iter()
+            .flatten()
+            .map(|(speed, unit)| speed * size(&cross(&r, unit)));
+        let mut chosen = cross(&r, &middle);
+        let least = 1e-8 * best.fold(speed * size(&chosen), f64::max);
+        if speed * size(&chosen) <= least {
+            let other = sides.iter().flatten().find_map(|(speed, unit)| {
+                let normal = cross(&r, unit);
+                (speed * size(&normal) > least).then_some(normal)
+            });
+            chosen = other.ok_or(PatternError::NoTangentPlane { x })?;
+        }
+        let Some((sine, n)) = polar(&chosen) else {
             return Err(PatternError::NoTangentPlane { x });
         };
         let t = cross(&n, &r);
         let (along, across) = ([dot(&dp, &r), dot(&dq, &r)], [dot(&dp, &t), dot(&dq, &t)]);
-        let speeds = norm(&dp) + norm(&dq);
         let far = size(&p).max(size(&q));
         let relative = ROUNDINGS * f64::EPSILON * (1.0 + far / length) / sine;
         let lean = |v: &Vector, across: f64| {
             let out = dot(v, &n);
             // A rail that stands still, at an apex, or runs along the ruling, at an edge of regression.
             let noise = across.hypot(out) <= 1e-12 * speeds.max(f64::MIN_POSITIVE);
-            if noise { 0.0 } else { out.atan2(across.abs()) }
+            if noise { 0.0 } else { out }
         };
-        let leans = [lean(&dp, across[0]), lean(&dq, across[1])];
+        let out = [lean(&dp, across[0]), lean(&dq, across[1])];
+        // 1 - cos psi without cancellation.
+        let lost = |i: usize| {
+            let (a, b) = (across[i].abs(), out[i]);
+            let way = a.hypot(b);
+            if b == 0.0 {
+                0.0
+            } else {
+                (b / way) * (b / (way + a))
+            }
+        };
         let frame = Self {
             x,
             ends: [p, q],
@@ -99,12 +115,8 @@ impl Frame {
             turn: dot(&sub(&dq, &dp), &t) / length,
             along,
             across,
-            // 1 - cos psi without cancellation.
-            strain: leans
-                .map(|psi| 2.0 * (0.5 * psi).sin().powi(2))
-                .into_iter()
-                .fold(0.0, f64::max),
-            twist: (leans[0] - leans[1]).abs(),
+            strain: lost(0).max(lost(1)),
+            out,
             rounding: [relative * speeds / length, relative * speeds],
         };
         let numbers = [frame.turn, speeds, relative, frame.strain, length];
@@ -113,6 +125,12 @@ impl Frame {
         } else {
             Err(PatternError::NotFinite { x })
         }
+    }
+
+    /// The angle between the tangent planes at the ends, in radians.
+    pub(super) fn twist(&self) -> f64 {
+        let lean = |i: usize| self.out[i].atan2(self.across[i].abs());
+        (lean(0) - lean(1)).abs()
     }
 
     /// Refuses a ruling that the edge of regression crosses, by more than rounding explains.
@@ -167,8 +185,4 @@ pub(super) fn polar(v: &Vector) -> Option<(f64, Vector)> {
     let scaled = v.map(|c| c / largest);
     let length = dot(&scaled, &scaled).sqrt();
     Some((length * largest, scaled.map(|c| c / length)))
-}
-
-fn with_length(r: &Vector, v: &Vector) -> (f64, Vector) {
-    polar(v).map_or((0.0, [0.0; 3]), |(length, unit)| (length, cross(r, &unit)))
 }

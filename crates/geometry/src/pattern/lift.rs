@@ -3,7 +3,8 @@
 //! A point of the sheet belongs to the ruling at `x` and the share `v` of it: in space `(1 - v) P(x) + v Q(x)`, flat
 //! the same combination of the flat rails. The way back looks for the nearest ruling: samples on every interval of
 //! the development, then golden-section search. At a point of the patch the distance falls
-//! linearly to zero, so that the search finds it to rounding.
+//! linearly to zero, so that the search finds it to rounding; on an edge of regression, which may be a border of
+//! the patch, with the square, so that the ruling is found to half the digits and the point still to all.
 
 use super::error::PatternResult;
 use super::flat::FlatPattern;

@@ -71,14 +71,13 @@ impl Piece {
         list
     }
 
-    /// The normal towards the viewer.
-    pub(super) fn seen(&self, x: f64) -> [f64; 3] {
-        let normal = self.development.normal(x);
+    /// The normals towards the viewer.
+    pub(super) fn seen(&self, xs: &[f64]) -> Vec<[f64; 3]> {
+        let mut normals = self.development.normals(xs);
         if self.placement.is_mirrored() {
-            normal.map(|c| -c)
-        } else {
-            normal
+            normals = normals.into_iter().map(|n| n.map(|c| -c)).collect();
         }
+        normals
     }
 
     /// The direction of a ruling from the left to the right rail, not normalised.
@@ -87,9 +86,11 @@ impl Piece {
         std::array::from_fn(|i| to[i] - from[i])
     }
 
-    /// Halfway between this ruling and the next of the chain.
-    pub(super) fn halfway(stations: &[f64], index: usize) -> Option<f64> {
-        Some(0.5 * (stations.get(index)? + stations.get(index + 1)?))
+    /// Halfway between each two rulings in the order of the chain.
+    pub(super) fn halfway(&self) -> Vec<f64> {
+        let stations = self.stations();
+        let pairs = stations.iter().zip(stations.iter().skip(1));
+        pairs.map(|(a, b)| 0.5 * (a + b)).collect()
     }
 
     /// The piece moved, with more error of its points and angles.

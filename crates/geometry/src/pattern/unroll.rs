@@ -16,6 +16,10 @@ pub const DEVELOPABLE_STRAIN: f64 = 1e-6;
 /// The most rulings shown in a pattern.
 pub const MOST_RULINGS: usize = 1 << 16;
 
+/// The coarsest tolerance, as a share of the size of the pattern: within one as large as the pattern a line would
+/// do for all of it, and nothing would be seen of how it winds.
+const COARSEST: f64 = 0.01;
+
 /// What is asked of a flat pattern.
 ///
 /// ```
@@ -45,8 +49,8 @@ pub struct Unrolling {
 }
 
 impl Unrolling {
-    /// Demands that the cut outline is nowhere farther than `tolerance` (a length) from the exact one; with 33
-    /// rulings, and strain up to [`DEVELOPABLE_STRAIN`].
+    /// Demands that the cut outline is nowhere farther than `tolerance` (a length) from the exact one, nor than a
+    /// hundredth of the size of the pattern; with 33 rulings, and strain up to [`DEVELOPABLE_STRAIN`].
     #[must_use]
     pub fn within(tolerance: f64) -> Self {
         Self {
@@ -58,7 +62,8 @@ impl Unrolling {
     }
 
     /// Shows this many rulings, both ends included: 2 at least, [`MOST_RULINGS`] at most, at equal steps of the
-    /// parameter. The patch is sampled at least half as densely.
+    /// parameter. The patch is sampled a third as densely
+    /// at least, and wherever that does not resolve it as densely as it takes.
     #[must_use]
     pub fn rulings(mut self, count: usize) -> Self {
         self.rulings = count.clamp(2, MOST_RULINGS);
@@ -106,11 +111,12 @@ impl Unrolling {
         // Half of the tolerance is for the arcs, the rest for the development.
         let development = Development::of(
             patch,
-            self.rulings.div_ceil(32).max(2),
+            self.rulings.div_ceil(64).max(2),
             0.25 * self.tolerance,
             self.developable.max(self.allowed),
         )?;
-        let side = |side| fit(&development, side, 0.5 * self.tolerance);
+        let tolerance = self.tolerance.min(COARSEST * development.size);
+        let side = |side| fit(&development, side, 0.5 * tolerance);
         let (first, second) = rayon::join(|| side(0), || side(1));
         let fitted = [first?, second?];
         let distance = fitted[0].distance.max(fitted[1].distance);
@@ -119,8 +125,8 @@ impl Unrolling {
         #[allow(clippy::cast_precision_loss)]
         let stations = (0..self.rulings).map(|i| i as f64 / last).collect();
         let piece = Piece::new(development, fitted.map(|f| f.segments), distance, stations);
-        let flat = FlatPattern::of(vec![piece], self.developable, self.tolerance);
-        check_simple(&flat, self.tolerance)?;
+        let flat = FlatPattern::of(vec![piece], self.developable, tolerance);
+        check_simple(&flat, tolerance)?;
         Ok(flat)
     }
 }

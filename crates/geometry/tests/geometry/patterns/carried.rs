@@ -1,7 +1,9 @@
 //! Points, curves and bends go to the sheet and back into space.
 
 use crate::support::{cone, cubic, helix};
-use torse_geometry::pattern::{FlatPattern, Place, Placement, Segment, deviation, fold, unroll};
+use torse_geometry::pattern::{
+    FlatPattern, PatternError, Place, Placement, Segment, deviation, fold, unroll,
+};
 use torse_geometry::surface::Rails;
 use torse_geometry::vector::{norm, sub};
 
@@ -148,4 +150,55 @@ fn a_pattern_turned_over_folds_to_the_same_body() {
         let design: Vec<_> = flat.rulings_in_space().into_iter().flatten().collect();
         assert!(deviation(&folded, &design).unwrap() > 0.05, "{name}");
     }
+}
+
+#[test]
+fn marks_that_touch_the_edge_of_regression_are_carried_to_its_flat_image() {
+    // The helix itself is the first rail: on the sheet an arc whose radius is that of its curvature a/(a^2 + b^2).
+    let (a, b, turns) = (1.0, 0.5, 0.5);
+    let flat = unroll(&helix(a, b, turns, [0.0, 2.0]), 33, 1e-6).unwrap();
+    let (radius, angle) = ((a * a + b * b) / a, 2.0 * std::f64::consts::PI * turns);
+    let length = angle * a.hypot(b);
+    let edge = flat.carry(0, |t| [t, 0.0], 1e-6).unwrap();
+    // It begins at the origin along the first axis and turns to the left.
+    for [x, y] in &edge {
+        let off = x.hypot(y - radius) - radius;
+        assert!(off.abs() < 1e-6, "{off:e}");
+    }
+    let along: f64 = edge.windows(2).map(|w| norm(&sub(&w[1], &w[0]))).sum();
+    assert!((along - length).abs() < 1e-4 * length, "{along} {length}");
+
+    // A mark that comes in, touches the edge at x = 1/2 and goes back keeps its length, on either side.
+    let curve = |t: f64| [t, (2.0 * t - 1.0).powi(2)];
+    let carried = flat.carry(0, curve, 1e-6).unwrap();
+    let sheet: f64 = carried.windows(2).map(|w| norm(&sub(&w[1], &w[0]))).sum();
+    let at = |i: i32| {
+        let [x, v] = curve(f64::from(i) / 20_000.0);
+        flat.space(Place { piece: 0, x, v }).unwrap()
+    };
+    let space: f64 = (0..20_000).map(|i| norm(&sub(&at(i + 1), &at(i)))).sum();
+    assert!((sheet - space).abs() < 1e-4 * space, "{sheet} {space}");
+    let nearest = carried.iter().map(|[x, y]| x.hypot(y - radius) - radius);
+    assert!(nearest.fold(f64::INFINITY, f64::min).abs() < 1e-6);
+
+    // The way back: next to the edge the distance falls with the square, the ruling is known to half the digits,
+    // the point to all of them.
+    for x in [0.0, 0.3, 0.5, 1.0] {
+        let place = Place {
+            piece: 0,
+            x,
+            v: 0.0,
+        };
+        let lifted = flat.lift(flat.flatten(place).unwrap()).unwrap();
+        let off = norm(&sub(&lifted, &flat.space(place).unwrap()));
+        assert!(off < 1e-9, "{x}: {off:e}");
+    }
+    // Beyond the edge there is no sheet.
+    let inner = [0.0, 0.5 * radius];
+    assert_eq!(flat.lift(inner), None);
+    // A patch with the edge inside has no pattern to carry a mark to.
+    assert!(matches!(
+        unroll(&helix(a, b, turns, [-0.5, 2.0]), 33, 1e-6),
+        Err(PatternError::Regression { .. })
+    ));
 }

@@ -1,6 +1,6 @@
 //! Patterns of cones, cylinders, helices and a general torse: against closed forms, another integration and fifty digits.
 
-use crate::support::{cone, cubic, helix};
+use crate::support::{Formula, cone, cubic, helix};
 use std::f64::consts::PI;
 use torse_algebra::Jet;
 use torse_geometry::curve::ellipse_arc;
@@ -320,4 +320,61 @@ fn the_stated_error_is_never_smaller_than_the_true_one() {
             );
         }
     }
+}
+
+#[test]
+fn spikes_as_narrow_as_polynomials_have_them_are_seen() {
+    // The cylinder over y = h b(x)/b(k/n), with b the Bernstein polynomial k of the largest degree there is: a spike with
+    // a standard deviation of 1/128 at most.
+    let n = 4096_u32;
+    let power = |base: &Jet<f64>, exponent: u32| {
+        let (mut result, mut square) = (base.constant_like(1.0), base.clone());
+        let mut rest = exponent;
+        while rest > 0 {
+            if rest % 2 == 1 {
+                result = result * square.clone();
+            }
+            square = square.clone() * square;
+            rest /= 2;
+        }
+        result
+    };
+    // In 64 factors, none of which leaves the range of numbers.
+    let spike = |x: &Jet<f64>, k: u32| {
+        let top = f64::from(k) / f64::from(n);
+        let rise = x.clone() * x.constant_like(1.0 / top);
+        let fall = (x.constant_like(1.0) - x.clone()) * x.constant_like(1.0 / (1.0 - top));
+        let part = power(&rise, k / 64) * power(&fall, (n - k) / 64);
+        power(&part, 64)
+    };
+    let mut made = 0;
+    for k in [256_u32, 1088, 1152, 1408, 2048, 3776] {
+        // Of the graph by a polygon within 12 standard deviations; outside it is flat.
+        let top = f64::from(k) / f64::from(n);
+        let wide = 12.0 * (top * (1.0 - top) / f64::from(n)).sqrt();
+        let (from, to) = ((top - wide).max(0.0), (top + wide).min(1.0));
+        let steps = 1 << 16;
+        let step = (to - from) / f64::from(steps);
+        let graph: Vec<f64> = (0..=steps)
+            .map(|i| *spike(&Jet::variable(from + step * f64::from(i), 0), k).value())
+            .collect();
+        for height in [1e-3, 0.1, 1.0, 30.0] {
+            let patch = Formula(|x: Jet<f64>| {
+                let y = spike(&x, k) * x.constant_like(height);
+                [0.0, 1.0].map(|z| [x.clone(), y.clone(), x.constant_like(z)])
+            });
+            let sides = graph.windows(2).map(|w| step.hypot(height * (w[1] - w[0])));
+            let length = 1.0 - (to - from) + sides.sum::<f64>();
+            for (tolerance, rulings) in [(0.1, 2), (1e-2, 9), (1e-5, 33)] {
+                let flat = unroll(&patch, rulings, tolerance).unwrap();
+                let [x, y] = flat.rulings().last().unwrap().ends[0];
+                let off = x.hypot(y - length);
+                // The polygon cuts off the tops.
+                let bound = flat.errors().point + 1e-6 * height.max(1.0);
+                assert!(off <= bound, "{k} {height} {tolerance}: {off:e} {bound:e}");
+                made += 1;
+            }
+        }
+    }
+    assert_eq!(made, 72);
 }
