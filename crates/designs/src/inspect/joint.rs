@@ -102,21 +102,14 @@ struct Seam {
 impl End {
     fn of(sheet: &Sheet, last: bool) -> Result<Self, GeometryError> {
         let x = if last { 1.0 } else { 0.0 };
-        let rails = sheet.rail_jets(&x, 1)?;
-        let value = |rail: &[torse_geometry::Jet<f64>; 3]| rail.each_ref().map(|j| *j.value());
-        let slope = |rail: &[torse_geometry::Jet<f64>; 3]| {
-            let first = |j: &torse_geometry::Jet<f64>| j.coefficients().get(1).copied();
-            rail.each_ref().map(|j| first(j).unwrap_or(0.0))
-        };
-        let points = rails.each_ref().map(value);
+        let rails = sheet.ends_and_slopes(&x)?;
+        let points = rails.map(|[point, _]| point);
         let ruling = sub(&points[1], &points[0]);
-        let normal = |rail: &[torse_geometry::Jet<f64>; 3]| {
-            torse_geometry::vector::unit(&cross(&slope(rail), &ruling))
-        };
+        let normal = |[_, slope]: [Point; 2]| torse_geometry::vector::unit(&cross(&slope, &ruling));
         Ok(Self {
             last,
             points,
-            normals: rails.each_ref().map(normal),
+            normals: rails.map(normal),
         })
     }
 

@@ -52,7 +52,11 @@ fn name(
     let Some(ruling) = flat.rulings().get(5 * flat.rulings().len() / 8) else {
         return Ok(());
     };
-    let [from, to] = ruling.ends;
+    let [mut from, mut to] = ruling.ends;
+    // Not upside down.
+    if to[0] < from[0] {
+        (from, to) = (to, from);
+    }
     let at = |share: f64| [0, 1].map(|i| from[i] + share * (to[i] - from[i]));
     let length = (to[0] - from[0]).hypot(to[1] - from[1]);
     let content = if flat.is_strained() {
