@@ -86,20 +86,17 @@ pub(super) fn basis(t: f64) -> Row {
     row
 }
 
-/// How many parameters are evaluated side by side.
-pub(super) const LANES: usize = 8;
-
 /// [`basis`] at several parameters: row `j` has the values of `T_j`.
-pub(super) type Rows = [[f64; LANES]; NODES];
+pub(super) type Rows<const L: usize> = [[f64; L]; NODES];
 
 /// [`basis`] at several parameters, with the same bits.
 #[inline(always)]
-pub(super) fn bases(t: [f64; LANES]) -> Rows {
-    let mut rows = [[1.0; LANES]; NODES];
+pub(super) fn bases<const L: usize>(t: [f64; L]) -> Rows<L> {
+    let mut rows = [[1.0; L]; NODES];
     rows[1] = t;
     for j in 2..NODES {
         let (half, rest) = (j / 2, j - j / 2);
-        for k in 0..LANES {
+        for k in 0..L {
             rows[j][k] = 2.0 * rows[half][k] * rows[rest][k] - rows[rest - half][k];
         }
     }
@@ -150,8 +147,8 @@ impl Interpolant {
 
     /// The values for several parameters, with the bits of [`Interpolant::at`].
     #[inline(always)]
-    pub(super) fn at_each(&self, rows: &Rows) -> [f64; LANES] {
-        let mut sums = [[0.0; LANES]; 4];
+    pub(super) fn at_each<const L: usize>(&self, rows: &Rows<L>) -> [f64; L] {
+        let mut sums = [[0.0; L]; 4];
         for (c, rows) in self.0.chunks_exact(4).zip(rows.chunks_exact(4)) {
             for (sum, (c, row)) in sums.iter_mut().zip(c.iter().zip(rows)) {
                 for (sum, value) in sum.iter_mut().zip(row) {
@@ -263,7 +260,7 @@ mod tests {
     #[test]
     fn values_side_by_side_have_the_bits_of_single_ones() {
         let f = sampled(|x| (3.0 * x).sin() / (1.0 + x), 0.0, 1.0);
-        let t: [f64; LANES] = std::array::from_fn(|k| (k as f64 * 0.7).sin());
+        let t: [f64; 8] = std::array::from_fn(|k| (k as f64 * 0.7).sin());
         let all = f.at_each(&bases(t));
         assert!(
             t.iter()

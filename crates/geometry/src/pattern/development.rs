@@ -20,7 +20,7 @@
 //! and of a point on the ruling by `|R| E` more. Roundings of the samples are counted in `d`.
 
 use super::chebyshev::{
-    DEGREE, Interpolant, LANES, NODES, Row, Rows, bases, basis, between, node_rows, nodes,
+    DEGREE, Interpolant, NODES, Row, Rows, bases, basis, between, node_rows, nodes,
 };
 use super::error::{PatternError, PatternResult};
 use super::frame::{Frame, check_across};
@@ -29,6 +29,8 @@ use crate::surface::Rails;
 use crate::vector::dot;
 use rayon::prelude::*;
 
+/// How many rulings are evaluated side by side.
+const LANES: usize = 8;
 /// The most intervals of a development.
 const MOST_PANELS: usize = 1 << 12;
 /// The shortest interval, as a number of halvings.
@@ -151,21 +153,21 @@ impl Development {
 
     /// The ruling at `x` in [0, 1].
     pub(super) fn at(&self, x: f64) -> At {
-        let panel = self.panel_at(x);
-        panel.each(&[x])[0]
+        let [at] = self.panel_at(x).each(&[x]);
+        at
     }
 
     /// The rulings at these parameters.
     pub(super) fn at_each(&self, xs: &[f64]) -> Vec<At> {
         let runs = self.runs(xs);
-        runs.flat_map(|(panel, xs)| panel.each(xs).into_iter().take(xs.len()))
+        runs.flat_map(|(panel, xs)| panel.each::<LANES>(xs).into_iter().take(xs.len()))
             .collect()
     }
 
     /// The normals of the patch at these parameters.
     pub(super) fn normals(&self, xs: &[f64]) -> Vec<[f64; 3]> {
         let runs = self.runs(xs);
-        runs.flat_map(|(panel, xs)| panel.normals(xs).into_iter().take(xs.len()))
+        runs.flat_map(|(panel, xs)| panel.normals::<LANES>(xs).into_iter().take(xs.len()))
             .collect()
     }
 
@@ -237,7 +239,7 @@ impl Panel {
 
     /// [`basis`] at the first parameters, and at the last of them again.
     #[inline(always)]
-    fn bases(&self, xs: &[f64]) -> Rows {
+    fn bases<const L: usize>(&self, xs: &[f64]) -> Rows<L> {
         let last = xs.last().copied().unwrap_or(self.from);
         bases(std::array::from_fn(|k| {
             let x = xs.get(k).copied().unwrap_or(last);
@@ -246,12 +248,12 @@ impl Panel {
         }))
     }
 
-    /// The rulings at up to [`LANES`] parameters of this interval.
-    fn each(&self, xs: &[f64]) -> [At; LANES] {
+    /// The rulings at up to `L` parameters of this interval.
+    fn each<const L: usize>(&self, xs: &[f64]) -> [At; L] {
         widest(
             #[inline(always)]
             || {
-                let rows = self.bases(xs);
+                let rows: Rows<L> = self.bases(xs);
                 let rails = self.rails.each_ref().map(
                     #[inline(always)]
                     |rail| values(rail, &rows),
@@ -276,8 +278,8 @@ impl Panel {
         )
     }
 
-    /// The normals at up to [`LANES`] parameters of this interval.
-    fn normals(&self, xs: &[f64]) -> [[f64; 3]; LANES] {
+    /// The normals at up to `L` parameters of this interval.
+    fn normals<const L: usize>(&self, xs: &[f64]) -> [[f64; 3]; L] {
         widest(
             #[inline(always)]
             || values(&self.normal, &self.bases(xs)),
@@ -305,8 +307,11 @@ impl Panel {
 
 /// The values of some functions at several parameters.
 #[inline(always)]
-fn values<const K: usize>(functions: &[Interpolant; K], rows: &Rows) -> [[f64; K]; LANES] {
-    let mut values = [[0.0; K]; LANES];
+fn values<const K: usize, const L: usize>(
+    functions: &[Interpolant; K],
+    rows: &Rows<L>,
+) -> [[f64; K]; L] {
+    let mut values = [[0.0; K]; L];
     for (i, function) in functions.iter().enumerate() {
         for (value, slot) in function.at_each(rows).into_iter().zip(&mut values) {
             slot[i] = value;

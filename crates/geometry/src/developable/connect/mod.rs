@@ -169,7 +169,11 @@ where
     let bits = precision(rails)?;
     let ball = |x: &f64| exact_ball(*x, bits);
     let (one, two) = (first.over(&ball)?, second.over(&ball)?);
-    let balls = (&one, &two);
+    let tracer = trace::Tracer {
+        rails,
+        balls: (&one, &two),
+        bits,
+    };
     let survey::Survey {
         rising,
         falling,
@@ -178,7 +182,7 @@ where
     let mut branches: Vec<Branch> = Vec::new();
     let mut seeds: Vec<(ParameterBox, [f64; 2])> = Vec::new();
     for cell in rising {
-        let Some(seed) = trace::seed(rails, balls, &cell, bits) else {
+        let Some(seed) = tracer.seed(&cell) else {
             open.push(cell);
             continue;
         };
@@ -186,7 +190,7 @@ where
         if branches.iter().any(|branch| branch.passes(seed)) {
             continue;
         }
-        for piece in trace::trace(rails, balls, seed, bits) {
+        for piece in tracer.trace(seed) {
             let known = |node: &[f64; 2]| branches.iter().any(|branch| branch.passes(*node));
             if !piece.nodes.iter().any(known) {
                 branches.push(piece);

@@ -123,43 +123,124 @@ pub(super) fn solution<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
     (last < 1e-12).then_some(w)
 }
 
-/// The solution in a rising cell, by bisection along the antidiagonal between its corners; known within half of
-/// [`NODE_RADIUS`], or `None`.
-pub(super) fn seed<P, Q, A, B>(
-    rails: (&P, &Q),
-    balls: (&A, &B),
-    cell: &ParameterBox,
-    bits: usize,
-) -> Option<[f64; 2]>
+/// The curves, for following and for proving what was followed.
+pub(super) struct Tracer<'a, P, Q, A, B> {
+    pub rails: (&'a P, &'a Q),
+    /// The same curves over balls.
+    pub balls: (&'a A, &'a B),
+    /// The precision of the balls.
+    pub bits: usize,
+}
+
+impl<P, Q, A, B> Tracer<'_, P, Q, A, B>
 where
     P: SpaceCurve<f64>,
     Q: SpaceCurve<f64>,
     A: SpaceCurve<Ball>,
     B: SpaceCurve<Ball>,
 {
-    let on = |k: f64| {
-        let ([s0, s1], [t0, t1]) = (cell.s, cell.t);
-        [s1 + k * (s0 - s1), t0 + k * (t1 - t0)]
-    };
-    let value = |k: f64| {
-        let [s, t] = on(k);
-        Equation::at(rails, &s, &t)
-            .map(|equation| equation.value)
-            .ok()
-    };
-    let (mut a, mut b) = (0.0, 1.0);
-    let negative = value(a)? < 0.0;
-    for _ in 0..60 {
-        let middle = 0.5 * (a + b);
-        if (value(middle)? < 0.0) == negative {
-            a = middle;
-        } else {
-            b = middle;
+    /// The solution in a rising cell, by bisection along the antidiagonal between its corners; known within half of
+    /// [`NODE_RADIUS`], or `None`.
+    pub(super) fn seed(&self, cell: &ParameterBox) -> Option<[f64; 2]> {
+        let on = |k: f64| {
+            let ([s0, s1], [t0, t1]) = (cell.s, cell.t);
+            [s1 + k * (s0 - s1), t0 + k * (t1 - t0)]
+        };
+        let value = |k: f64| {
+            let [s, t] = on(k);
+            let equation = Equation::at(self.rails, &s, &t);
+            equation.map(|equation| equation.value).ok()
+        };
+        let (mut a, mut b) = (0.0, 1.0);
+        let negative = value(a)? < 0.0;
+        for _ in 0..60 {
+            let middle = 0.5 * (a + b);
+            if (value(middle)? < 0.0) == negative {
+                a = middle;
+            } else {
+                b = middle;
+            }
         }
+        let seed = on(0.5 * (a + b));
+        self.crosses(seed, 0.5 * NODE_RADIUS).then_some(seed)
     }
-    let seed = on(0.5 * (a + b));
-    let around = around(seed, 0.5 * NODE_RADIUS);
-    (corners(balls.0, balls.1, &around, bits) == Some(true)).then_some(seed)
+
+    /// The branch through a solution, in both directions; in pieces where it could not be proved.
+    pub(super) fn trace(&self, from: [f64; 2]) -> Vec<Branch> {
+        let u = from[0] + from[1];
+        let Some(w) = solution(self.rails, u, from[1] - from[0], 0.1) else {
+            return Vec::new();
+        };
+        let (mut nodes, start) = follow(self.rails, [u, w], -1.0);
+        let (after, end) = follow(self.rails, [u, w], 1.0);
+        nodes.reverse();
+        nodes.push([u, w]);
+        nodes.extend(after);
+        // The border is met up to rounding.
+        let nodes = nodes
+            .into_iter()
+            .map(|[u, w]| [0.5 * (u - w), 0.5 * (u + w)].map(|x| x.clamp(0.0, 1.0)));
+        self.proved(nodes.collect(), [start, end])
+    }
+
+    /// The pieces of what was followed that are proved, with nodes added where boxes are too large for it.
+    fn proved(&self, nodes: Vec<[f64; 2]>, [start, end]: [BranchEnd; 2]) -> Vec<Branch> {
+        let crossed = |node: &[f64; 2]| self.crosses(*node, NODE_RADIUS);
+        let sum = |[s, t]: [f64; 2]| s + t;
+        let (first, last) = (nodes.first().copied(), nodes.last().copied());
+        let mut open: Vec<[f64; 2]> = nodes.into_iter().rev().filter(crossed).collect();
+        let mut pieces: Vec<Vec<[f64; 2]>> = Vec::new();
+        let mut piece: Vec<[f64; 2]> = Vec::new();
+        while let Some(next) = open.pop() {
+            let Some(&before) = piece.last() else {
+                piece.push(next);
+                continue;
+            };
+            if self.links(before, next) {
+                piece.push(next);
+                continue;
+            }
+            let guess = 0.5 * (before[1] - before[0] + next[1] - next[0]);
+            let u = 0.5 * (sum(before) + sum(next));
+            let between = (sum(next) - sum(before) > LEAST_STEP)
+                .then(|| solution(self.rails, u, guess, 0.1))
+                .flatten()
+                .map(|w| [0.5 * (u - w), 0.5 * (u + w)])
+                .filter(crossed);
+            open.push(next);
+            match between {
+                Some(node) => open.push(node),
+                None => pieces.push(std::mem::take(&mut piece)),
+            }
+        }
+        pieces.push(piece);
+        let at = |node: Option<&[f64; 2]>, end: Option<[f64; 2]>, kind: BranchEnd| {
+            let reached = node.copied() == end;
+            if reached { kind } else { BranchEnd::Turns }
+        };
+        let branch = |nodes: Vec<[f64; 2]>| Branch {
+            ends: [at(nodes.first(), first, start), at(nodes.last(), last, end)],
+            nodes,
+        };
+        let long = |nodes: &Vec<[f64; 2]>| nodes.len() >= 2;
+        pieces.into_iter().filter(long).map(branch).collect()
+    }
+
+    /// Whether `F` is proved to change its sign on the antidiagonal within this distance of a point.
+    fn crosses(&self, node: [f64; 2], radius: f64) -> bool {
+        corners(self.balls.0, self.balls.1, &around(node, radius), self.bits) == Some(true)
+    }
+
+    /// Whether the solutions about two nodes and between them are proved to be one rising graph.
+    fn links(&self, from: [f64; 2], to: [f64; 2]) -> bool {
+        let (lower, upper) = (around(from, NODE_RADIUS), around(to, NODE_RADIUS));
+        let joined = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        let cell = ParameterBox {
+            s: joined(lower.s, upper.s),
+            t: joined(lower.t, upper.t),
+        };
+        rises(self.balls.0, self.balls.1, &cell, self.bits)
+    }
 }
 
 /// The square of this half width about a point.
@@ -168,35 +249,6 @@ fn around([s, t]: [f64; 2], radius: f64) -> ParameterBox {
         s: [s - radius, s + radius],
         t: [t - radius, t + radius],
     }
-}
-
-/// The branch through a solution, in both directions; in pieces where it could not be proved.
-pub(super) fn trace<P, Q, A, B>(
-    rails: (&P, &Q),
-    balls: (&A, &B),
-    from: [f64; 2],
-    bits: usize,
-) -> Vec<Branch>
-where
-    P: SpaceCurve<f64>,
-    Q: SpaceCurve<f64>,
-    A: SpaceCurve<Ball>,
-    B: SpaceCurve<Ball>,
-{
-    let u = from[0] + from[1];
-    let Some(w) = solution(rails, u, from[1] - from[0], 0.1) else {
-        return Vec::new();
-    };
-    let (mut nodes, start) = follow(rails, [u, w], -1.0);
-    let (after, end) = follow(rails, [u, w], 1.0);
-    nodes.reverse();
-    nodes.push([u, w]);
-    nodes.extend(after);
-    // The border is met up to rounding.
-    let nodes = nodes
-        .into_iter()
-        .map(|[u, w]| [0.5 * (u - w), 0.5 * (u + w)].map(|x| x.clamp(0.0, 1.0)));
-    proved(nodes.collect(), [start, end], rails, balls, bits)
 }
 
 /// `min(s, t, 1 - s, 1 - t)`: negative outside of the square.
@@ -270,72 +322,4 @@ fn border<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
     }
     // A corner is hit up to rounding only: the nearer of both.
     Some(if inside(b) > -1e-12 { b } else { a })
-}
-
-/// The pieces of what was followed that are proved, with nodes added where boxes are too large for it.
-fn proved<P, Q, A, B>(
-    nodes: Vec<[f64; 2]>,
-    [start, end]: [BranchEnd; 2],
-    rails: (&P, &Q),
-    balls: (&A, &B),
-    bits: usize,
-) -> Vec<Branch>
-where
-    P: SpaceCurve<f64>,
-    Q: SpaceCurve<f64>,
-    A: SpaceCurve<Ball>,
-    B: SpaceCurve<Ball>,
-{
-    let crossed = |node| corners(balls.0, balls.1, &around(node, NODE_RADIUS), bits) == Some(true);
-    let linked = |last: [f64; 2], next: [f64; 2]| {
-        let (lower, upper) = (around(last, NODE_RADIUS), around(next, NODE_RADIUS));
-        let joined = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
-        let cell = ParameterBox {
-            s: joined(lower.s, upper.s),
-            t: joined(lower.t, upper.t),
-        };
-        rises(balls.0, balls.1, &cell, bits)
-    };
-    let sum = |[s, t]: [f64; 2]| s + t;
-    let (first, last) = (nodes.first().copied(), nodes.last().copied());
-    let mut open: Vec<[f64; 2]> = nodes
-        .into_iter()
-        .rev()
-        .filter(|node| crossed(*node))
-        .collect();
-    let mut pieces: Vec<Vec<[f64; 2]>> = Vec::new();
-    let mut piece: Vec<[f64; 2]> = Vec::new();
-    while let Some(next) = open.pop() {
-        let Some(&before) = piece.last() else {
-            piece.push(next);
-            continue;
-        };
-        if linked(before, next) {
-            piece.push(next);
-            continue;
-        }
-        let guess = 0.5 * (before[1] - before[0] + next[1] - next[0]);
-        let u = 0.5 * (sum(before) + sum(next));
-        let between = (sum(next) - sum(before) > LEAST_STEP)
-            .then(|| solution(rails, u, guess, 0.1))
-            .flatten()
-            .map(|w| [0.5 * (u - w), 0.5 * (u + w)])
-            .filter(|node| crossed(*node));
-        open.push(next);
-        match between {
-            Some(node) => open.push(node),
-            None => pieces.push(std::mem::take(&mut piece)),
-        }
-    }
-    pieces.push(piece);
-    let at = |node: Option<&[f64; 2]>, end: Option<[f64; 2]>, kind: BranchEnd| {
-        let reached = node.copied() == end;
-        if reached { kind } else { BranchEnd::Turns }
-    };
-    let branch = |nodes: Vec<[f64; 2]>| Branch {
-        ends: [at(nodes.first(), first, start), at(nodes.last(), last, end)],
-        nodes,
-    };
-    let long = |nodes: &Vec<[f64; 2]>| nodes.len() >= 2;
-    pieces.into_iter().filter(long).map(branch).collect()
 }
