@@ -13,7 +13,9 @@ use torse_designs::inspect::inspect;
 use torse_designs::unroll::{Demand, Summary, unroll};
 use torse_designs::{Design, load};
 use torse_exchange::write_file;
+use torse_geometry::Surface;
 use torse_geometry::pattern::Place;
+use torse_geometry::vector::{norm, sub};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -56,7 +58,8 @@ fn surfaces(design: &Design, folder: &Path) -> Outcome<Value> {
             points.push(patch.sheet.point(f64::from(i) / 8.0, f64::from(j) / 3.0)?);
         }
     }
-    let area: f64 = inspect(design)?.patches.iter().filter_map(|p| p.area).sum();
+    let report = inspect(design)?;
+    let mut area: f64 = report.patches.iter().filter_map(|p| p.area).sum();
     // A surface that is moved by a distance changes its area at the border and where it is bent.
     let mut border = 0.0;
     for piece in unroll(design, &Demand::default())? {
@@ -66,10 +69,28 @@ fn surfaces(design: &Design, folder: &Path) -> Outcome<Value> {
             border += ruling.bend.abs() * (x1 - x0).hypot(y1 - y0);
         }
     }
+    for surface in &report.surfaces {
+        area += surface.area;
+        border += surface
+            .radius
+            .map_or(0.0, |radius| 2.0 * surface.area / radius);
+    }
+    let parts = design.surfaces.iter().flat_map(|surface| &surface.parts);
+    let mut faces = design.patches.len();
+    for part in parts {
+        faces += 1;
+        let at = |i: u32, j: u32| part.point(&(f64::from(i) / 16.0), &(f64::from(j) / 16.0));
+        for k in 0..=16 {
+            points.extend([at(k, 0)?, at(k, 16)?, at(0, k)?, at(16, k)?, at(k, 8)?]);
+        }
+        // About once round it.
+        let [a, b, c] = [at(0, 0)?, at(16, 0)?, at(0, 16)?];
+        border += 4.0 * (norm(&sub(&b, &a)) + norm(&sub(&c, &a)));
+    }
     Ok(json!({
         "step": write(design, folder, "step")?,
         "iges": write(design, folder, "igs")?,
-        "faces": design.patches.len(),
+        "faces": faces,
         "area": area,
         "area_within": border * model.error(),
         "error": model.error(),

@@ -53,7 +53,7 @@ fn patches() -> Vec<(Truth, String)> {
         (Truth::Singular, "curves.a = { bezier = [[0, 0, 0], [S, S, 0], [S, 0, 0]] }\ncurves.b = { bezier = [[0, S, 0], [S, S, 0]] }
          patches.p = { connect = [\"a\", \"b\"] }"),
         // All rulings parallel, and one of them along its rail.
-        (Truth::Singular, "curves.a = { bezier = [[0, 0, 0], [S, 0, 0], [S, S, 0], [0, S, S]] }\npatches.p = { cylinder = \"a\", direction = [0, -S, S] }"),
+        (Truth::Singular, "curves.a = { bezier = [[0, 0, 0], [S, 0, -S], [S, S, 0], [0, S, S]] }\npatches.p = { cylinder = \"a\", direction = [0, S, S] }"),
         // A ring that goes round more than once: in the plane, where it lies on itself.
         (Truth::Overlaps, "curves.a = { bezier = [[S, 0, 0], [S, S, 0], [0, S, 0], [-S, S, 0], [-S, 0, 0], [-S, -S, 0], [0, -S, 0], [S, -S, 0],
              [S, 0, 0], [S, S, 0], [0, S, 0], [-S, S, 0], [-S, 0, 0], [-S, -S, 0], [0, -S, 0]] }
