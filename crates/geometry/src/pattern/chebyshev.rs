@@ -96,9 +96,10 @@ pub(super) fn bases<const L: usize>(t: [f64; L]) -> Rows<L> {
     rows[1] = t;
     for j in 2..NODES {
         let (half, rest) = (j / 2, j - j / 2);
-        for k in 0..L {
-            rows[j][k] = 2.0 * rows[half][k] * rows[rest][k] - rows[rest - half][k];
-        }
+        rows[j] = std::array::from_fn(
+            #[inline(always)]
+            |k| 2.0 * rows[half][k] * rows[rest][k] - rows[rest - half][k],
+        );
     }
     rows
 }
