@@ -51,8 +51,8 @@ pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
     let named = |degree: &Rational| {
         let text = degree.to_string();
         let words = DEGREES.iter().find(|(digit, _)| *digit == text);
-        subject.print.numbers.contains(degree)
-            || words.is_some_and(|(_, words)| subject.print.says(words))
+        subject.context.mentioned.contains(degree)
+            || words.is_some_and(|(_, words)| subject.context.says(words))
     };
     let unnamed = degrees.iter().filter(|degree| !named(degree));
     let unnamed = unnamed.map(ToString::to_string).collect();
@@ -61,7 +61,9 @@ pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
 
 /// One coordinate of a vector, where the print does not speak of coordinates.
 pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
-    const WORDS: [&str; 12] = [
+    // A plane x = h is told by one coordinate.
+    const WORDS: [&str; 13] = [
+        "plane",
         "coordinate",
         "component",
         "abscissa",
@@ -142,7 +144,7 @@ pub(super) fn instance(subject: &Subject<'_>) -> Vec<Sign> {
     let values = values(subject);
     let unprinted = values.iter().filter(|value| {
         let parts = [value.numer(), value.denom()].map(|i| Rational::from_integer(i.clone()));
-        let printed = &subject.print.numbers;
+        let printed = &subject.context.mentioned;
         let quotient = parts.iter().all(|part| printed.contains(part));
         !ends(value) && !printed.contains(*value) && !quotient
     });

@@ -7,13 +7,16 @@ use torse_language::syntax::{Node, parse};
 /// A printed sentence, taken apart.
 #[derive(Debug, Default)]
 pub struct Print {
-    /// The numbers, those of references such as "Fig. 3" or "(5.16)" left out.
+    /// The numbers that stand for themselves: those of references such as "Fig. 3" or "(5.16)", of names such as `a_3`, and
+    /// the first ones of enumerations such as "k = 0, 1, 2, ..., m" are left out.
     pub numbers: BTreeSet<Rational>,
+    /// These, and the numbers of names and enumerations.
+    pub mentioned: BTreeSet<Rational>,
     /// The names of mathematics: Greek letters in our spelling, single Latin letters beside signs.
     pub names: BTreeSet<String>,
     /// These, and all single Latin letters: some of them are words.
     pub letters: BTreeSet<String>,
-    /// How many relations there are.
+    /// How many relations there are, enumerations left out.
     pub relations: usize,
     /// Equations.
     pub equal: bool,
@@ -26,7 +29,7 @@ pub struct Print {
 }
 
 /// Words after which a number is that of a formula or figure.
-const REFERENCES: [&str; 16] = [
+const REFERENCES: [&str; 19] = [
     "eq.",
     "eqs.",
     "eq",
@@ -43,6 +46,9 @@ const REFERENCES: [&str; 16] = [
     "example",
     "examples",
     "step",
+    "equation",
+    "equations",
+    "table",
 ];
 
 impl Print {
@@ -61,19 +67,24 @@ impl Print {
                 let length = number_length(rest);
                 let text: String = rest.iter().take(length).collect();
                 let before = i.checked_sub(1).and_then(|j| letters.get(j));
-                let after = rest.get(length);
-                let bracketed = matches!(
-                    (before, after),
-                    (Some('(' | '['), Some(')' | ']')) if text.contains('.') || before == Some(&'[')
-                );
-                if !bracketed && !REFERENCES.contains(&last_word.as_str()) {
-                    print.numbers.extend(number(&text));
+                if !REFERENCES.contains(&last_word.as_str())
+                    && !reference(&letters, i, length)
+                    && !ordinal(&letters, i, length)
+                {
+                    print.mentioned.extend(number(&text));
+                    let named = before.is_some_and(|c| c.is_alphabetic() || "_{'′".contains(*c));
+                    if !named && !enumeration(&letters, i) {
+                        print.numbers.extend(number(&text));
+                    }
                 }
                 i += length;
                 continue;
             }
             match c {
-                '=' => (print.relations, print.equal) = (print.relations + 1, true),
+                '=' if !enumerates(rest) => {
+                    (print.relations, print.equal) = (print.relations + 1, true);
+                }
+                '∈' => print.order = true,
                 '<' | '>' | '≤' | '≥' | '⩽' | '⩾' | '≦' | '≧' | '≪' | '≫' => {
                     (print.relations, print.order) = (print.relations + 1, true);
                 }
@@ -119,6 +130,50 @@ impl Print {
                 .any(|beginning| word.starts_with(beginning))
         })
     }
+}
+
+/// Whether a number is that of a formula: `(5.16)`, `(3.3a)`, `[7]`, and `(30)` after a blank.
+fn reference(letters: &[char], start: usize, length: usize) -> bool {
+    let before = |n: usize| start.checked_sub(n).and_then(|j| letters.get(j));
+    let rest = letters.get(start + length..).unwrap_or_default();
+    let lettered = rest.first().is_some_and(char::is_ascii_lowercase);
+    let close = rest.get(usize::from(lettered));
+    let number = letters.get(start..start + length).unwrap_or_default();
+    match (before(1), close) {
+        (Some('['), Some(']')) => true,
+        (Some('('), Some(')')) => {
+            let applied = before(2).is_some_and(|c| c.is_alphanumeric() || "'′]})".contains(*c));
+            number.contains(&'.') || !applied
+        }
+        _ => false,
+    }
+}
+
+/// Whether a number counts the steps of a list: `2. Consider ...`.
+fn ordinal(letters: &[char], start: usize, length: usize) -> bool {
+    let first = start.checked_sub(1).is_none_or(|j| letters.get(j) == Some(&' '));
+    let rest = letters.get(start + length..).unwrap_or_default();
+    first && matches!(rest, ['.', ' ', next, ..] if next.is_uppercase())
+}
+
+/// Whether what follows an equals sign is a list of integers: `= 0, 1, ..., m`.
+fn enumerates(rest: &[char]) -> bool {
+    let mut rest = rest.iter().skip(1).skip_while(|c| **c == ' ').peekable();
+    let mut digits = 0;
+    while rest.peek().is_some_and(|c| c.is_ascii_digit()) {
+        digits += 1;
+        rest.next();
+    }
+    digits > 0 && rest.find(|c| **c != ' ') == Some(&',')
+}
+
+/// Whether a number stands in such a list.
+fn enumeration(letters: &[char], start: usize) -> bool {
+    let before = letters.get(..start).unwrap_or_default();
+    let listed = |c: &char| c.is_ascii_digit() || matches!(c, ' ' | ',' | '.' | '…');
+    let equals = before.iter().rposition(|c| !listed(c));
+    let equals = equals.filter(|i| before.get(*i) == Some(&'='));
+    equals.is_some_and(|i| enumerates(letters.get(i..).unwrap_or_default()))
 }
 
 fn number_length(rest: &[char]) -> usize {
