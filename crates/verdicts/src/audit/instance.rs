@@ -2,12 +2,13 @@
 
 use super::formulas::every;
 use super::occurrences::value;
+use super::print::Print;
 use super::{Sign, Subject, listed};
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
 use torse_language::derivation::declarations::SymbolKind;
 use torse_language::syntax::{Expr, Node, Relation};
-use torse_language::words::Flag;
+use torse_language::words::{Flag, Verdict};
 
 /// The words for a degree.
 const DEGREES: [(&str, &[&str]); 6] = [
@@ -29,8 +30,30 @@ const DEGREES: [(&str, &[&str]); 6] = [
     ("6", &["sextic", "sixth", "six"]),
 ];
 
-/// A degree that the claim fixes by a number, and the print does not name.
+/// A degree that the claim fixes by a number, and the print does not name. One degree is enough to refute a sentence.
 pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
+    if refuted(subject) {
+        return vec![];
+    }
+    let named = |degree: &Rational| {
+        let text = degree.to_string();
+        let words = DEGREES.iter().find(|(digit, _)| *digit == text);
+        subject.context.mentioned.contains(degree)
+            || words.is_some_and(|(_, words)| subject.context.says(words))
+    };
+    let degrees = degrees(subject);
+    let unnamed = degrees.iter().filter(|degree| !named(degree));
+    let unnamed = unnamed.map(ToString::to_string).collect();
+    listed(Flag::OneDegree, "a degree that is not printed", unnamed)
+}
+
+/// Whether the statement is refuted, which one instance does.
+fn refuted(subject: &Subject<'_>) -> bool {
+    matches!(subject.outcome.verdict, Verdict::False | Verdict::Misprint)
+}
+
+/// The degrees that a claim fixes by a number.
+pub(super) fn degrees(subject: &Subject<'_>) -> BTreeSet<Rational> {
     let declarations = &subject.claim.declarations;
     let mut degrees: BTreeSet<Rational> = BTreeSet::new();
     for expr in &subject.formulas.own {
@@ -48,15 +71,7 @@ pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
             })),
         });
     }
-    let named = |degree: &Rational| {
-        let text = degree.to_string();
-        let words = DEGREES.iter().find(|(digit, _)| *digit == text);
-        subject.context.mentioned.contains(degree)
-            || words.is_some_and(|(_, words)| subject.context.says(words))
-    };
-    let unnamed = degrees.iter().filter(|degree| !named(degree));
-    let unnamed = unnamed.map(ToString::to_string).collect();
-    listed(Flag::OneDegree, "a degree that is not printed", unnamed)
+    degrees
 }
 
 /// One coordinate of a vector, where the print does not speak of coordinates.
@@ -97,7 +112,7 @@ pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
         });
     });
     match entries.len() {
-        1 if !subject.print.says(&WORDS) => {
+        1 if !subject.print.says(&WORDS) && !Print::of(&subject.claim.entry.at).says(&WORDS) => {
             let entries = entries.iter().map(ToString::to_string).collect();
             listed(Flag::OneCoordinate, "one entry of a vector alone", entries)
         }
@@ -140,6 +155,9 @@ fn values(subject: &Subject<'_>) -> BTreeSet<Rational> {
 
 /// A value for all that the print does not have; the ends 0 and 1 of an interval are no such.
 pub(super) fn instance(subject: &Subject<'_>) -> Vec<Sign> {
+    if refuted(subject) {
+        return vec![];
+    }
     let ends = |value: &Rational| value.is_integer() && ["0", "1"].contains(&&*value.to_string());
     let values = values(subject);
     let unprinted = values.iter().filter(|value| {

@@ -22,7 +22,7 @@ use crate::outcome::Outcome;
 use formulas::Formulas;
 use print::Print;
 use setting::Setting;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use torse_language::derivation::{Answer, Claim, Paper};
 use torse_language::words::{Flag, Kind};
 
@@ -56,8 +56,8 @@ struct Subject<'a> {
     print: Print,
     /// What is printed here and where the claim rests: what it uses, what it quotes, the other parts of its sentence.
     context: Print,
-    /// The ids of all that it rests on, through others too.
-    rests_on: BTreeSet<&'a str>,
+    /// The claims that it rests on, through others too.
+    rests_on: Vec<&'a Claim>,
     /// The relations that all parts of the sentence state together.
     relations_of_all_parts: usize,
 }
@@ -81,18 +81,18 @@ pub fn audit<'a>(papers: &'a [Paper], claims: &[(&'a Claim, &'a Outcome)]) -> Ve
 }
 
 /// The signs at a claim, those of its readings among them, each flag in the order of its declaration.
-fn signs(
-    claim: &Claim,
+fn signs<'a>(
+    claim: &'a Claim,
     outcome: &Outcome,
-    setting: &Setting<'_>,
+    setting: &Setting<'a>,
     of_all_parts: Option<usize>,
 ) -> Vec<Sign> {
     let mut signs = match claim.readings.is_empty() {
-        true => signs_of(claim, outcome, setting, of_all_parts),
+        true => signs_of(claim, claim, outcome, setting, of_all_parts),
         false => vec![],
     };
     for (reading, found) in claim.readings.iter().zip(&outcome.readings) {
-        for sign in signs_of(&reading.claim, &found.outcome, setting, of_all_parts) {
+        for sign in signs_of(&reading.claim, claim, &found.outcome, setting, of_all_parts) {
             let seen = format!("read as `{}`: {}", reading.name, sign.seen);
             signs.push(Sign { seen, ..sign });
         }
@@ -102,10 +102,12 @@ fn signs(
     signs
 }
 
-fn signs_of(
-    claim: &Claim,
+/// The signs at a claim, or at a reading of the sentence `stands`.
+fn signs_of<'a>(
+    claim: &'a Claim,
+    stands: &'a Claim,
     outcome: &Outcome,
-    setting: &Setting<'_>,
+    setting: &Setting<'a>,
     of_all_parts: Option<usize>,
 ) -> Vec<Sign> {
     if claim.entry.kind == Kind::Figure {
@@ -116,8 +118,8 @@ fn signs_of(
         outcome,
         formulas: Formulas::of(claim),
         print: Print::of(&claim.entry.printed),
-        context: Print::of(&setting.prints(claim)),
-        rests_on: setting.rests_on(claim),
+        context: Print::of(&setting.prints(stands)),
+        rests_on: setting.rests_on(stands),
         relations_of_all_parts: of_all_parts.unwrap_or_else(|| parts::relations_of(claim)),
     };
     let mut signs = vec![];

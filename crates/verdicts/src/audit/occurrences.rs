@@ -1,8 +1,8 @@
 //! What the print has and the statement has not, and the other way round: numbers, names, relations.
 
 use super::formulas::every;
-use super::print::{Print, stem};
-use super::{Sign, Subject, listed, sign};
+use super::print::{Print, explained, stem};
+use super::{Sign, Subject, instance, listed, sign};
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
@@ -25,6 +25,8 @@ pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
     reached.extend(names.flat_map(|name| digits(name)));
     reached.extend(bounds(subject));
     let own: BTreeSet<Rational> = subject.formulas.own.iter().flat_map(|e| free(e)).collect();
+    // A degree is looked at by itself.
+    let degrees = instance::degrees(subject);
     let printed = &subject.context.mentioned;
     let shown = |numbers: Vec<&Rational>| -> Vec<String> {
         let telling = numbers.into_iter().filter(|n| !everywhere(n));
@@ -36,7 +38,7 @@ pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
         printed.contains(n) || parts.iter().all(|p| printed.contains(p) || everywhere(p))
     };
     let lacks = subject.print.numbers.iter().filter(|n| !reached.contains(*n)).collect();
-    let adds = own.iter().filter(|n| !parts(n)).collect();
+    let adds = own.iter().filter(|n| !parts(n) && !degrees.contains(*n)).collect();
     let mut signs = listed(Flag::LacksNumber, "printed and not stated", shown(lacks));
     signs.extend(listed(
         Flag::AddsNumber,
@@ -110,10 +112,12 @@ pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
     let written = subject.formulas.reached.iter().flat_map(|e| e.names());
     let written: BTreeSet<&str> = written.chain(subject.formulas.names.iter().copied()).collect();
     let shown = written.iter().filter_map(|name| declarations.display(name));
-    let shown = Print::of(&shown.collect::<Vec<_>>().join(" ")).letters;
+    let shown = shown.flat_map(|text| text.split(|c: char| !c.is_ascii_alphabetic()));
+    let shown: BTreeSet<&str> = shown.collect();
     let reached: BTreeSet<&str> = written.iter().map(|name| stem(name)).collect();
     let declared: BTreeSet<&str> = declarations.names().map(stem).collect();
-    let printed = subject.print.names.iter().map(String::as_str);
+    let printed = Print::of(explained(&subject.claim.entry.printed));
+    let printed = printed.names.iter().map(String::as_str);
     let lacks = printed.filter(|name| {
         declared.contains(name) && !reached.contains(name) && !shown.contains(*name)
     });
@@ -123,7 +127,10 @@ pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
     }
     let adds = stated.into_iter().filter(|name| {
         let free = matches!(declarations.symbol(name), Some(SymbolKind::Real(_)));
-        free && !subject.context.letters.contains(stem(name))
+        let shown = declarations.display(name).unwrap_or_default();
+        let mut shown = shown.split(|c: char| !c.is_ascii_alphabetic());
+        let mut printed = |letters: &str| subject.context.letters.contains(letters);
+        free && !printed(stem(name)) && !shown.any(|letters| letters.len() == 1 && printed(letters))
     });
     let shown = |name: &str| format!("`{name}`");
     let (lacks, adds) = (lacks.map(shown).collect(), adds.map(shown).collect());
@@ -141,6 +148,8 @@ fn free_names<'e>(expr: &'e Expr, declarations: &Declarations, found: &mut BTree
         Node::Call(head, arguments) => {
             let name = match &head.node {
                 Node::Name(name) => name.as_str(),
+                // A derivative that is taken somewhere: `D(G, mu)(x)`.
+                Node::Call(..) => "at",
                 Node::Index(head, _) => match &head.node {
                     Node::Name(name) => name.as_str(),
                     _ => "",
@@ -151,7 +160,8 @@ fn free_names<'e>(expr: &'e Expr, declarations: &Declarations, found: &mut BTree
             let function = declarations.definition(name).is_some_and(|d| !d.parameters.is_empty());
             let skipped = |(i, argument): &(usize, &Expr)| {
                 let bound = match name {
-                    "D" | "at" => *i == 1,
+                    "D" => *i == 1,
+                    "at" => *i == usize::from(arguments.len() > 1),
                     "sum" => *i == 0,
                     _ => function || declarations.basis(name).is_some(),
                 };
@@ -232,7 +242,7 @@ pub(super) fn relations(subject: &Subject<'_>) -> Vec<Sign> {
         }
     };
     adds(
-        stated.order && !print.order && !print.says(&ORDER),
+        stated.order && !print.order && !print.range && !print.says(&ORDER),
         "an inequality",
     );
     let denied = print.different || print.says(&DENIAL) || print.order;

@@ -12,7 +12,8 @@ pub struct Print {
     pub numbers: BTreeSet<Rational>,
     /// These, and the numbers of names and enumerations.
     pub mentioned: BTreeSet<Rational>,
-    /// The names of mathematics: Greek letters in our spelling, single Latin letters beside signs.
+    /// The names of mathematics: Greek letters in our spelling, single Latin letters beside signs; indices are left out, as
+    /// they run through all that a family has.
     pub names: BTreeSet<String>,
     /// These, and all single Latin letters: some of them are words.
     pub letters: BTreeSet<String>,
@@ -22,6 +23,8 @@ pub struct Print {
     pub equal: bool,
     /// Signs of order.
     pub order: bool,
+    /// Signs of membership, as of an interval.
+    pub range: bool,
     /// Signs that something differs.
     pub different: bool,
     /// The text in small letters.
@@ -72,7 +75,8 @@ impl Print {
                     && !ordinal(&letters, i, length)
                 {
                     print.mentioned.extend(number(&text));
-                    let named = before.is_some_and(|c| c.is_alphabetic() || "_{'′".contains(*c));
+                    let dimension = matches!(rest.get(length..), Some(['D', ..] | ['-', 'd', ..]));
+                    let named = dimension || before.is_some_and(|c| c.is_alphabetic() || "_{'′".contains(*c));
                     if !named && !enumeration(&letters, i) {
                         print.numbers.extend(number(&text));
                     }
@@ -84,7 +88,7 @@ impl Print {
                 '=' if !enumerates(rest) => {
                     (print.relations, print.equal) = (print.relations + 1, true);
                 }
-                '∈' => print.order = true,
+                '∈' => print.range = true,
                 '<' | '>' | '≤' | '≥' | '⩽' | '⩾' | '≦' | '≧' | '≪' | '≫' => {
                     (print.relations, print.order) = (print.relations + 1, true);
                 }
@@ -92,7 +96,9 @@ impl Print {
                 _ => {}
             }
             if let Some(name) = greek(c) {
-                print.names.insert(name.to_owned());
+                if !subscript(letters.get(..i).unwrap_or_default()) {
+                    print.names.insert(name.to_owned());
+                }
                 print.letters.insert(name.to_owned());
             }
             if c.is_ascii_alphabetic() {
@@ -105,11 +111,15 @@ impl Print {
                 if length == 1 {
                     print.letters.insert(word.clone());
                 }
-                if length == 1 && (beside(after) || beside(before)) {
+                let index = subscript(near) || enumerates_next(rest, length);
+                if length == 1 && !index && (beside(after) || beside(before)) {
                     print.names.insert(word.clone());
                 }
                 let dot = rest.get(length) == Some(&'.');
-                last_word = word.to_lowercase() + if dot { "." } else { "" };
+                let joins = matches!(word.as_str(), "and" | "to");
+                if !joins || !REFERENCES.contains(&last_word.as_str()) {
+                    last_word = word.to_lowercase() + if dot { "." } else { "" };
+                }
                 i += length + usize::from(dot);
                 continue;
             }
@@ -154,6 +164,26 @@ fn ordinal(letters: &[char], start: usize, length: usize) -> bool {
     let first = start.checked_sub(1).is_none_or(|j| letters.get(j) == Some(&' '));
     let rest = letters.get(start + length..).unwrap_or_default();
     first && matches!(rest, ['.', ' ', next, ..] if next.is_uppercase())
+}
+
+/// Whether what follows these letters is an index: `i` after `R_` and after `R_{k,`.
+fn subscript(before: &[char]) -> bool {
+    match before {
+        [.., '_'] => true,
+        _ => {
+            let open = before.iter().rposition(|c| *c == '{' || *c == '}');
+            let braced = open.is_some_and(|i| before.get(i) == Some(&'{'));
+            braced && open.is_some_and(|i| i > 0 && before.get(i - 1) == Some(&'_'))
+        }
+    }
+}
+
+/// Whether a name is followed by a list of what it runs through: `i = 0, 1, ..., k`.
+fn enumerates_next(rest: &[char], length: usize) -> bool {
+    let rest = rest.get(length..).unwrap_or_default();
+    let blanks = rest.iter().take_while(|c| **c == ' ').count();
+    let rest = rest.get(blanks..).unwrap_or_default();
+    rest.first() == Some(&'=') && enumerates(rest)
 }
 
 /// Whether what follows an equals sign is a list of integers: `= 0, 1, ..., m`.
@@ -226,6 +256,26 @@ fn greek(c: char) -> Option<&'static str> {
     ];
     let found = LETTERS.iter().find(|(letter, _)| *letter == c);
     found.map(|(_, name)| *name)
+}
+
+/// What a display says of the name that it defines: of `J(x; μ) = x φ + ψ` all but the left side, which is known by the right.
+pub fn explained(printed: &str) -> &str {
+    let Some((name, _)) = printed.split_once('=') else {
+        return printed;
+    };
+    let mut depth = 0_usize;
+    let one_word = name.trim().chars().all(|c| {
+        match c {
+            '(' | '{' | '[' => depth += 1,
+            ')' | '}' | ']' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        depth > 0 || c != ' '
+    });
+    match one_word {
+        true => printed.get(name.len()..).unwrap_or(printed),
+        false => printed,
+    }
 }
 
 /// The stem of a name: `mu` of `mu1`, `E` of `E1_0`.

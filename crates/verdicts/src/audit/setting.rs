@@ -45,12 +45,14 @@ impl<'a> Setting<'a> {
         text
     }
 
-    /// The ids of all claims that it rests on, itself and what those rest on among them.
-    pub fn rests_on(&self, claim: &'a Claim) -> BTreeSet<&'a str> {
-        let mut pending = vec![claim];
-        let mut found = BTreeSet::new();
+    /// The claims that it rests on, itself, the other parts of its sentence, and what those rest on among them.
+    pub fn rests_on(&self, claim: &'a Claim) -> Vec<&'a Claim> {
+        let parts = claim.whole().into_iter().flat_map(|id| self.named(id));
+        let mut pending: Vec<&Claim> = parts.copied().chain([claim]).collect();
+        let (mut seen, mut found) = (BTreeSet::new(), vec![]);
         while let Some(claim) = pending.pop() {
-            if found.insert(claim.entry.id.get_ref().as_str()) {
+            if seen.insert(claim.entry.id.get_ref().as_str()) {
+                found.push(claim);
                 let quoted = claim.quotes().into_iter().map(|quote| quote.claim.as_str());
                 let ids = claim.uses.iter().map(String::as_str).chain(quoted);
                 pending.extend(ids.flat_map(|id| self.named(id)).copied());

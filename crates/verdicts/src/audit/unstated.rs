@@ -21,8 +21,11 @@ pub(super) fn reading(subject: &Subject<'_>) -> Vec<Sign> {
     let names = words.filter(|word| word.starts_with(char::is_alphabetic) && !occurs(word));
     let names: BTreeSet<String> = names.map(|name| format!("`{name}`")).collect();
     let known = |number: &&str| {
-        let used = subject.rests_on.iter().any(|id| id.contains(*number));
-        used || entry.printed.contains(*number)
+        let mut rests_on = subject.rests_on.iter().map(|claim| &claim.entry);
+        rests_on.any(|entry| {
+            let places = [entry.id.get_ref(), &entry.at, &entry.printed];
+            places.into_iter().any(|text| text.contains(*number))
+        })
     };
     let numbers: BTreeSet<&str> = equation_numbers(reading).into_iter().collect();
     let numbers = numbers.into_iter().filter(|number| !known(number));
