@@ -1,12 +1,12 @@
 //! A sentence about all that is stated for one: one degree, one coordinate, one value.
 
-use super::formulas::every;
+use super::formulas::{counts, every};
 use super::occurrences::value;
 use super::print::Print;
 use super::{Sign, Subject, listed};
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
-use torse_language::derivation::declarations::SymbolKind;
+use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::syntax::{Expr, Node, Relation};
 use torse_language::words::{Flag, Verdict};
 
@@ -52,6 +52,15 @@ fn refuted(subject: &Subject<'_>) -> bool {
     matches!(subject.outcome.verdict, Verdict::False | Verdict::Misprint)
 }
 
+/// Whether this is a name for an integer.
+fn is_degree(name: &Expr, declarations: &Declarations) -> bool {
+    let symbol = match &name.node {
+        Node::Name(name) => declarations.symbol(name),
+        _ => None,
+    };
+    matches!(symbol, Some(SymbolKind::Integer { .. }))
+}
+
 /// The degrees that a claim fixes by a number.
 pub(super) fn degrees(subject: &Subject<'_>) -> BTreeSet<Rational> {
     let declarations = &subject.claim.declarations;
@@ -62,6 +71,14 @@ pub(super) fn degrees(subject: &Subject<'_>) -> BTreeSet<Rational> {
                 let basis =
                     matches!(&head.node, Node::Name(name) if declarations.basis(name).is_some());
                 if let (true, [_, degree]) = (basis, indices.as_slice()) {
+                    degrees.extend(value(degree));
+                }
+            }
+            Node::Call(head, arguments) => {
+                let at = matches!(&head.node, Node::Name(name) if name == "at");
+                if let (true, [_, of, degree]) = (at, arguments.as_slice())
+                    && is_degree(of, declarations)
+                {
                     degrees.extend(value(degree));
                 }
             }
@@ -140,10 +157,14 @@ fn values(subject: &Subject<'_>) -> BTreeSet<Rational> {
                     Node::Name(name) => name.trim_end_matches('\''),
                     _ => "",
                 };
-                let function = declarations.definition(name).is_some();
-                let taken = match (name, arguments.as_slice()) {
-                    ("at", [_, _, at]) => vec![at],
-                    _ if function => arguments.iter().collect(),
+                let definition = declarations.definition(name);
+                let taken = match (name, arguments.as_slice(), definition) {
+                    ("at", [_, of, at], _) if !is_degree(of, declarations) => vec![at],
+                    (_, arguments, Some(definition)) => {
+                        let numbered = arguments.iter().enumerate();
+                        let values = numbered.filter(|(place, _)| !counts(definition, *place));
+                        values.map(|(_, argument)| argument).collect()
+                    }
                     _ => vec![],
                 };
                 values.extend(taken.into_iter().filter_map(value));

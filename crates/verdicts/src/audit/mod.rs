@@ -12,9 +12,9 @@ mod instance;
 mod occurrences;
 mod parts;
 mod print;
+mod setting;
 mod sides;
 mod slips;
-mod setting;
 mod subject;
 mod unstated;
 

@@ -1,6 +1,6 @@
 //! What the print has and the statement has not, and the other way round: numbers, names, relations.
 
-use super::formulas::every;
+use super::formulas::{counts, every};
 use super::print::{Print, explained, stem};
 use super::{Sign, Subject, instance, listed, sign};
 use std::collections::BTreeSet;
@@ -24,7 +24,12 @@ pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
     let names = subject.formulas.names.iter();
     reached.extend(names.flat_map(|name| digits(name)));
     reached.extend(bounds(subject));
-    let own: BTreeSet<Rational> = subject.formulas.own.iter().flat_map(|e| free(e)).collect();
+    let own: BTreeSet<Rational> = subject
+        .formulas
+        .own
+        .iter()
+        .flat_map(|e| free(e, &subject.claim.declarations))
+        .collect();
     // A degree is looked at by itself.
     let degrees = instance::degrees(subject);
     let printed = &subject.context.mentioned;
@@ -37,8 +42,16 @@ pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
         let parts = [n.numer(), n.denom()].map(|i| Rational::from_integer(i.clone()));
         printed.contains(n) || parts.iter().all(|p| printed.contains(p) || everywhere(p))
     };
-    let lacks = subject.print.numbers.iter().filter(|n| !reached.contains(*n)).collect();
-    let adds = own.iter().filter(|n| !parts(n) && !degrees.contains(*n)).collect();
+    let lacks = subject
+        .print
+        .numbers
+        .iter()
+        .filter(|n| !reached.contains(*n))
+        .collect();
+    let adds = own
+        .iter()
+        .filter(|n| !parts(n) && !degrees.contains(*n))
+        .collect();
     let mut signs = listed(Flag::LacksNumber, "printed and not stated", shown(lacks));
     signs.extend(listed(
         Flag::AddsNumber,
@@ -63,13 +76,22 @@ pub(super) fn value(expr: &Expr) -> Option<Rational> {
 }
 
 /// The numbers of a formula that are neither indices nor orders of derivatives.
-fn free(expr: &Expr) -> Vec<Rational> {
+fn free(expr: &Expr, declarations: &Declarations) -> Vec<Rational> {
+    let free = |part| free(part, declarations);
     match &expr.node {
         Node::Index(head, _) => free(head),
         Node::Call(head, arguments) => {
-            let derivative = matches!(&head.node, Node::Name(name) if name == "D");
-            let arguments = arguments.iter().take(if derivative { 2 } else { usize::MAX });
-            arguments.flat_map(free).collect()
+            let name = match &head.node {
+                Node::Name(name) => name.as_str(),
+                _ => "",
+            };
+            let definition = declarations.definition(name);
+            let numbered = arguments.iter().enumerate();
+            let values = numbered.filter(|(place, _)| match definition {
+                Some(definition) => !counts(definition, *place),
+                None => name != "D" || *place < 2,
+            });
+            values.flat_map(|(_, argument)| free(argument)).collect()
         }
         _ => match value(expr) {
             Some(value) => vec![value],
@@ -97,7 +119,12 @@ fn bounds(subject: &Subject<'_>) -> Vec<Rational> {
                 bounds.extend(ends.filter_map(|end| end.value.as_rational().cloned()));
             }
             SymbolKind::Integer { least, most } => {
-                bounds.extend([least, most].into_iter().flatten().map(|end| integer(end.constant())));
+                bounds.extend(
+                    [least, most]
+                        .into_iter()
+                        .flatten()
+                        .map(|end| integer(end.constant())),
+                );
             }
             _ => {}
         }
@@ -110,7 +137,9 @@ pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
     let declarations = &subject.claim.declarations;
     // What is read is the names, those that are bound by sums and derivatives among them, and what they are shown as.
     let written = subject.formulas.reached.iter().flat_map(|e| e.names());
-    let written: BTreeSet<&str> = written.chain(subject.formulas.names.iter().copied()).collect();
+    let written: BTreeSet<&str> = written
+        .chain(subject.formulas.names.iter().copied())
+        .collect();
     let shown = written.iter().filter_map(|name| declarations.display(name));
     let shown = shown.flat_map(|text| text.split(|c: char| !c.is_ascii_alphabetic()));
     let shown: BTreeSet<&str> = shown.collect();
@@ -129,7 +158,7 @@ pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
         let free = matches!(declarations.symbol(name), Some(SymbolKind::Real(_)));
         let shown = declarations.display(name).unwrap_or_default();
         let mut shown = shown.split(|c: char| !c.is_ascii_alphabetic());
-        let mut printed = |letters: &str| subject.context.letters.contains(letters);
+        let printed = |letters: &str| subject.context.letters.contains(letters);
         free && !printed(stem(name)) && !shown.any(|letters| letters.len() == 1 && printed(letters))
     });
     let shown = |name: &str| format!("`{name}`");
@@ -157,7 +186,9 @@ fn free_names<'e>(expr: &'e Expr, declarations: &Declarations, found: &mut BTree
                 _ => "",
             };
             let name = name.trim_end_matches('\'');
-            let function = declarations.definition(name).is_some_and(|d| !d.parameters.is_empty());
+            let function = declarations
+                .definition(name)
+                .is_some_and(|d| !d.parameters.is_empty());
             let skipped = |(i, argument): &(usize, &Expr)| {
                 let bound = match name {
                     "D" => *i == 1,
@@ -183,14 +214,15 @@ fn free_names<'e>(expr: &'e Expr, declarations: &Declarations, found: &mut BTree
 const ORDER: [&str; 40] = [
     "less", "great", "larg", "small", "most", "least", "positiv", "negativ", "non", "increas",
     "decreas", "max", "min", "between", "above", "below", "bound", "inside", "within", "outside",
-    "quadrant", "admissib", "longer", "shorter", "more", "exceed", "higher", "lower", "close", "near", "far", "toward",
-    "convex", "monoton", "lie", "lies", "range", "interval", "rise", "fall",
+    "quadrant", "admissib", "longer", "shorter", "more", "exceed", "higher", "lower", "close",
+    "near", "far", "toward", "convex", "monoton", "lie", "lies", "range", "interval", "rise",
+    "fall",
 ];
 /// Words of denial.
 const DENIAL: [&str; 27] = [
     "not", "no", "non", "never", "cannot", "differ", "distinct", "without", "neither", "nor",
-    "unlike", "fail", "except", "other", "un", "depend", "vary", "chang", "modif", "alter", "fluctuat", "adjust",
-    "amend", "disturb", "control", "variou", "benefit",
+    "unlike", "fail", "except", "other", "un", "depend", "vary", "chang", "modif", "alter",
+    "fluctuat", "adjust", "amend", "disturb", "control", "variou", "benefit",
 ];
 
 /// Relations of the print that are not stated, and the other way round.
@@ -293,8 +325,7 @@ impl Kinds {
             }
             Node::Not(_) => self.different = true,
             Node::Call(head, _) => {
-                self.property |=
-                    matches!(&head.node, Node::Name(name) if is_property(name));
+                self.property |= matches!(&head.node, Node::Name(name) if is_property(name));
             }
             _ => {}
         }

@@ -76,7 +76,8 @@ impl Print {
                 {
                     print.mentioned.extend(number(&text));
                     let dimension = matches!(rest.get(length..), Some(['D', ..] | ['-', 'd', ..]));
-                    let named = dimension || before.is_some_and(|c| c.is_alphabetic() || "_{'′".contains(*c));
+                    let named = dimension
+                        || before.is_some_and(|c| c.is_alphabetic() || "_{'′".contains(*c));
                     if !named && !enumeration(&letters, i) {
                         print.numbers.extend(number(&text));
                     }
@@ -85,6 +86,14 @@ impl Print {
                 continue;
             }
             match c {
+                // Half of `<=` or `>=`, which was counted, or of `!=`.
+                '=' if matches!(
+                    i.checked_sub(1).and_then(|j| letters.get(j)),
+                    Some('<' | '>')
+                ) => {}
+                '=' if i.checked_sub(1).and_then(|j| letters.get(j)) == Some(&'!') => {
+                    (print.relations, print.different) = (print.relations + 1, true);
+                }
                 '=' if !enumerates(rest) => {
                     (print.relations, print.equal) = (print.relations + 1, true);
                 }
@@ -108,7 +117,8 @@ impl Print {
                 let near = letters.get(..i).unwrap_or_default();
                 let before = near.iter().rev().find(|c| **c != ' ');
                 let beside = |c: Option<&char>| c.is_some_and(|c| "_=<>+-−*/^(≤≥≠'′".contains(*c));
-                if length == 1 {
+                let spelled = LETTERS.iter().any(|(_, name)| *name == word);
+                if length == 1 || spelled {
                     print.letters.insert(word.clone());
                 }
                 let index = subscript(near) || enumerates_next(rest, length);
@@ -161,7 +171,9 @@ fn reference(letters: &[char], start: usize, length: usize) -> bool {
 
 /// Whether a number counts the steps of a list: `2. Consider ...`.
 fn ordinal(letters: &[char], start: usize, length: usize) -> bool {
-    let first = start.checked_sub(1).is_none_or(|j| letters.get(j) == Some(&' '));
+    let first = start
+        .checked_sub(1)
+        .is_none_or(|j| letters.get(j) == Some(&' '));
     let rest = letters.get(start + length..).unwrap_or_default();
     first && matches!(rest, ['.', ' ', next, ..] if next.is_uppercase())
 }
@@ -226,34 +238,36 @@ fn number(text: &str) -> Option<Rational> {
     }
 }
 
+/// How files spell Greek letters.
+const LETTERS: [(char, &str); 24] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('µ', "mu"),
+    ('ν', "nu"),
+    ('ξ', "xi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('φ', "phi"),
+    ('ϕ', "phi"),
+    ('χ', "chi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+    ('Δ', "Delta"),
+    ('Ω', "Omega"),
+];
+
 /// How files spell a Greek letter.
 fn greek(c: char) -> Option<&'static str> {
-    const LETTERS: [(char, &str); 24] = [
-        ('α', "alpha"),
-        ('β', "beta"),
-        ('γ', "gamma"),
-        ('δ', "delta"),
-        ('ε', "epsilon"),
-        ('ζ', "zeta"),
-        ('η', "eta"),
-        ('θ', "theta"),
-        ('κ', "kappa"),
-        ('λ', "lambda"),
-        ('μ', "mu"),
-        ('µ', "mu"),
-        ('ν', "nu"),
-        ('ξ', "xi"),
-        ('ρ', "rho"),
-        ('σ', "sigma"),
-        ('τ', "tau"),
-        ('φ', "phi"),
-        ('ϕ', "phi"),
-        ('χ', "chi"),
-        ('ψ', "psi"),
-        ('ω', "omega"),
-        ('Δ', "Delta"),
-        ('Ω', "Omega"),
-    ];
     let found = LETTERS.iter().find(|(letter, _)| *letter == c);
     found.map(|(_, name)| *name)
 }
