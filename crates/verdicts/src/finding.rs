@@ -9,8 +9,10 @@ use torse_algebra::rational::{integer, to_f64};
 use torse_algebra::{Fraction, Rational};
 use torse_language::derivation::{Claim, DerivationError, Form, Piece, Written};
 use torse_language::syntax::parse;
+use torse_prove::case::solve_given;
 use torse_prove::decide::domain::enclosure;
 use torse_prove::evaluate::Evaluator;
+use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::value::Value;
 
 /// Digits that count, where the file asks for none.
@@ -36,6 +38,11 @@ pub fn told(claim: &Claim, outcome: &Outcome) -> Result<Option<String>, Box<Deri
         if let Some(value) = exact(claim, value) {
             evaluator.fix(name.clone(), value);
         }
+    }
+    // Given equations determine their unknowns; where they do not, a hole that has some is refused.
+    let given: Vec<Written> = claim.given.iter().map(|h| h.formula.clone()).collect();
+    if let Ok(solution) = solve_given(&given, &claim.unknowns, &evaluator) {
+        evaluator.determine(solution);
     }
     let mut text = String::new();
     for piece in &finding.pieces {
@@ -65,6 +72,7 @@ fn filled(
     let value = value.map_err(|fault| Box::new(fault.into_error(&formula.origin)))?;
     let number = match &value {
         Value::Scalar(quantity) => quantity.as_fraction().and_then(|f| shown(f, form)),
+        Value::Matrix(rows) if form == Form::Degrees => angle(rows),
         _ => None,
     };
     number.ok_or_else(|| {
@@ -91,6 +99,33 @@ fn shown(value: &Fraction, form: Form) -> Option<String> {
         }
         Form::Degrees => Some(rounded(value, DIGITS, &degrees)? + " degrees"),
     }
+}
+
+/// The angle between two vectors, the rows of a matrix.
+fn angle(rows: &[Vec<Quantity>]) -> Option<String> {
+    let [first, second] = rows else {
+        return None;
+    };
+    let product = |a: &[Quantity], b: &[Quantity]| -> Option<Fraction> {
+        let zero = Fraction::from(integer(0));
+        let mut pairs = a.iter().zip(b);
+        pairs.try_fold(zero, |sum, (x, y)| {
+            Some(sum + x.as_fraction()?.clone() * y.as_fraction()?.clone())
+        })
+    };
+    let (along, a, b) = (
+        product(first, second)?,
+        product(first, first)?,
+        product(second, second)?,
+    );
+    let square = (along.clone() * along.clone()).over(&(a * b)).ok()?;
+    // The root is taken of an enclosure: an exact one need not be found.
+    let obtuse = enclosure(&along, BITS[0])?.midpoint() < integer(0);
+    let text = rounded(&square, DIGITS, &|ball| {
+        let cosine = ball.sqrt().ok()?;
+        degrees(if obtuse { -cosine } else { cosine })
+    });
+    Some(text? + " degrees")
 }
 
 /// What is made of an enclosure, rounded to so many digits that count.
