@@ -1,4 +1,4 @@
-//! The claims of the papers, as a whole: complete, as expected, reviewed as a diff when a verdict changes.
+//! The claims of the papers, as a whole: complete, audited, reviewed as a diff when a verdict changes.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
@@ -10,6 +10,7 @@ use torse_language::words::{Kind, Verdict};
 use torse_prove::Evidence;
 use torse_verdicts::Outcome;
 use torse_verdicts::PaperOutcome;
+use torse_verdicts::audit::audit;
 use torse_verdicts::consequences::{Fate, consequences};
 
 fn root() -> PathBuf {
@@ -60,6 +61,33 @@ fn every_verdict_is_the_expected_one() {
         })
         .collect();
     assert_eq!(unexpected, Vec::<String>::new());
+}
+
+#[test]
+fn the_papers_are_pinned_by_the_snapshot_and_expect_nothing() {
+    let papers = PAPERS.iter().filter(|paper| paper.slug != "bezier");
+    for claim in papers.flat_map(|paper| &paper.claims) {
+        assert_eq!(claim.expect, None, "{}", claim.id);
+    }
+}
+
+#[test]
+fn no_flag_of_the_audit_is_open_and_every_answer_answers_one() {
+    let outcomes = PAPERS.iter().flat_map(|paper| &paper.claims);
+    let pairs: Vec<(&Claim, &Outcome)> = CLAIMS.iter().copied().zip(outcomes).collect();
+    let mut found = vec![];
+    for audited in audit(&LOADED, &pairs) {
+        let id = audited.claim.entry.id.get_ref();
+        found.extend(
+            audited
+                .open
+                .iter()
+                .map(|sign| format!("{id}: {}", sign.seen)),
+        );
+        let stale = audited.stale.iter();
+        found.extend(stale.map(|answer| format!("{id}: an answer to no {:?}", answer.flag)));
+    }
+    assert_eq!(found, Vec::<String>::new());
 }
 
 #[test]
@@ -137,17 +165,35 @@ fn an_example_survives_a_wrong_theorem_where_its_wrong_term_vanishes() {
     );
 }
 
+/// A condition, or its beginning and its length.
+fn shown(condition: &str) -> String {
+    const LONGEST: usize = 120;
+    match condition.char_indices().nth(LONGEST) {
+        None => condition.to_owned(),
+        Some((end, _)) => {
+            let start = condition.get(..end).unwrap_or_default();
+            format!("{start}... ({} characters)", condition.chars().count())
+        }
+    }
+}
+
 #[test]
-fn the_verdicts_are_these() {
+fn the_verdicts_evidence_and_conditions_are_these() {
     let mut lines = BTreeMap::new();
     for claim in PAPERS.iter().flat_map(|p| &p.claims) {
         let word = |text: String| text.to_lowercase();
         let evidence = claim
             .evidence
             .map_or_else(|| "-".to_owned(), |e| word(format!("{e:?}")));
+        let conditions: Vec<String> = claim.conditions.iter().map(|c| shown(&c.text)).collect();
+        let conditions = match conditions.is_empty() {
+            true => String::new(),
+            false => format!(" where {}", conditions.join(" and ")),
+        };
+        let verdict = word(format!("{:?}", claim.verdict));
         lines.insert(
             claim.id.clone(),
-            format!("{} ({evidence})", word(format!("{:?}", claim.verdict))),
+            format!("{verdict} ({evidence}){conditions}"),
         );
     }
     insta::assert_json_snapshot!(lines);
@@ -217,7 +263,13 @@ fn status_table() -> String {
     let papers = ["gbt-developable", "gbt-surfaces", "hermite-developable"];
     let count = |slug: &str, verdict: Verdict| {
         let paper = PAPERS.iter().find(|p| p.slug == slug).unwrap();
-        paper.claims.iter().filter(|c| c.verdict == verdict).count()
+        let claims = paper.claims.iter().filter(|c| c.kind != Kind::Remark);
+        claims.filter(|c| c.verdict == verdict).count()
+    };
+    let remarks = |slug: &str| {
+        let paper = PAPERS.iter().find(|p| p.slug == slug).unwrap();
+        let remarks = paper.claims.iter().filter(|c| c.kind == Kind::Remark);
+        remarks.count()
     };
     let mut lines = vec![
         format!(
@@ -235,6 +287,8 @@ fn status_table() -> String {
             ));
         }
     }
+    let counts = papers.map(|slug| remarks(slug).to_string());
+    lines.push(format!("| remarks of ours | {} |", counts.join(" | ")));
     lines.join("\n")
 }
 

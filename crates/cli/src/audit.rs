@@ -62,10 +62,10 @@ impl Audit {
         let ids = papers.iter().flat_map(|paper| &paper.claims);
         let ids = ids.filter(|claim| wanted(claim));
         let ids: Vec<&str> = ids.map(|claim| claim.entry.id.get_ref().as_str()).collect();
-        let papers = selection::only(&papers, &ids);
-        let run = Run::of(&papers, self.budget, &mut mistakes);
-        let pairs = pairs(&papers, &run);
-        let found = audit(&pairs);
+        let looked_at = selection::only(&papers, &ids);
+        let run = Run::of(&looked_at, self.budget, &mut mistakes);
+        let pairs = pairs(&looked_at, &run);
+        let found = audit(&papers, &pairs);
         guard::finished();
         for audited in &found {
             for answer in &audited.stale {

@@ -106,6 +106,7 @@ impl Explain {
             note.list("right if", data.in_words().into_iter());
         }
         note.gap();
+        note.option("found", outcome.finding.as_deref().map(torse_report::plain));
         note.option("copy at hand", outcome.garbled.as_deref());
         note.option("note", outcome.note.as_deref());
         note.list("uses", outcome.uses.iter().cloned());
@@ -163,7 +164,7 @@ impl Explain {
 
 fn verdict(outcome: &Outcome) -> String {
     let found = terminal::verdict(outcome.verdict);
-    let meaning = words::verdict(outcome.verdict).meaning;
+    let meaning = words::verdict_on(outcome).meaning;
     match outcome.expect {
         Some(expected) if expected != outcome.verdict => {
             let expected = words::verdict(expected).label;

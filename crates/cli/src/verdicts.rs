@@ -58,8 +58,7 @@ fn evidence(outcome: &Outcome) -> &'static str {
 }
 
 fn counts(papers: &[PaperOutcome]) -> String {
-    let all: Vec<Outcome> = papers.iter().flat_map(|p| p.claims.clone()).collect();
-    let tally = Tally::new(&all);
+    let tally = Tally::new(papers.iter().flat_map(|paper| &paper.claims));
     let mut table = terminal::table();
     let mut header = vec!["verdict".to_owned(), "claims".to_owned()];
     header.extend(tally.evidence.iter().map(|of| of.label.to_owned()));
@@ -79,7 +78,17 @@ fn counts(papers: &[PaperOutcome]) -> String {
         column.set_cell_alignment(CellAlignment::Right);
     }
     let title = terminal::heading(&counted(tally.total, "claim"));
-    format!("{title}\n{}", terminal::lines(&table))
+    let remarks = match tally.remarks.total {
+        0 => String::new(),
+        many => {
+            let proved = tally.remarks.proved;
+            format!(
+                "Besides, {}, of which {proved} hold.\n",
+                counted(many, "remark of ours")
+            )
+        }
+    };
+    format!("{title}\n{}{remarks}", terminal::lines(&table))
 }
 
 fn in_full<'a>(
@@ -133,6 +142,10 @@ fn unexpected<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
 fn counted(count: usize, what: &str) -> String {
     match count {
         1 => format!("1 {what}"),
-        _ => format!("{count} {what}s"),
+        // The word that is counted comes first: "remarks of ours".
+        _ => match what.split_once(' ') {
+            Some((word, rest)) => format!("{count} {word}s {rest}"),
+            None => format!("{count} {what}s"),
+        },
     }
 }

@@ -1,6 +1,6 @@
 //! What was found out, in plain words: one sentence or two for each claim that a reader must know of.
 
-use crate::text::{beginning, name, visible};
+use crate::text::{beginning, name, plain, visible};
 use crate::words::{self, Term};
 use serde::Serialize;
 use torse_language::notation::Formula;
@@ -67,29 +67,43 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
 }
 
 fn sentence(claim: &Outcome) -> String {
+    let told = claim.finding.as_deref().map(plain);
     match claim.verdict {
         Verdict::Misprint => {
             let repair = claim.correction.as_ref().map(repaired);
-            format!("False as printed.{}", repair.unwrap_or_default())
+            let repair = repair.unwrap_or_default();
+            match told {
+                Some(told) => format!("False as printed: {told}.{repair}"),
+                None => format!("False as printed.{repair}"),
+            }
         }
         Verdict::False => {
+            if let Some(told) = told {
+                return format!("False: {told}.");
+            }
             let at_a_point = || claim.witness.as_ref().map(fails_at);
             match denied(claim).or_else(at_a_point) {
                 Some(reason) => format!("False: {reason}."),
                 None => "False.".to_owned(),
             }
         }
-        Verdict::Conditional => match conjunction(&claim.conditions) {
-            Some(conditions) => format!("True only under a condition: {conditions}."),
-            None => "True only under a condition, which is stated with the claim.".to_owned(),
-        },
+        Verdict::Conditional => {
+            let told = told.map_or_else(String::new, |told| format!(" In words: {told}."));
+            match conjunction(&claim.conditions) {
+                Some(conditions) => format!("True only under a condition: {conditions}.{told}"),
+                None => {
+                    format!("True only under a condition, which is stated with the claim.{told}")
+                }
+            }
+        }
         Verdict::Depends => {
+            let told = told.map_or_else(String::new, |told| format!(" In words: {told}."));
             let each = claim.readings.iter().map(|reading| {
                 let verdict = words::verdict(reading.outcome.verdict).label;
                 format!("{verdict} if it says that {}", reading.says)
             });
             let each: Vec<String> = each.collect();
-            format!("Depends on the reading: {}.", each.join("; "))
+            format!("Depends on the reading: {}.{told}", each.join("; "))
         }
         Verdict::Vacuous => "No point satisfies the assumptions.".to_owned(),
         _ => match &claim.note {
@@ -170,9 +184,9 @@ fn told<'a>(exact: &'a str, decimal: &'a str) -> &'a str {
 
 /// The conditions joined, unless there are none or they are long.
 fn conjunction(formulas: &[Formula]) -> Option<String> {
-    let texts: Vec<&str> = formulas
+    let texts: Vec<String> = formulas
         .iter()
-        .map(|formula| formula.text.as_str())
+        .map(|formula| words::condition(&formula.text))
         .collect();
     short(texts.join(" and ")).filter(|text| !text.is_empty())
 }

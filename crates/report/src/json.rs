@@ -1,9 +1,10 @@
 //! The verdicts as JSON: the interface that other programs read.
 //!
-//! One object with `claims`, a list in the order of the files; every claim has the same fields in
+//! One object with `totals` and `claims`, a list in the order of the files; every claim has the same fields in
 //! the same order, each a string or null, except `witness` and `net`, objects or null. Nothing in it depends on
 //! a clock, a path, a locale or the order of a hash table, so a run's bytes can be compared.
 
+use crate::tally::{Remarks, Tally};
 use crate::{ReportError, words};
 use serde::{Serialize, Serializer, ser::SerializeMap};
 use torse_language::notation::Formula;
@@ -18,7 +19,10 @@ use torse_verdicts::outcome::{Net, Outcome, Role, SaidBy};
 /// `hypotheses` (`role`, `formula`, `from` with the `quote` and the `claim` in whose print it stands or the `reason`, and for
 /// those of ours whether they are `needed`), `symbols` with their sets, `definitions`, `bases` and `unknowns`, each in the
 /// order of use. `readings` has a `name`, what it `says` and the fields of a claim for each reading of the sentence.
-/// `part_of`, `reading` and `garbled` are those of the file.
+/// `part_of`, `reading` and `garbled` are those of the file; `finding` is the sentence of the file with its numbers computed,
+/// its mathematics between dollar signs.
+///
+/// `totals` counts: the `claims`, remarks of ours left out, by their `verdicts`; and the `remarks` (`total`, `proved`).
 ///
 /// `net` says what was tried: whether the verdict is `netted`, the points that were `tried` and those at which it was
 /// `decided`, the `instances` that are identities, `why` it is not netted, and for each of the `conditions` what the
@@ -31,13 +35,26 @@ use torse_verdicts::outcome::{Net, Outcome, Role, SaidBy};
 ///
 /// ```
 /// let none: [torse_verdicts::outcome::Outcome; 0] = [];
-/// assert_eq!(torse_report::verdicts_json(&none)?, "{\n  \"claims\": []\n}\n");
+/// assert!(torse_report::verdicts_json(&none)?.starts_with("{\n  \"claims\": [],\n  \"totals\": {"));
 /// # Ok::<(), torse_report::ReportError>(())
 /// ```
 pub fn verdicts_json<'a>(
     outcomes: impl IntoIterator<Item = &'a Outcome>,
 ) -> Result<String, ReportError> {
+    let outcomes: Vec<&Outcome> = outcomes.into_iter().collect();
+    let tally = Tally::new(outcomes.iter().copied());
     let list = List {
+        totals: Totals {
+            claims: tally.total,
+            verdicts: Counts(
+                tally
+                    .rows
+                    .iter()
+                    .map(|row| (row.verdict.key, row.count))
+                    .collect(),
+            ),
+            remarks: tally.remarks,
+        },
         claims: outcomes.into_iter().map(Entry::from).collect(),
     };
     let mut text = serde_json::to_string_pretty(&list)?;
@@ -48,6 +65,27 @@ pub fn verdicts_json<'a>(
 #[derive(Serialize)]
 struct List<'a> {
     claims: Vec<Entry<'a>>,
+    totals: Totals,
+}
+
+#[derive(Serialize)]
+struct Totals {
+    claims: usize,
+    verdicts: Counts,
+    remarks: Remarks,
+}
+
+/// Verdicts and how many claims have them, as an object in the order of the tables.
+struct Counts(Vec<(&'static str, usize)>);
+
+impl Serialize for Counts {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (verdict, count) in &self.0 {
+            map.serialize_entry(verdict, count)?;
+        }
+        map.end()
+    }
 }
 
 #[derive(Serialize)]
@@ -60,6 +98,7 @@ struct Entry<'a> {
     printed: &'a str,
     reading: Option<&'a str>,
     garbled: Option<&'a str>,
+    finding: Option<&'a str>,
     parsed: Option<&'a str>,
     corrected: Option<&'a str>,
     corrected_condition: Option<String>,
@@ -134,6 +173,7 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
             printed: &outcome.printed,
             reading: outcome.reading.as_deref(),
             garbled: outcome.garbled.as_deref(),
+            finding: outcome.finding.as_deref(),
             parsed: outcome.parsed.as_ref().map(text),
             corrected: correction.map(|repair| text(&repair.statement)),
             corrected_condition: correction.and_then(|repair| joined(&repair.conditions)),

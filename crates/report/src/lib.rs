@@ -39,6 +39,7 @@ pub use gallery::gallery;
 pub use html::html_page;
 pub use json::verdicts_json;
 pub use rests::{Rests, rests};
-pub use tally::{Row, Tally};
+pub use tally::{Remarks, Row, Tally};
+pub use text::plain;
 pub use typeset::Typeset;
 pub use write::write_file;

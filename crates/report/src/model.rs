@@ -10,7 +10,7 @@ use crate::edit::{self, Stretch};
 use crate::findings::{self, Finding};
 use crate::rests::{Rests, rests};
 use crate::tally::Tally;
-use crate::text::{anchor, counted, name, section_rank, section_title, visible};
+use crate::text::{anchor, counted, name, plain, section_rank, section_title, visible};
 use crate::words::{self, Term};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -86,6 +86,8 @@ pub struct ClaimView {
     pub parsed: Option<FormulaView>,
     /// The assumptions, as understood.
     pub assumed: Vec<FormulaView>,
+    /// What was found, in words.
+    pub finding: Option<String>,
     /// What in the finding may be a confusion of the copy at hand.
     pub garbled: Option<String>,
     /// What the statement rests on, in small print.
@@ -319,7 +321,7 @@ impl<'a> Builder<'a> {
             anchor: self.anchors.get(position).cloned().unwrap_or_default(),
             at: visible(&outcome.at),
             kind: words::kind(outcome.kind),
-            verdict: words::verdict(outcome.verdict),
+            verdict: words::verdict_on(outcome),
             evidence: outcome.evidence.map(words::evidence),
             expected: outcome
                 .expect
@@ -329,6 +331,7 @@ impl<'a> Builder<'a> {
             reading: outcome.reading.as_deref().map(visible),
             parsed: outcome.parsed.as_ref().map(|formula| self.formula(formula)),
             assumed: self.assumed(outcome),
+            finding: outcome.finding.as_deref().map(|told| visible(&plain(told))),
             garbled: outcome.garbled.as_deref().map(visible),
             rests: cleared(rests(outcome)),
             readings: self.readings(outcome),

@@ -1,18 +1,31 @@
-//! Counts by verdict and evidence, the two axes of every answer.
+//! Counts by verdict and evidence, the two axes of every answer; remarks of ours are counted apart.
 
 use crate::words::{self, EVIDENCE, Term, VERDICTS};
 use serde::Serialize;
+use torse_language::words::{Kind, Verdict};
 use torse_verdicts::outcome::Outcome;
 
 /// How many claims have which verdict, and which evidence with it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Tally {
-    /// How many claims there are.
+    /// How many claims there are, remarks of ours left out.
     pub total: usize,
+    /// How many remarks of ours there are, and how many of them hold, if need be under a condition that is stated. They say
+    /// nothing of the paper, and are counted in no row.
+    pub remarks: Remarks,
     /// The kinds of evidence that occur, strongest first: the columns.
     pub evidence: Vec<Term>,
     /// The verdicts that occur: the rows.
     pub rows: Vec<Row>,
+}
+
+/// Statements of ours that the paper does not make.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+pub struct Remarks {
+    /// All.
+    pub total: usize,
+    /// Those that hold or hold under their condition.
+    pub proved: usize,
 }
 
 /// The claims of one verdict.
@@ -31,7 +44,16 @@ pub struct Row {
 impl Tally {
     /// Counts `claims`.
     #[must_use]
-    pub fn new(claims: &[Outcome]) -> Self {
+    pub fn new<'a>(claims: impl IntoIterator<Item = &'a Outcome>) -> Self {
+        let (remarks, claims): (Vec<&Outcome>, Vec<&Outcome>) = claims
+            .into_iter()
+            .partition(|claim| claim.kind == Kind::Remark);
+        let proved = remarks.iter();
+        let proved = proved.filter(|r| matches!(r.verdict, Verdict::Holds | Verdict::Conditional));
+        let remarks = Remarks {
+            total: remarks.len(),
+            proved: proved.count(),
+        };
         let count =
             |keep: &dyn Fn(&Outcome) -> bool| claims.iter().filter(|claim| keep(claim)).count();
         let occurring: Vec<_> = EVIDENCE
@@ -49,6 +71,7 @@ impl Tally {
         });
         Tally {
             total: claims.len(),
+            remarks,
             rows: rows.filter(|row| row.count > 0).collect(),
             evidence: occurring.into_iter().map(words::evidence).collect(),
         }

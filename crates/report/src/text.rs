@@ -28,6 +28,62 @@ fn acts_unseen(character: char) -> bool {
         )
 }
 
+/// A sentence with its mathematics, `$\mathbf{q}_0 \ne 0$`, as plain text: `q_0 ≠ 0`.
+///
+/// Only what files write into findings is known; other commands lose their backslash.
+pub fn plain(text: &str) -> String {
+    const COMMANDS: [(&str, &str); 22] = [
+        ("ne", "≠"),
+        ("le", "≤"),
+        ("ge", "≥"),
+        ("cdot", "·"),
+        ("times", "×"),
+        ("infty", "∞"),
+        ("pi", "π"),
+        ("mu", "μ"),
+        ("nu", "ν"),
+        ("lambda", "λ"),
+        ("gamma", "γ"),
+        ("alpha", "α"),
+        ("beta", "β"),
+        ("rho", "ρ"),
+        ("omega", "ω"),
+        ("varphi", "φ"),
+        ("psi", "ψ"),
+        ("theta", "θ"),
+        ("mathbf", ""),
+        ("mathrm", ""),
+        ("hat", ""),
+        ("tilde", ""),
+    ];
+    if text.matches('$').count() % 2 == 1 {
+        return text.to_owned();
+    }
+    let mut shown = String::with_capacity(text.len());
+    for (number, part) in text.split('$').enumerate() {
+        if number % 2 == 0 {
+            shown.push_str(part);
+            continue;
+        }
+        let mut rest = part;
+        while let Some(next) = rest.chars().next() {
+            rest = rest.get(next.len_utf8()..).unwrap_or_default();
+            match next {
+                '\\' => {
+                    let letters = rest.chars().take_while(char::is_ascii_alphabetic).count();
+                    let (command, after) = rest.split_at(letters);
+                    let known = COMMANDS.iter().find(|(name, _)| *name == command);
+                    shown.push_str(known.map_or(command, |(_, sign)| sign));
+                    rest = after;
+                }
+                '{' | '}' => {}
+                other => shown.push(other),
+            }
+        }
+    }
+    shown
+}
+
 /// An identifier of letters, digits and hyphens, for links: other characters become hyphens.
 pub(crate) fn anchor(text: &str) -> String {
     let plain = |character: char| {
@@ -108,6 +164,18 @@ pub(crate) fn section_rank(title: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn mathematics_of_a_sentence_is_shown_without_commands() {
+        assert_eq!(
+            plain(r"with $\mathbf{g} = \mathbf{q}_0^{u}$ and $k \ne 1$, {3} $"),
+            r"with $\mathbf{g} = \mathbf{q}_0^{u}$ and $k \ne 1$, {3} $"
+        );
+        assert_eq!(
+            plain(r"with $\mathbf{g} = \mathbf{q}_0^{u}$ and $k \ne 1$, {3}"),
+            "with g = q_0^u and k ≠ 1, {3}"
+        );
+    }
 
     #[test]
     fn unseen_characters_are_spelled_out_and_everything_else_is_kept() {

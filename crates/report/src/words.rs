@@ -7,6 +7,7 @@ use serde::Serialize;
 use torse_language::words::{Flag, Kind, Verdict};
 use torse_prove::evidence::Evidence;
 use torse_verdicts::consequences::{Consequence, Fate};
+use torse_verdicts::outcome::{Outcome, SaidBy};
 
 /// A key with its label and its meaning in one sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -74,7 +75,7 @@ pub const fn fate(of: Fate) -> &'static str {
 /// What becomes of a claim that rests on a refuted one, with the conditions under which it survives.
 #[must_use]
 pub fn consequence(of: &Consequence) -> String {
-    let conditions: Vec<&str> = of.conditions.iter().map(|c| c.text.as_str()).collect();
+    let conditions: Vec<String> = of.conditions.iter().map(|c| condition(&c.text)).collect();
     match conditions.is_empty() {
         true => fate(of.fate).to_owned(),
         false => format!("{}: {}", fate(of.fate), conditions.join(" and ")),
@@ -90,6 +91,70 @@ pub fn distant_survivors(count: usize) -> String {
     }
 }
 
+/// The words for the verdict on a claim: of one that holds, whether the paper assumes something for it.
+#[must_use]
+pub fn verdict_on(outcome: &Outcome) -> Term {
+    let term = verdict(outcome.verdict);
+    let printed = |from: &SaidBy| matches!(from, SaidBy::Printed { .. });
+    let assumes = outcome.assumed.iter().any(|h| printed(&h.from));
+    match (outcome.verdict, outcome.kind == Kind::Remark) {
+        (Verdict::Holds, true) => Term {
+            meaning: "True. A statement of ours, which the paper does not make.",
+            ..term
+        },
+        (Verdict::Holds, false) if assumes => Term {
+            meaning: "True as printed, under the paper’s own assumptions.",
+            ..term
+        },
+        (Verdict::Holds, false) => Term {
+            meaning: "True as printed.",
+            ..term
+        },
+        _ => term,
+    }
+}
+
+/// Conditions of more characters than this are counted, not written.
+const LONGEST_CONDITION: usize = 400;
+
+/// A condition in the language of the files, or how many terms it has: nobody reads thousands of characters.
+#[must_use]
+pub fn condition(text: &str) -> String {
+    match text.chars().count() <= LONGEST_CONDITION {
+        true => text.to_owned(),
+        false => {
+            let polynomial = text.strip_suffix("!= 0");
+            let of = match polynomial {
+                Some(_) => "a polynomial of",
+                None => "a condition of",
+            };
+            let is = match polynomial {
+                Some(_) => " is not 0",
+                None => "",
+            };
+            let terms = terms(text);
+            format!("{of} {terms} terms{is} (`torse explain` has it)")
+        }
+    }
+}
+
+/// How many summands stand outside of brackets.
+fn terms(text: &str) -> usize {
+    let mut depth = 0_usize;
+    let mut terms = 1;
+    for word in text.split(' ') {
+        terms += usize::from(depth == 0 && matches!(word, "+" | "-"));
+        for c in word.chars() {
+            match c {
+                '(' | '[' => depth += 1,
+                ')' | ']' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+    }
+    terms
+}
+
 /// The words for a verdict.
 #[must_use]
 pub const fn verdict(of: Verdict) -> Term {
@@ -97,7 +162,7 @@ pub const fn verdict(of: Verdict) -> Term {
         Verdict::Holds => (
             "holds",
             "holds",
-            "True as printed, under the paper’s own assumptions.",
+            "True as printed. Hypotheses that it needs are the paper’s own.",
         ),
         Verdict::Conditional => (
             "conditional",
@@ -318,6 +383,14 @@ mod tests {
         for of in KINDS {
             assert_eq!(serde_json::to_value(of).unwrap(), kind(of).key);
         }
+    }
+
+    #[test]
+    fn a_long_condition_is_counted() {
+        assert_eq!(condition("x != 0"), "x != 0");
+        let long = vec!["a*(b + c)"; 80].join(" + ") + " - y != 0";
+        let words = "a polynomial of 81 terms is not 0 (`torse explain` has it)";
+        assert_eq!(condition(&long), words);
     }
 
     #[test]

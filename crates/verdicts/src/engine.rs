@@ -1,6 +1,7 @@
 //! Running claims: from a loaded paper to outcomes.
 
 use crate::condition::{self, nonzero};
+use crate::finding;
 use crate::outcome::{Outcome, PaperOutcome, ReadingOutcome, SaidBy};
 use crate::{conjunction, net, provenance, readings, repair, table};
 use rayon::prelude::*;
@@ -65,7 +66,15 @@ pub fn decide_claim_within(
 ) -> Result<Outcome, Box<DerivationError>> {
     let outcome = undecided(paper, claim);
     // What the closure could leave half done are values of its own and memory of formulas already evaluated.
-    let decided = catch_unwind(AssertUnwindSafe(|| decided(outcome.clone(), claim, budget)));
+    let decided = catch_unwind(AssertUnwindSafe(|| {
+        let mut decided = decided(outcome.clone(), claim, budget)?;
+        // What is not decided has no finding to tell.
+        if decided.verdict != Verdict::Undecided {
+            let told = work::within(budget / 20, || finding::told(claim, &decided));
+            decided.finding = told.unwrap_or(Ok(None))?;
+        }
+        Ok(decided)
+    }));
     decided.unwrap_or_else(|panic| Ok(panicked(outcome, &*panic)))
 }
 
@@ -105,6 +114,7 @@ fn undecided(paper: &str, claim: &Claim) -> Outcome {
         net: None,
         contradiction: None,
         steps: vec![],
+        finding: None,
         note: entry.note.clone(),
         uses: claim.uses.clone(),
         expect: entry.expect,

@@ -1,7 +1,7 @@
 //! From claims to outcomes.
 //!
 //! [`engine`] runs all claims of a paper and writes [`outcome`]s, [`provenance`] says which hypotheses of ours a proof needs,
-//! [`readings`] what is true of a sentence that may be read in two ways, [`table`] what a statement rests on, [`audit`] what a statement leaves
+//! the findings of files are told in words, [`readings`] say what is true of a sentence that may be read in two ways, [`table`] what a statement rests on, [`audit`] what a statement leaves
 //! out of the print, [`repair`] searches proved corrections of what
 //! is refuted, [`consequences`] says what falls with it, [`mod@derive`] derives the conditions of joins anew,
 //! [`net`] judges every verdict by the semantics before it is shown, [`mutants`] are slips made on purpose, [`recheck`] replays proofs by other means.
@@ -13,6 +13,7 @@ mod conjunction;
 pub mod consequences;
 pub mod derive;
 pub mod engine;
+mod finding;
 pub mod mutants;
 pub mod net;
 pub mod outcome;

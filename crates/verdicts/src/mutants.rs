@@ -96,10 +96,10 @@ impl Mutant {
     }
 }
 
-/// The statement with one edit of one right side, edits that only reorder left out.
+/// The statement with one edit of one side, edits that only reorder left out.
 fn mutants(claim: &Claim, statement: &Expr) -> Vec<Mutant> {
     let mut result = vec![];
-    for (path, printed) in right_sides(statement) {
+    for (path, printed) in sides(statement) {
         let alphabet = alphabet(claim, statement, printed);
         let mut seen = BTreeSet::from([canonical(printed)]);
         for edit in single(printed, &alphabet) {
@@ -116,8 +116,9 @@ fn mutants(claim: &Claim, statement: &Expr) -> Vec<Mutant> {
     result
 }
 
-/// The right sides of the equalities of a conjunction, with the ways to them.
-fn right_sides(statement: &Expr) -> Vec<(Vec<usize>, &Expr)> {
+/// The right sides of the equalities of a conjunction, and the left side where something is compared with a number,
+/// with the ways to them.
+fn sides(statement: &Expr) -> Vec<(Vec<usize>, &Expr)> {
     let mut found = vec![];
     let mut pending = vec![(vec![], statement)];
     while let Some((path, expr)) = pending.pop() {
@@ -126,9 +127,16 @@ fn right_sides(statement: &Expr) -> Vec<(Vec<usize>, &Expr)> {
                 pending.push(([path.as_slice(), &[1]].concat(), b));
                 pending.push(([path.as_slice(), &[0]].concat(), a));
             }
-            Node::Compare(_, rest) => {
-                if let [(Relation::Equal, right)] = rest.as_slice() {
-                    found.push(([path.as_slice(), &[1]].concat(), right));
+            Node::Compare(left, rest) => {
+                for (position, (relation, right)) in rest.iter().enumerate() {
+                    if *relation == Relation::Equal {
+                        found.push(([path.as_slice(), &[position + 1]].concat(), right));
+                    }
+                }
+                if let [(Relation::Equal, right)] = rest.as_slice()
+                    && matches!(right.node, Node::Number { .. })
+                {
+                    found.push(([path.as_slice(), &[0]].concat(), left));
                 }
             }
             _ => {}

@@ -285,6 +285,8 @@ pub struct Outcome {
     pub contradiction: Option<String>,
     /// The steps of the decision, in words, in order.
     pub steps: Vec<String>,
+    /// What was found, as the file tells it, with the numbers computed.
+    pub finding: Option<String>,
     /// Anything a reader should know.
     pub note: Option<String>,
     /// Claims this one rests on.

@@ -80,15 +80,14 @@ impl Claim {
         self.entry.part_of.as_ref().map(Spanned::get_ref)
     }
 
-    /// All quotes of prints: of hypotheses, ranges and answers, those of its readings too.
-    pub(super) fn quotes(&self) -> Vec<&Quote> {
+    /// The quotes that say where hypotheses and ranges are printed, those of its readings too.
+    #[must_use]
+    pub fn quotes(&self) -> Vec<&Quote> {
         let hypotheses = self.assumptions.iter().chain(&self.given);
         let from = hypotheses.map(|hypothesis| &hypothesis.provenance);
         let ranges = self.declarations.ranges();
         let from = from.chain(ranges.map(|(_, range)| &range.provenance));
-        let quotes = from.filter_map(Provenance::quote);
-        let answers = self.answers.iter().map(|answer| &answer.quote);
-        let mut quotes: Vec<&Quote> = quotes.chain(answers).collect();
+        let mut quotes: Vec<&Quote> = from.filter_map(Provenance::quote).collect();
         quotes.extend(self.readings.iter().flat_map(|r| r.claim.quotes()));
         quotes
     }

@@ -55,7 +55,10 @@ pub(super) fn resolve(
     let quotes = papers.flat_map(|paper| {
         let own = paper.declarations.ranges();
         let own = own.filter_map(|(_, range)| range.provenance.quote());
+        let answers = paper.claims.iter().flat_map(|claim| &claim.answers);
+        let answers = answers.map(|answer| &answer.quote);
         own.chain(paper.claims.iter().flat_map(Claim::quotes))
+            .chain(answers)
     });
     for quote in quotes {
         let place = quote.origin.span(Place::default());

@@ -68,6 +68,7 @@ pub(super) fn write(
             Prose(&steps)
         )?;
     }
+    text(out, "found", claim.finding.as_deref())?;
     text(out, "copy at hand", claim.garbled.as_deref())?;
     text(out, "note", claim.note.as_deref())?;
     rests(out, &claim.rests)?;

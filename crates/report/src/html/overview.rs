@@ -74,6 +74,14 @@ fn tally(out: &mut String, tally: &Tally) -> fmt::Result {
         }
         writeln!(out, "<td class=\"number\">{}</td></tr>", row.count)?;
     }
+    if tally.remarks.total > 0 {
+        let across = tally.evidence.len() + 1;
+        writeln!(
+            out,
+            "<tr><th scope=\"row\">remarks of ours</th><td colspan=\"{across}\">not counted above; {} of them hold</td><td class=\"number\">{}</td></tr>",
+            tally.remarks.proved, tally.remarks.total
+        )?;
+    }
     out.push_str("</tbody>\n</table></div>\n");
     Ok(())
 }

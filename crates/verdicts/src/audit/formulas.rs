@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 use torse_language::derivation::Claim;
-use torse_language::derivation::declarations::Declarations;
-use torse_language::syntax::Expr;
+use torse_language::derivation::declarations::{Declarations, Definition};
+use torse_language::syntax::{Expr, Node};
 
 /// The formulas of a claim.
 pub struct Formulas<'a> {
@@ -78,6 +78,26 @@ impl<'a> Formulas<'a> {
             }
         }
     }
+}
+
+/// Whether a definition takes the order of a derivative, or a number for a factorial, at this place: that says which one of
+/// many, as an index does.
+pub fn counts(definition: &Definition, place: usize) -> bool {
+    let Some(parameter) = definition.parameters.get(place) else {
+        return false;
+    };
+    let mut found = false;
+    every(&definition.body.expr, &mut |part| {
+        if let Node::Call(head, arguments) = &part.node {
+            let order = match (&head.node, arguments.as_slice()) {
+                (Node::Name(name), [_, _, order]) if name == "D" => order,
+                (Node::Name(name), [number]) if name == "factorial" => number,
+                _ => return,
+            };
+            found |= matches!(&order.node, Node::Name(name) if name == parameter);
+        }
+    });
+    found
 }
 
 /// Every part of a formula, itself first.

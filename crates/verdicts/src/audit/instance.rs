@@ -1,13 +1,14 @@
 //! A sentence about all that is stated for one: one degree, one coordinate, one value.
 
-use super::formulas::every;
+use super::formulas::{counts, every};
 use super::occurrences::value;
+use super::print::Print;
 use super::{Sign, Subject, listed};
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
-use torse_language::derivation::declarations::SymbolKind;
+use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::syntax::{Expr, Node, Relation};
-use torse_language::words::Flag;
+use torse_language::words::{Flag, Verdict};
 
 /// The words for a degree.
 const DEGREES: [(&str, &[&str]); 6] = [
@@ -29,8 +30,39 @@ const DEGREES: [(&str, &[&str]); 6] = [
     ("6", &["sextic", "sixth", "six"]),
 ];
 
-/// A degree that the claim fixes by a number, and the print does not name.
+/// A degree that the claim fixes by a number, and the print does not name. One degree is enough to refute a sentence.
 pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
+    if refuted(subject) {
+        return vec![];
+    }
+    let named = |degree: &Rational| {
+        let text = degree.to_string();
+        let words = DEGREES.iter().find(|(digit, _)| *digit == text);
+        subject.context.mentioned.contains(degree)
+            || words.is_some_and(|(_, words)| subject.context.says(words))
+    };
+    let degrees = degrees(subject);
+    let unnamed = degrees.iter().filter(|degree| !named(degree));
+    let unnamed = unnamed.map(ToString::to_string).collect();
+    listed(Flag::OneDegree, "a degree that is not printed", unnamed)
+}
+
+/// Whether the statement is refuted, which one instance does.
+fn refuted(subject: &Subject<'_>) -> bool {
+    matches!(subject.outcome.verdict, Verdict::False | Verdict::Misprint)
+}
+
+/// Whether this is a name for an integer.
+fn is_degree(name: &Expr, declarations: &Declarations) -> bool {
+    let symbol = match &name.node {
+        Node::Name(name) => declarations.symbol(name),
+        _ => None,
+    };
+    matches!(symbol, Some(SymbolKind::Integer { .. }))
+}
+
+/// The degrees that a claim fixes by a number.
+pub(super) fn degrees(subject: &Subject<'_>) -> BTreeSet<Rational> {
     let declarations = &subject.claim.declarations;
     let mut degrees: BTreeSet<Rational> = BTreeSet::new();
     for expr in &subject.formulas.own {
@@ -42,26 +74,28 @@ pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
                     degrees.extend(value(degree));
                 }
             }
+            Node::Call(head, arguments) => {
+                let at = matches!(&head.node, Node::Name(name) if name == "at");
+                if let (true, [_, of, degree]) = (at, arguments.as_slice())
+                    && is_degree(of, declarations)
+                {
+                    degrees.extend(value(degree));
+                }
+            }
             _ => degrees.extend(fixed(part).and_then(|(name, value)| {
                 let integer = matches!(declarations.symbol(name), Some(SymbolKind::Integer { .. }));
                 integer.then_some(value)
             })),
         });
     }
-    let named = |degree: &Rational| {
-        let text = degree.to_string();
-        let words = DEGREES.iter().find(|(digit, _)| *digit == text);
-        subject.print.numbers.contains(degree)
-            || words.is_some_and(|(_, words)| subject.print.says(words))
-    };
-    let unnamed = degrees.iter().filter(|degree| !named(degree));
-    let unnamed = unnamed.map(ToString::to_string).collect();
-    listed(Flag::OneDegree, "a degree that is not printed", unnamed)
+    degrees
 }
 
 /// One coordinate of a vector, where the print does not speak of coordinates.
 pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
-    const WORDS: [&str; 12] = [
+    // A plane x = h is told by one coordinate.
+    const WORDS: [&str; 13] = [
+        "plane",
         "coordinate",
         "component",
         "abscissa",
@@ -95,7 +129,7 @@ pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
         });
     });
     match entries.len() {
-        1 if !subject.print.says(&WORDS) => {
+        1 if !subject.print.says(&WORDS) && !Print::of(&subject.claim.entry.at).says(&WORDS) => {
             let entries = entries.iter().map(ToString::to_string).collect();
             listed(Flag::OneCoordinate, "one entry of a vector alone", entries)
         }
@@ -123,10 +157,14 @@ fn values(subject: &Subject<'_>) -> BTreeSet<Rational> {
                     Node::Name(name) => name.trim_end_matches('\''),
                     _ => "",
                 };
-                let function = declarations.definition(name).is_some();
-                let taken = match (name, arguments.as_slice()) {
-                    ("at", [_, _, at]) => vec![at],
-                    _ if function => arguments.iter().collect(),
+                let definition = declarations.definition(name);
+                let taken = match (name, arguments.as_slice(), definition) {
+                    ("at", [_, of, at], _) if !is_degree(of, declarations) => vec![at],
+                    (_, arguments, Some(definition)) => {
+                        let numbered = arguments.iter().enumerate();
+                        let values = numbered.filter(|(place, _)| !counts(definition, *place));
+                        values.map(|(_, argument)| argument).collect()
+                    }
                     _ => vec![],
                 };
                 values.extend(taken.into_iter().filter_map(value));
@@ -138,11 +176,14 @@ fn values(subject: &Subject<'_>) -> BTreeSet<Rational> {
 
 /// A value for all that the print does not have; the ends 0 and 1 of an interval are no such.
 pub(super) fn instance(subject: &Subject<'_>) -> Vec<Sign> {
+    if refuted(subject) {
+        return vec![];
+    }
     let ends = |value: &Rational| value.is_integer() && ["0", "1"].contains(&&*value.to_string());
     let values = values(subject);
     let unprinted = values.iter().filter(|value| {
         let parts = [value.numer(), value.denom()].map(|i| Rational::from_integer(i.clone()));
-        let printed = &subject.print.numbers;
+        let printed = &subject.context.mentioned;
         let quotient = parts.iter().all(|part| printed.contains(part));
         !ends(value) && !printed.contains(*value) && !quotient
     });

@@ -12,6 +12,7 @@ mod instance;
 mod occurrences;
 mod parts;
 mod print;
+mod setting;
 mod sides;
 mod slips;
 mod subject;
@@ -20,8 +21,9 @@ mod unstated;
 use crate::outcome::Outcome;
 use formulas::Formulas;
 use print::Print;
+use setting::Setting;
 use std::collections::BTreeMap;
-use torse_language::derivation::{Answer, Claim};
+use torse_language::derivation::{Answer, Claim, Paper};
 use torse_language::words::{Flag, Kind};
 
 /// A sign at a claim.
@@ -52,35 +54,45 @@ struct Subject<'a> {
     outcome: &'a Outcome,
     formulas: Formulas<'a>,
     print: Print,
+    /// What is printed here and where the claim rests: what it uses, what it quotes, the other parts of its sentence.
+    context: Print,
+    /// The claims that it rests on, through others too.
+    rests_on: Vec<&'a Claim>,
     /// The relations that all parts of the sentence state together.
     relations_of_all_parts: usize,
 }
 
-/// Looks at claims with their outcomes; parts of a sentence are counted together if they are all among them.
+/// Looks at claims of these papers with their outcomes; parts of a sentence are counted together if they are all among them.
 #[must_use]
-pub fn audit<'a>(claims: &[(&'a Claim, &'a Outcome)]) -> Vec<Audited<'a>> {
+pub fn audit<'a>(papers: &'a [Paper], claims: &[(&'a Claim, &'a Outcome)]) -> Vec<Audited<'a>> {
     let mut together: BTreeMap<&str, usize> = BTreeMap::new();
     for (claim, _) in claims {
         if let Some(whole) = claim.whole() {
             *together.entry(whole).or_default() += parts::relations_of(claim);
         }
     }
+    let setting = Setting::of(papers);
     let audited = |(claim, outcome): &(&'a Claim, &'a Outcome)| {
         let whole = claim.whole().and_then(|id| together.get(id.as_str()));
-        let signs = signs(claim, outcome, whole.copied());
+        let signs = signs(claim, outcome, &setting, whole.copied());
         answered(claim, signs)
     };
     claims.iter().map(audited).collect()
 }
 
 /// The signs at a claim, those of its readings among them, each flag in the order of its declaration.
-fn signs(claim: &Claim, outcome: &Outcome, of_all_parts: Option<usize>) -> Vec<Sign> {
+fn signs<'a>(
+    claim: &'a Claim,
+    outcome: &Outcome,
+    setting: &Setting<'a>,
+    of_all_parts: Option<usize>,
+) -> Vec<Sign> {
     let mut signs = match claim.readings.is_empty() {
-        true => signs_of(claim, outcome, of_all_parts),
+        true => signs_of(claim, claim, outcome, setting, of_all_parts),
         false => vec![],
     };
     for (reading, found) in claim.readings.iter().zip(&outcome.readings) {
-        for sign in signs_of(&reading.claim, &found.outcome, of_all_parts) {
+        for sign in signs_of(&reading.claim, claim, &found.outcome, setting, of_all_parts) {
             let seen = format!("read as `{}`: {}", reading.name, sign.seen);
             signs.push(Sign { seen, ..sign });
         }
@@ -90,7 +102,14 @@ fn signs(claim: &Claim, outcome: &Outcome, of_all_parts: Option<usize>) -> Vec<S
     signs
 }
 
-fn signs_of(claim: &Claim, outcome: &Outcome, of_all_parts: Option<usize>) -> Vec<Sign> {
+/// The signs at a claim, or at a reading of the sentence `stands`.
+fn signs_of<'a>(
+    claim: &'a Claim,
+    stands: &'a Claim,
+    outcome: &Outcome,
+    setting: &Setting<'a>,
+    of_all_parts: Option<usize>,
+) -> Vec<Sign> {
     if claim.entry.kind == Kind::Figure {
         return vec![];
     }
@@ -99,6 +118,8 @@ fn signs_of(claim: &Claim, outcome: &Outcome, of_all_parts: Option<usize>) -> Ve
         outcome,
         formulas: Formulas::of(claim),
         print: Print::of(&claim.entry.printed),
+        context: Print::of(&setting.prints(stands)),
+        rests_on: setting.rests_on(stands),
         relations_of_all_parts: of_all_parts.unwrap_or_else(|| parts::relations_of(claim)),
     };
     let mut signs = vec![];

@@ -1,12 +1,12 @@
 //! What the print has and the statement has not, and the other way round: numbers, names, relations.
 
-use super::formulas::every;
-use super::print::stem;
-use super::{Sign, Subject, listed, sign};
+use super::formulas::{counts, every};
+use super::print::{Print, explained, stem};
+use super::{Sign, Subject, instance, listed, sign};
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
-use torse_language::derivation::declarations::SymbolKind;
+use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::syntax::{Expr, Node, Operator, Relation};
 use torse_language::words::Flag;
 
@@ -17,15 +17,22 @@ fn everywhere(number: &Rational) -> bool {
 
 /// Numbers of the print that nothing reached has, and numbers of the claim that the print has not.
 pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
-    let of = |formulas: &[&Expr]| {
-        let mut found = BTreeSet::new();
-        for expr in formulas {
-            every(expr, &mut |part| found.extend(value(part)));
-        }
-        found
-    };
-    let (own, reached) = (of(&subject.formulas.own), of(&subject.formulas.reached));
-    let printed = &subject.print.numbers;
+    let mut reached = BTreeSet::new();
+    for expr in &subject.formulas.reached {
+        every(expr, &mut |part| reached.extend(value(part)));
+    }
+    let names = subject.formulas.names.iter();
+    reached.extend(names.flat_map(|name| digits(name)));
+    reached.extend(bounds(subject));
+    let own: BTreeSet<Rational> = subject
+        .formulas
+        .own
+        .iter()
+        .flat_map(|e| free(e, &subject.claim.declarations))
+        .collect();
+    // A degree is looked at by itself.
+    let degrees = instance::degrees(subject);
+    let printed = &subject.context.mentioned;
     let shown = |numbers: Vec<&Rational>| -> Vec<String> {
         let telling = numbers.into_iter().filter(|n| !everywhere(n));
         telling.map(ToString::to_string).collect()
@@ -35,8 +42,16 @@ pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
         let parts = [n.numer(), n.denom()].map(|i| Rational::from_integer(i.clone()));
         printed.contains(n) || parts.iter().all(|p| printed.contains(p) || everywhere(p))
     };
-    let lacks = printed.iter().filter(|n| !reached.contains(*n)).collect();
-    let adds = own.iter().filter(|n| !parts(n)).collect();
+    let lacks = subject
+        .print
+        .numbers
+        .iter()
+        .filter(|n| !reached.contains(*n))
+        .collect();
+    let adds = own
+        .iter()
+        .filter(|n| !parts(n) && !degrees.contains(*n))
+        .collect();
     let mut signs = listed(Flag::LacksNumber, "printed and not stated", shown(lacks));
     signs.extend(listed(
         Flag::AddsNumber,
@@ -60,23 +75,91 @@ pub(super) fn value(expr: &Expr) -> Option<Rational> {
     }
 }
 
+/// The numbers of a formula that are neither indices nor orders of derivatives.
+fn free(expr: &Expr, declarations: &Declarations) -> Vec<Rational> {
+    let free = |part| free(part, declarations);
+    match &expr.node {
+        Node::Index(head, _) => free(head),
+        Node::Call(head, arguments) => {
+            let name = match &head.node {
+                Node::Name(name) => name.as_str(),
+                _ => "",
+            };
+            let definition = declarations.definition(name);
+            let numbered = arguments.iter().enumerate();
+            let values = numbered.filter(|(place, _)| match definition {
+                Some(definition) => !counts(definition, *place),
+                None => name != "D" || *place < 2,
+            });
+            values.flat_map(|(_, argument)| free(argument)).collect()
+        }
+        _ => match value(expr) {
+            Some(value) => vec![value],
+            None => expr.parts().into_iter().flat_map(free).collect(),
+        },
+    }
+}
+
+/// The numbers in a name: 3 in `E1_3`.
+fn digits(name: &str) -> Vec<Rational> {
+    let numbers = name.split(|c: char| !c.is_ascii_digit());
+    let numbers = numbers.filter_map(|digits| digits.parse::<i64>().ok());
+    numbers.map(integer).collect()
+}
+
+/// The bounds of the symbols that occur.
+fn bounds(subject: &Subject<'_>) -> Vec<Rational> {
+    let names = subject.formulas.names.iter();
+    let kinds = names.filter_map(|name| subject.claim.declarations.symbol(name));
+    let mut bounds = vec![];
+    for kind in kinds {
+        match kind {
+            SymbolKind::Real(interval) => {
+                let ends = [&interval.lower, &interval.upper].into_iter().flatten();
+                bounds.extend(ends.filter_map(|end| end.value.as_rational().cloned()));
+            }
+            SymbolKind::Integer { least, most } => {
+                bounds.extend(
+                    [least, most]
+                        .into_iter()
+                        .flatten()
+                        .map(|end| integer(end.constant())),
+                );
+            }
+            _ => {}
+        }
+    }
+    bounds
+}
+
 /// Names of the print that are declared and do not occur, and free numbers of the statement that the print does not name.
 pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
     let declarations = &subject.claim.declarations;
-    let reached: BTreeSet<&str> = subject
-        .formulas
-        .names
-        .iter()
-        .map(|name| stem(name))
+    // What is read is the names, those that are bound by sums and derivatives among them, and what they are shown as.
+    let written = subject.formulas.reached.iter().flat_map(|e| e.names());
+    let written: BTreeSet<&str> = written
+        .chain(subject.formulas.names.iter().copied())
         .collect();
+    let shown = written.iter().filter_map(|name| declarations.display(name));
+    let shown = shown.flat_map(|text| text.split(|c: char| !c.is_ascii_alphabetic()));
+    let shown: BTreeSet<&str> = shown.collect();
+    let reached: BTreeSet<&str> = written.iter().map(|name| stem(name)).collect();
     let declared: BTreeSet<&str> = declarations.names().map(stem).collect();
-    let printed = subject.print.names.iter().map(String::as_str);
-    let lacks = printed.filter(|name| declared.contains(name) && !reached.contains(name));
-    let statement = subject.claim.statement.iter();
-    let stated: BTreeSet<&str> = statement.flat_map(|w| w.expr.names()).collect();
+    let printed = Print::of(explained(&subject.claim.entry.printed));
+    let printed = printed.names.iter().map(String::as_str);
+    let lacks = printed.filter(|name| {
+        declared.contains(name) && !reached.contains(name) && !shown.contains(*name)
+    });
+    let mut stated = BTreeSet::new();
+    if let Some(formula) = &subject.claim.statement {
+        free_names(&formula.expr, declarations, &mut stated);
+    }
     let adds = stated.into_iter().filter(|name| {
         let free = matches!(declarations.symbol(name), Some(SymbolKind::Real(_)));
-        free && !subject.print.letters.contains(stem(name))
+        let shown = declarations.display(name).unwrap_or_default();
+        let mut shown = shown.split(|c: char| !c.is_ascii_alphabetic());
+        let printed = |letters: &str| subject.context.letters.contains(letters);
+        free && !printed(stem(name)) && !shown.any(|letters| letters.len() == 1 && printed(letters))
     });
     let shown = |name: &str| format!("`{name}`");
     let (lacks, adds) = (lacks.map(shown).collect(), adds.map(shown).collect());
@@ -85,17 +168,61 @@ pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
     signs
 }
 
+/// The names of a formula outside of the places where functions are taken, and of the variables of derivatives and sums.
+fn free_names<'e>(expr: &'e Expr, declarations: &Declarations, found: &mut BTreeSet<&'e str>) {
+    match &expr.node {
+        Node::Name(name) => {
+            found.insert(name);
+        }
+        Node::Call(head, arguments) => {
+            let name = match &head.node {
+                Node::Name(name) => name.as_str(),
+                // A derivative that is taken somewhere: `D(G, mu)(x)`.
+                Node::Call(..) => "at",
+                Node::Index(head, _) => match &head.node {
+                    Node::Name(name) => name.as_str(),
+                    _ => "",
+                },
+                _ => "",
+            };
+            let name = name.trim_end_matches('\'');
+            let function = declarations
+                .definition(name)
+                .is_some_and(|d| !d.parameters.is_empty());
+            let skipped = |(i, argument): &(usize, &Expr)| {
+                let bound = match name {
+                    "D" => *i == 1,
+                    "at" => *i == usize::from(arguments.len() > 1),
+                    "sum" => *i == 0,
+                    _ => function || declarations.basis(name).is_some(),
+                };
+                bound && matches!(argument.node, Node::Name(_))
+            };
+            for (_, argument) in arguments.iter().enumerate().filter(|each| !skipped(each)) {
+                free_names(argument, declarations, found);
+            }
+        }
+        _ => {
+            for part in expr.parts() {
+                free_names(part, declarations, found);
+            }
+        }
+    }
+}
+
 /// Words of order.
-const ORDER: [&str; 38] = [
+const ORDER: [&str; 40] = [
     "less", "great", "larg", "small", "most", "least", "positiv", "negativ", "non", "increas",
     "decreas", "max", "min", "between", "above", "below", "bound", "inside", "within", "outside",
-    "longer", "shorter", "more", "exceed", "higher", "lower", "close", "near", "far", "toward",
-    "convex", "monoton", "lie", "lies", "range", "interval", "rise", "fall",
+    "quadrant", "admissib", "longer", "shorter", "more", "exceed", "higher", "lower", "close",
+    "near", "far", "toward", "convex", "monoton", "lie", "lies", "range", "interval", "rise",
+    "fall",
 ];
 /// Words of denial.
-const DENIAL: [&str; 18] = [
+const DENIAL: [&str; 27] = [
     "not", "no", "non", "never", "cannot", "differ", "distinct", "without", "neither", "nor",
-    "unlike", "fail", "except", "other", "un", "depend", "vary", "chang",
+    "unlike", "fail", "except", "other", "un", "depend", "vary", "chang", "modif", "alter",
+    "fluctuat", "adjust", "amend", "disturb", "control", "variou", "benefit",
 ];
 
 /// Relations of the print that are not stated, and the other way round.
@@ -147,12 +274,23 @@ pub(super) fn relations(subject: &Subject<'_>) -> Vec<Sign> {
         }
     };
     adds(
-        stated.order && !print.order && !print.says(&ORDER),
+        stated.order && !print.order && !print.range && !print.says(&ORDER),
         "an inequality",
     );
     let denied = print.different || print.says(&DENIAL) || print.order;
     adds(stated.different && !denied, "that something differs");
     signs
+}
+
+/// Whether a function is a property in a word.
+pub(super) fn is_property(name: &str) -> bool {
+    const PROPERTIES: [&str; 4] = [
+        "agrees",
+        "nonnegative",
+        "independent",
+        "variation_diminishing",
+    ];
+    PROPERTIES.contains(&name)
 }
 
 /// The kinds of relations that occur.
@@ -175,12 +313,6 @@ impl Kinds {
     }
 
     fn see(&mut self, part: &Expr) {
-        const PROPERTIES: [&str; 4] = [
-            "agrees",
-            "nonnegative",
-            "independent",
-            "variation_diminishing",
-        ];
         match &part.node {
             Node::Compare(_, rest) => {
                 for (relation, _) in rest {
@@ -193,8 +325,7 @@ impl Kinds {
             }
             Node::Not(_) => self.different = true,
             Node::Call(head, _) => {
-                self.property |=
-                    matches!(&head.node, Node::Name(name) if PROPERTIES.contains(&name.as_str()));
+                self.property |= matches!(&head.node, Node::Name(name) if is_property(name));
             }
             _ => {}
         }

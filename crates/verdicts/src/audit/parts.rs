@@ -1,29 +1,46 @@
 //! A statement with fewer relations than the sentence.
 
 use super::formulas::{Formulas, every};
+use super::occurrences::is_property;
 use super::{Sign, Subject, sign};
 use torse_language::derivation::Claim;
+use torse_language::derivation::declarations::SymbolKind;
 use torse_language::syntax::{Expr, Node, Relation};
 use torse_language::words::Flag;
 
-/// The relations that a claim states or assumes; a definition that it uses and a narrowed range count as one.
+/// The relations that a claim states or assumes; a definition that it uses, a property in a word, and an end of a range count
+/// as one.
 pub(super) fn relations_of(claim: &Claim) -> usize {
     let formulas = Formulas::of(claim);
-    let mut count = claim.entry.symbols.len();
+    let mut count = 0;
     for expr in &formulas.own {
         every(expr, &mut |part| count += relations(part));
     }
     let defined = formulas.names.iter();
-    count
-        + defined
-            .filter(|name| claim.declarations.definition(name).is_some())
-            .count()
+    let defined = defined.filter(|name| claim.declarations.definition(name).is_some());
+    let symbols = formulas.names.iter();
+    let symbols = symbols.filter_map(|name| claim.declarations.symbol(name));
+    count + defined.count() + symbols.map(ends).sum::<usize>()
+}
+
+/// How many ends the range of a symbol has.
+fn ends(kind: &SymbolKind) -> usize {
+    let ends = match kind {
+        SymbolKind::Real(range) => [range.lower.is_some(), range.upper.is_some()],
+        SymbolKind::Integer { least, most } => [least.is_some(), most.is_some()],
+        _ => [false, false],
+    };
+    ends.into_iter().filter(|has| *has).count()
 }
 
 /// The relations of a formula by itself: an equation of vectors is one for each entry that is written out.
 fn relations(expr: &Expr) -> usize {
     match &expr.node {
         Node::Compare(_, rest) => rest.iter().map(|(_, side)| entries(side)).sum(),
+        Node::Call(head, _) => {
+            let property = matches!(&head.node, Node::Name(name) if is_property(name));
+            usize::from(property)
+        }
         _ => 0,
     }
 }

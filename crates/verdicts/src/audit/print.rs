@@ -7,18 +7,24 @@ use torse_language::syntax::{Node, parse};
 /// A printed sentence, taken apart.
 #[derive(Debug, Default)]
 pub struct Print {
-    /// The numbers, those of references such as "Fig. 3" or "(5.16)" left out.
+    /// The numbers that stand for themselves: those of references such as "Fig. 3" or "(5.16)", of names such as `a_3`, and
+    /// the first ones of enumerations such as "k = 0, 1, 2, ..., m" are left out.
     pub numbers: BTreeSet<Rational>,
-    /// The names of mathematics: Greek letters in our spelling, single Latin letters beside signs.
+    /// These, and the numbers of names and enumerations.
+    pub mentioned: BTreeSet<Rational>,
+    /// The names of mathematics: Greek letters in our spelling, single Latin letters beside signs; indices are left out, as
+    /// they run through all that a family has.
     pub names: BTreeSet<String>,
     /// These, and all single Latin letters: some of them are words.
     pub letters: BTreeSet<String>,
-    /// How many relations there are.
+    /// How many relations there are, enumerations left out.
     pub relations: usize,
     /// Equations.
     pub equal: bool,
     /// Signs of order.
     pub order: bool,
+    /// Signs of membership, as of an interval.
+    pub range: bool,
     /// Signs that something differs.
     pub different: bool,
     /// The text in small letters.
@@ -26,7 +32,7 @@ pub struct Print {
 }
 
 /// Words after which a number is that of a formula or figure.
-const REFERENCES: [&str; 16] = [
+const REFERENCES: [&str; 19] = [
     "eq.",
     "eqs.",
     "eq",
@@ -43,6 +49,9 @@ const REFERENCES: [&str; 16] = [
     "example",
     "examples",
     "step",
+    "equation",
+    "equations",
+    "table",
 ];
 
 impl Print {
@@ -61,19 +70,34 @@ impl Print {
                 let length = number_length(rest);
                 let text: String = rest.iter().take(length).collect();
                 let before = i.checked_sub(1).and_then(|j| letters.get(j));
-                let after = rest.get(length);
-                let bracketed = matches!(
-                    (before, after),
-                    (Some('(' | '['), Some(')' | ']')) if text.contains('.') || before == Some(&'[')
-                );
-                if !bracketed && !REFERENCES.contains(&last_word.as_str()) {
-                    print.numbers.extend(number(&text));
+                if !REFERENCES.contains(&last_word.as_str())
+                    && !reference(&letters, i, length)
+                    && !ordinal(&letters, i, length)
+                {
+                    print.mentioned.extend(number(&text));
+                    let dimension = matches!(rest.get(length..), Some(['D', ..] | ['-', 'd', ..]));
+                    let named = dimension
+                        || before.is_some_and(|c| c.is_alphabetic() || "_{'′".contains(*c));
+                    if !named && !enumeration(&letters, i) {
+                        print.numbers.extend(number(&text));
+                    }
                 }
                 i += length;
                 continue;
             }
             match c {
-                '=' => (print.relations, print.equal) = (print.relations + 1, true),
+                // Half of `<=` or `>=`, which was counted, or of `!=`.
+                '=' if matches!(
+                    i.checked_sub(1).and_then(|j| letters.get(j)),
+                    Some('<' | '>')
+                ) => {}
+                '=' if i.checked_sub(1).and_then(|j| letters.get(j)) == Some(&'!') => {
+                    (print.relations, print.different) = (print.relations + 1, true);
+                }
+                '=' if !enumerates(rest) => {
+                    (print.relations, print.equal) = (print.relations + 1, true);
+                }
+                '∈' => print.range = true,
                 '<' | '>' | '≤' | '≥' | '⩽' | '⩾' | '≦' | '≧' | '≪' | '≫' => {
                     (print.relations, print.order) = (print.relations + 1, true);
                 }
@@ -81,7 +105,9 @@ impl Print {
                 _ => {}
             }
             if let Some(name) = greek(c) {
-                print.names.insert(name.to_owned());
+                if !subscript(letters.get(..i).unwrap_or_default()) {
+                    print.names.insert(name.to_owned());
+                }
                 print.letters.insert(name.to_owned());
             }
             if c.is_ascii_alphabetic() {
@@ -91,14 +117,19 @@ impl Print {
                 let near = letters.get(..i).unwrap_or_default();
                 let before = near.iter().rev().find(|c| **c != ' ');
                 let beside = |c: Option<&char>| c.is_some_and(|c| "_=<>+-−*/^(≤≥≠'′".contains(*c));
-                if length == 1 {
+                let spelled = LETTERS.iter().any(|(_, name)| *name == word);
+                if length == 1 || spelled {
                     print.letters.insert(word.clone());
                 }
-                if length == 1 && (beside(after) || beside(before)) {
+                let index = subscript(near) || enumerates_next(rest, length);
+                if length == 1 && !index && (beside(after) || beside(before)) {
                     print.names.insert(word.clone());
                 }
                 let dot = rest.get(length) == Some(&'.');
-                last_word = word.to_lowercase() + if dot { "." } else { "" };
+                let joins = matches!(word.as_str(), "and" | "to");
+                if !joins || !REFERENCES.contains(&last_word.as_str()) {
+                    last_word = word.to_lowercase() + if dot { "." } else { "" };
+                }
                 i += length + usize::from(dot);
                 continue;
             }
@@ -121,6 +152,72 @@ impl Print {
     }
 }
 
+/// Whether a number is that of a formula: `(5.16)`, `(3.3a)`, `[7]`, and `(30)` after a blank.
+fn reference(letters: &[char], start: usize, length: usize) -> bool {
+    let before = |n: usize| start.checked_sub(n).and_then(|j| letters.get(j));
+    let rest = letters.get(start + length..).unwrap_or_default();
+    let lettered = rest.first().is_some_and(char::is_ascii_lowercase);
+    let close = rest.get(usize::from(lettered));
+    let number = letters.get(start..start + length).unwrap_or_default();
+    match (before(1), close) {
+        (Some('['), Some(']')) => true,
+        (Some('('), Some(')')) => {
+            let applied = before(2).is_some_and(|c| c.is_alphanumeric() || "'′]})".contains(*c));
+            number.contains(&'.') || !applied
+        }
+        _ => false,
+    }
+}
+
+/// Whether a number counts the steps of a list: `2. Consider ...`.
+fn ordinal(letters: &[char], start: usize, length: usize) -> bool {
+    let first = start
+        .checked_sub(1)
+        .is_none_or(|j| letters.get(j) == Some(&' '));
+    let rest = letters.get(start + length..).unwrap_or_default();
+    first && matches!(rest, ['.', ' ', next, ..] if next.is_uppercase())
+}
+
+/// Whether what follows these letters is an index: `i` after `R_` and after `R_{k,`.
+fn subscript(before: &[char]) -> bool {
+    match before {
+        [.., '_'] => true,
+        _ => {
+            let open = before.iter().rposition(|c| *c == '{' || *c == '}');
+            let braced = open.is_some_and(|i| before.get(i) == Some(&'{'));
+            braced && open.is_some_and(|i| i > 0 && before.get(i - 1) == Some(&'_'))
+        }
+    }
+}
+
+/// Whether a name is followed by a list of what it runs through: `i = 0, 1, ..., k`.
+fn enumerates_next(rest: &[char], length: usize) -> bool {
+    let rest = rest.get(length..).unwrap_or_default();
+    let blanks = rest.iter().take_while(|c| **c == ' ').count();
+    let rest = rest.get(blanks..).unwrap_or_default();
+    rest.first() == Some(&'=') && enumerates(rest)
+}
+
+/// Whether what follows an equals sign is a list of integers: `= 0, 1, ..., m`.
+fn enumerates(rest: &[char]) -> bool {
+    let mut rest = rest.iter().skip(1).skip_while(|c| **c == ' ').peekable();
+    let mut digits = 0;
+    while rest.peek().is_some_and(|c| c.is_ascii_digit()) {
+        digits += 1;
+        rest.next();
+    }
+    digits > 0 && rest.find(|c| **c != ' ') == Some(&',')
+}
+
+/// Whether a number stands in such a list.
+fn enumeration(letters: &[char], start: usize) -> bool {
+    let before = letters.get(..start).unwrap_or_default();
+    let listed = |c: &char| c.is_ascii_digit() || matches!(c, ' ' | ',' | '.' | '…');
+    let equals = before.iter().rposition(|c| !listed(c));
+    let equals = equals.filter(|i| before.get(*i) == Some(&'='));
+    equals.is_some_and(|i| enumerates(letters.get(i..).unwrap_or_default()))
+}
+
 fn number_length(rest: &[char]) -> usize {
     let digits = |from: usize| {
         let rest = rest.iter().skip(from);
@@ -141,36 +238,58 @@ fn number(text: &str) -> Option<Rational> {
     }
 }
 
+/// How files spell Greek letters.
+const LETTERS: [(char, &str); 24] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('µ', "mu"),
+    ('ν', "nu"),
+    ('ξ', "xi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('φ', "phi"),
+    ('ϕ', "phi"),
+    ('χ', "chi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+    ('Δ', "Delta"),
+    ('Ω', "Omega"),
+];
+
 /// How files spell a Greek letter.
 fn greek(c: char) -> Option<&'static str> {
-    const LETTERS: [(char, &str); 24] = [
-        ('α', "alpha"),
-        ('β', "beta"),
-        ('γ', "gamma"),
-        ('δ', "delta"),
-        ('ε', "epsilon"),
-        ('ζ', "zeta"),
-        ('η', "eta"),
-        ('θ', "theta"),
-        ('κ', "kappa"),
-        ('λ', "lambda"),
-        ('μ', "mu"),
-        ('µ', "mu"),
-        ('ν', "nu"),
-        ('ξ', "xi"),
-        ('ρ', "rho"),
-        ('σ', "sigma"),
-        ('τ', "tau"),
-        ('φ', "phi"),
-        ('ϕ', "phi"),
-        ('χ', "chi"),
-        ('ψ', "psi"),
-        ('ω', "omega"),
-        ('Δ', "Delta"),
-        ('Ω', "Omega"),
-    ];
     let found = LETTERS.iter().find(|(letter, _)| *letter == c);
     found.map(|(_, name)| *name)
+}
+
+/// What a display says of the name that it defines: of `J(x; μ) = x φ + ψ` all but the left side, which is known by the right.
+pub fn explained(printed: &str) -> &str {
+    let Some((name, _)) = printed.split_once('=') else {
+        return printed;
+    };
+    let mut depth = 0_usize;
+    let one_word = name.trim().chars().all(|c| {
+        match c {
+            '(' | '{' | '[' => depth += 1,
+            ')' | '}' | ']' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        depth > 0 || c != ' '
+    });
+    match one_word {
+        true => printed.get(name.len()..).unwrap_or(printed),
+        false => printed,
+    }
 }
 
 /// The stem of a name: `mu` of `mu1`, `E` of `E1_0`.

@@ -1,8 +1,10 @@
 //! A statement in which no slip would be noticed says little.
 
 use super::{Sign, Subject, sign};
+use crate::conjunction::conjuncts;
 use crate::mutants::survivors;
 use torse_algebra::work;
+use torse_language::syntax::Node;
 use torse_language::words::{Flag, Verdict};
 
 /// The changed statements that are tried at first, and where all of those survive.
@@ -17,7 +19,11 @@ pub(super) fn none_is_noticed(subject: &Subject<'_>) -> Vec<Sign> {
         Verdict::Holds | Verdict::Conditional
     );
     let statement = subject.claim.statement.as_ref();
-    let equation = statement.is_some_and(|w| super::parts::has_equation(&w.expr));
+    // What is denied is so at one point at least: a slip leaves that true nearly always.
+    let equation = statement.is_some_and(|w| {
+        let mut parts = conjuncts(&w.expr).into_iter();
+        parts.any(|part| matches!(part.node, Node::Compare(..)) && super::parts::has_equation(part))
+    });
     if !proved || !equation {
         return vec![];
     }

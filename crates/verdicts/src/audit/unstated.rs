@@ -1,6 +1,7 @@
 //! Words about what is not stated: a reading that names other things, a relation in a sentence of which nothing is stated.
 
 use super::{Sign, Subject, listed, sign};
+use std::collections::BTreeSet;
 use torse_language::words::Flag;
 
 /// A reading that names, in backticks or by the number of its equation, what does not occur.
@@ -18,15 +19,18 @@ pub(super) fn reading(subject: &Subject<'_>) -> Vec<Sign> {
     let quoted = reading.split('`').skip(1).step_by(2);
     let words = quoted.flat_map(|code| code.split(|c: char| !c.is_alphanumeric() && c != '_'));
     let names = words.filter(|word| word.starts_with(char::is_alphabetic) && !occurs(word));
-    let mut missing: Vec<String> = names.map(|name| format!("`{name}`")).collect();
-    let known = entry.uses.iter().chain([&entry.id]).map(|id| id.get_ref());
-    let known: Vec<&String> = known.collect();
-    for number in equation_numbers(reading) {
-        let used = known.iter().any(|id| id.contains(number));
-        if !used && !entry.printed.contains(number) {
-            missing.push(format!("({number})"));
-        }
-    }
+    let names: BTreeSet<String> = names.map(|name| format!("`{name}`")).collect();
+    let known = |number: &&str| {
+        let mut rests_on = subject.rests_on.iter().map(|claim| &claim.entry);
+        rests_on.any(|entry| {
+            let places = [entry.id.get_ref(), &entry.at, &entry.printed];
+            places.into_iter().any(|text| text.contains(*number))
+        })
+    };
+    let numbers: BTreeSet<&str> = equation_numbers(reading).into_iter().collect();
+    let numbers = numbers.into_iter().filter(|number| !known(number));
+    let numbers = numbers.map(|number| format!("({number})"));
+    let missing = names.into_iter().chain(numbers).collect();
     listed(Flag::UnstatedReading, "read, and not stated", missing)
 }
 

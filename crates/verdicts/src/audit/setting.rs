@@ -1,0 +1,63 @@
+//! Where a claim stands: what is printed in the claims that it rests on.
+
+use std::collections::{BTreeMap, BTreeSet};
+use torse_language::derivation::{Claim, Paper};
+use torse_language::words::Kind;
+
+/// The claims of papers by their ids, the parts of a sentence by the id of the sentence too.
+pub(super) struct Setting<'a> {
+    claims: BTreeMap<&'a str, Vec<&'a Claim>>,
+}
+
+impl<'a> Setting<'a> {
+    /// Of these papers.
+    pub fn of(papers: &'a [Paper]) -> Self {
+        let mut claims: BTreeMap<&str, Vec<&Claim>> = BTreeMap::new();
+        for claim in papers.iter().flat_map(|paper| &paper.claims) {
+            let whole = claim.whole().map(String::as_str);
+            for id in whole.into_iter().chain([claim.entry.id.get_ref().as_str()]) {
+                claims.entry(id).or_default().push(claim);
+            }
+        }
+        Self { claims }
+    }
+
+    fn named(&self, id: &str) -> impl Iterator<Item = &&'a Claim> {
+        self.claims.get(id).into_iter().flatten()
+    }
+
+    /// What is printed in the claim itself, in the other parts of its sentence, and in those that it uses or quotes. The
+    /// words of remarks are ours.
+    pub fn prints(&self, claim: &Claim) -> String {
+        let ids = claim.uses.iter().chain(claim.whole()).map(String::as_str);
+        let quoted = claim.quotes().into_iter().map(|quote| quote.claim.as_str());
+        let others = ids.chain(quoted).flat_map(|id| self.named(id));
+        let others = others.filter(|other| other.entry.kind != Kind::Remark);
+        let others = others.map(|other| other.entry.printed.as_str());
+        let mut seen = BTreeSet::from([claim.entry.printed.as_str()]);
+        let mut text = claim.entry.printed.clone();
+        for printed in others {
+            if seen.insert(printed) {
+                text.push_str(" / ");
+                text.push_str(printed);
+            }
+        }
+        text
+    }
+
+    /// The claims that it rests on, itself, the other parts of its sentence, and what those rest on among them.
+    pub fn rests_on(&self, claim: &'a Claim) -> Vec<&'a Claim> {
+        let parts = claim.whole().into_iter().flat_map(|id| self.named(id));
+        let mut pending: Vec<&Claim> = parts.copied().chain([claim]).collect();
+        let (mut seen, mut found) = (BTreeSet::new(), vec![]);
+        while let Some(claim) = pending.pop() {
+            if seen.insert(claim.entry.id.get_ref().as_str()) {
+                found.push(claim);
+                let quoted = claim.quotes().into_iter().map(|quote| quote.claim.as_str());
+                let ids = claim.uses.iter().map(String::as_str).chain(quoted);
+                pending.extend(ids.flat_map(|id| self.named(id)).copied());
+            }
+        }
+        found
+    }
+}
