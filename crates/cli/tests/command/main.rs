@@ -8,6 +8,7 @@ mod derive;
 mod design;
 mod explain;
 mod hostile;
+mod prove;
 mod report;
 mod support;
 mod verify;
