@@ -9,6 +9,7 @@ use torse_language::derivation::{DerivationError, LoadError};
 use torse_language::words::Verdict;
 use torse_plates::PlateError;
 use torse_report::ReportError;
+use torse_rocq::coqc::{CheckError, INSTALL};
 use torse_verdicts::derive::DeriveError;
 use torse_verdicts::outcome::Outcome;
 
@@ -21,6 +22,8 @@ pub enum Exit {
     Undecided,
     /// 1: a verdict differs from what its derivation file expects or from an earlier run, a design misses a tolerance of its file.
     Differs,
+    /// 7: a program that was asked for is missing.
+    Missing,
     /// 8: the time limit ended the run.
     TimeLimit,
     /// 5: an output could not be made or written.
@@ -29,7 +32,7 @@ pub enum Exit {
     BadData,
     /// 2: the command line cannot be followed; clap uses the same code.
     Usage,
-    /// 6: the prover and the semantics contradict each other.
+    /// 6: levels of assurance contradict each other: the prover and the semantics, or the prover and the kernel.
     Contradiction,
 }
 
@@ -59,6 +62,7 @@ impl Exit {
             Exit::BadData => 4,
             Exit::Output => 5,
             Exit::Contradiction => 6,
+            Exit::Missing => 7,
             Exit::TimeLimit => 8,
         }
     }
@@ -155,6 +159,30 @@ pub enum Failure {
     #[error("{0}")]
     #[diagnostic(transparent)]
     Design(#[from] DesignFailure),
+    /// The proof assistant is not there.
+    #[error("`coqc` was not found")]
+    #[diagnostic(help("Debian 12: `{INSTALL}` (Coq 8.16.1)"))]
+    MissingCoqc,
+    /// Proofs could not be checked, or not be written.
+    #[error("the proofs cannot be checked: {0}")]
+    Proofs(CheckError),
+    /// A file of proofs could not be written.
+    #[error("cannot write {}", path.display())]
+    WriteProofs {
+        /// The path.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// A file of the folder of proofs is not what it should be.
+    #[error("{} cannot be read: {reason}", path.display())]
+    #[diagnostic(help("remove it: `torse prove --try` writes it anew"))]
+    ReadProofs {
+        /// The path.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
     /// The terminal, or what stands in for it, took no more.
     #[error("cannot write the output")]
     Print(#[source] std::io::Error),
@@ -177,6 +205,15 @@ impl Diagnostic for DesignFailure {
                 mistakes.iter().map(|mistake| mistake as &dyn Diagnostic),
             )),
             _ => None,
+        }
+    }
+}
+
+impl From<CheckError> for Failure {
+    fn from(error: CheckError) -> Self {
+        match error {
+            CheckError::Missing => Self::MissingCoqc,
+            other => Self::Proofs(other),
         }
     }
 }
@@ -208,7 +245,13 @@ impl Failure {
                 Ending::Output => Exit::Output,
                 Ending::Missed => Exit::Differs,
             },
-            Failure::Report(_) | Failure::Figure { .. } | Failure::Print(_) => Exit::Output,
+            Failure::MissingCoqc => Exit::Missing,
+            Failure::ReadProofs { .. } => Exit::BadData,
+            Failure::Proofs(_)
+            | Failure::WriteProofs { .. }
+            | Failure::Report(_)
+            | Failure::Figure { .. }
+            | Failure::Print(_) => Exit::Output,
         }
     }
 }
@@ -225,11 +268,12 @@ mod tests {
             Exit::BadData,
             Exit::Output,
             Exit::TimeLimit,
+            Exit::Missing,
             Exit::Differs,
             Exit::Undecided,
             Exit::AsExpected,
         ];
         assert!(all.is_sorted_by(|a, b| a > b));
-        assert_eq!(all.map(Exit::code), [6, 2, 4, 5, 8, 1, 3, 0]);
+        assert_eq!(all.map(Exit::code), [6, 2, 4, 5, 8, 7, 1, 3, 0]);
     }
 }

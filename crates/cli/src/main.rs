@@ -14,6 +14,7 @@ mod figures;
 mod format;
 mod guard;
 mod mistakes;
+mod prove;
 mod recheck;
 mod report;
 mod run;
@@ -50,6 +51,7 @@ Examples:
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
   torse recheck                          every verdict again, by the semantics
+  torse prove --check                    proofs of the verdicts, checked by the Rocq kernel
   torse audit gbt-developable            signs that a statement is not what is printed
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
@@ -65,16 +67,18 @@ Examples:
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
   torse recheck                          every verdict again, by the semantics
+  torse prove --check                    proofs of the verdicts, checked by the Rocq kernel
   torse audit gbt-developable            signs that a statement is not what is printed
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
 
 Exit codes (of several that apply, the uppermost):
-  6  a verdict and its replay contradict each other
+  6  a verdict and its replay, or the kernel, contradict each other
   2  the command line cannot be followed: an unknown name, a missing folder
   4  a derivation or design file is wrong; all mistakes are shown with file, line and column
   5  an output could not be made or written
   8  the time limit has ended the run, without verdicts
+  7  a program that was asked for is missing (coqc)
   1  a verdict differs from what its derivation file expects, or from an earlier run; a flag is open; a design
      misses a tolerance
   3  a claim named by its full id is undecided
@@ -89,6 +93,7 @@ enum Command {
     Report(report::Report),
     Derive(derive::Derive),
     Recheck(recheck::Replay),
+    Prove(prove::Prove),
     Audit(audit::Audit),
     Inspect(design::Inspect),
     Unroll(design::Unroll),
@@ -106,6 +111,7 @@ impl Command {
             Command::Report(command) => command.run(),
             Command::Derive(command) => command.run(),
             Command::Recheck(command) => command.run(),
+            Command::Prove(command) => command.run(),
             Command::Audit(command) => command.run(),
             Command::Inspect(command) => command.run(),
             Command::Unroll(command) => command.run(),

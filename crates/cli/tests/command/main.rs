@@ -9,6 +9,7 @@ mod derive;
 mod design;
 mod explain;
 mod hostile;
+mod prove;
 mod report;
 mod support;
 mod verify;

@@ -1,0 +1,342 @@
+//! `torse prove`: statements and proofs for the Rocq kernel.
+
+use crate::derivations::{Derivations, Found};
+use crate::exit::{Exit, Failure};
+use crate::run::{Budget, Run};
+use crate::terminal::Progress;
+use crate::{guard, selection, terminal};
+use clap::Args;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use torse_language::derivation::{Claim, Paper};
+use torse_prove::evidence;
+use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Limits, fingerprint};
+use torse_rocq::folder::{ACCEPTED, Folder, Theorem, UNPROVED};
+use torse_rocq::task::{Evidence, Finding};
+use torse_rocq::trial;
+use torse_verdicts::outcome::Outcome;
+
+/// Write statements and proofs of verdicts for the Rocq kernel, and have them checked.
+///
+/// For each claim with a verdict a statement in the order of the print, with all that has to be defined as premises,
+/// and a proof in another file. `--check` runs coqc (Coq 8.16.1: apt-get install coq libcoq-coquelicot) and keeps in
+/// accepted.json what the kernel accepted. A rejected proof contradicts a verdict: the exit code is 6.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Prove {
+    /// Papers, claims, or beginnings of ids
+    #[arg(value_name = "PAPER|ID")]
+    names: Vec<String>,
+    /// The folder to write
+    #[arg(long, value_name = "DIR", default_value = "proofs")]
+    out: PathBuf,
+    /// Run coqc on everything that is written
+    #[arg(long)]
+    check: bool,
+    /// Find out which scripts prove their theorems, for so many seconds each; the others are left out from then on
+    #[arg(long = "try", value_name = "SECONDS", num_args = 0..=1, default_missing_value = "20")]
+    attempt: Option<u64>,
+    /// How many coqc run at once
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..))]
+    jobs: u8,
+    /// The longest time for one file, in seconds
+    #[arg(long, value_name = "SECONDS", default_value_t = 600)]
+    file_limit: u64,
+    /// The most memory for one coqc, in megabytes
+    #[arg(long, value_name = "MB", default_value_t = 4000)]
+    memory: u64,
+    #[command(flatten)]
+    budget: Budget,
+    #[command(flatten)]
+    derivations: Derivations,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  torse prove                                     write proofs/
+  torse prove --check                             and have the kernel check them
+  torse prove gbt-developable/eq-3.11 --out out --check
+  torse prove --derivations my-papers --out my-proofs --try --check";
+
+impl Prove {
+    /// Decides, writes, checks; prints what has a proof, and why the rest has none.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let Found {
+            papers,
+            left_out,
+            mut mistakes,
+        } = self.derivations.load()?;
+        let papers = selection::select(papers, &self.names, &left_out)?;
+        // Before minutes are spent on verdicts.
+        let coqc = match self.check || self.attempt.is_some() {
+            true => Some(Coqc::find()?),
+            false => None,
+        };
+        let run = Run::of(&papers, self.budget, &mut mistakes);
+        guard::finished();
+        let findings = findings(&papers, &run);
+        let mut unproved = self.unproved()?;
+        if let (Some(_), Some(coqc)) = (self.attempt, &coqc) {
+            unproved = self.tried(coqc, &findings, &unproved)?;
+            self.write(UNPROVED, &json(&unproved))?;
+        }
+        let folder = Folder::new(&findings, &unproved);
+        for (path, text) in &folder.files {
+            self.write(path, text)?;
+        }
+        let mut exit = Exit::AsExpected;
+        let mut text = written(&folder);
+        if let (true, Some(coqc)) = (self.check, &coqc) {
+            let (told, found) = self.checked(coqc, &folder)?;
+            text.push_str(&told);
+            exit = found;
+        }
+        terminal::print(&text)?;
+        Ok(mistakes.tell(exit))
+    }
+
+    fn limits(&self) -> Limits {
+        Limits {
+            time: Duration::from_secs(self.file_limit),
+            memory: self.memory.saturating_mul(1024),
+            at_once: self.jobs.into(),
+        }
+    }
+
+    /// Writes one file, unless it is there already with the same text.
+    fn write(&self, path: &str, text: &str) -> Result<(), Failure> {
+        let path = self.out.join(path);
+        if std::fs::read(&path).is_ok_and(|old| old == text.as_bytes()) {
+            return Ok(());
+        }
+        let written = match path.parent() {
+            Some(parent) => std::fs::create_dir_all(parent),
+            None => Ok(()),
+        };
+        let written = written.and_then(|()| std::fs::write(&path, text));
+        written.map_err(|source| Failure::WriteProofs { path, source })
+    }
+
+    /// The theorems whose scripts are known to fail.
+    fn unproved(&self) -> Result<BTreeSet<String>, Failure> {
+        let path = self.out.join(UNPROVED);
+        let Ok(text) = std::fs::read_to_string(&path) else {
+            return Ok(BTreeSet::new());
+        };
+        let read = serde_json::from_str(&text);
+        read.map_err(|error| Failure::ReadProofs {
+            path,
+            reason: error.to_string(),
+        })
+    }
+
+    /// The theorems whose scripts fail, found out anew for those of this run.
+    fn tried(
+        &self,
+        coqc: &Coqc,
+        findings: &[(String, Vec<Finding<'_>>)],
+        known: &BTreeSet<String>,
+    ) -> Result<BTreeSet<String>, Failure> {
+        let all = Folder::new(findings, &BTreeSet::new());
+        let scratch = Scratch::new()?;
+        let progress = Progress::new("trying", sections(&all));
+        let seconds = self.attempt.unwrap_or(20);
+        let limits = self.limits();
+        let failing = trial::failing(coqc, &all, &scratch.0, seconds, limits, &|| progress.step());
+        progress.finish();
+        let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
+        let others = known.iter().filter(|name| !own.contains(*name)).cloned();
+        let selected = !self.names.is_empty();
+        Ok(failing?
+            .into_iter()
+            .chain(others.filter(|_| selected))
+            .collect())
+    }
+
+    /// Asks the kernel, keeps what it accepted, and says so.
+    fn checked(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
+        let scratch = Scratch::new()?;
+        let progress = Progress::new("checking", sections(folder) + 4);
+        let checked = coqc.check(folder, &scratch.0, self.limits(), &|| progress.step());
+        progress.finish();
+        let (answers, axioms) = checked?;
+        let mut text = String::new();
+        let mut counts = [0_usize; 3];
+        let mut accepted = BTreeMap::new();
+        for theorem in &folder.theorems {
+            let place = match answers.get(&theorem.name()) {
+                Some(Answer::Accepted) => {
+                    let print = fingerprint(theorem, &coqc.version);
+                    accepted.insert(theorem.name(), print);
+                    0
+                }
+                Some(Answer::Rejected(reason)) => {
+                    text.push_str(&format!(
+                        "rejected: {} ({})\n{reason}\n",
+                        theorem.id,
+                        theorem.name()
+                    ));
+                    1
+                }
+                Some(Answer::NotReached) | None => 2,
+            };
+            if let Some(count) = counts.get_mut(place) {
+                *count += 1;
+            }
+        }
+        let [good, bad, open] = counts;
+        let foreign: Vec<&String> = axioms
+            .iter()
+            .filter(|a| !AXIOMS.contains(&a.as_str()))
+            .collect();
+        for axiom in &foreign {
+            text.push_str(&format!("a proof rests on `{axiom}`\n"));
+        }
+        text.push_str(&format!(
+            "Coq {}: {good} accepted, {bad} rejected, {open} not reached; axioms: {}\n",
+            coqc.version,
+            if axioms.is_empty() {
+                "none".to_owned()
+            } else {
+                axioms.join(", ")
+            }
+        ));
+        let fresh = Accepted {
+            coq: coqc.version.clone(),
+            axioms: axioms.clone(),
+            theorems: accepted,
+        };
+        text.push_str(self.compared(&fresh));
+        self.write(ACCEPTED, &json(&fresh))?;
+        let exit = match bad + open + foreign.len() {
+            0 => Exit::AsExpected,
+            _ => Exit::Contradiction,
+        };
+        Ok((text, exit))
+    }
+
+    /// What the kept answers have to do with the fresh ones.
+    fn compared(&self, fresh: &Accepted) -> &'static str {
+        let path = self.out.join(ACCEPTED);
+        let Ok(text) = std::fs::read_to_string(path) else {
+            return "accepted.json is new\n";
+        };
+        match serde_json::from_str::<Accepted>(&text) {
+            Ok(old) if old == *fresh => "accepted.json agrees\n",
+            Ok(_) => "accepted.json was stale and is written anew\n",
+            Err(_) => "accepted.json could not be read and is written anew\n",
+        }
+    }
+}
+
+/// A folder that is removed at the end.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new() -> Result<Self, Failure> {
+        let path = std::env::temp_dir().join(format!("torse-prove-{}", std::process::id()));
+        // What an ended process of the same number left behind.
+        let _ = std::fs::remove_dir_all(&path);
+        let made = std::fs::create_dir_all(&path);
+        made.map_err(|source| Failure::WriteProofs {
+            path: path.clone(),
+            source,
+        })?;
+        Ok(Self(path))
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        // A folder that stays behind is untidy and no failure.
+        let _ = std::fs::remove_dir_all(Path::new(&self.0));
+    }
+}
+
+fn json(value: &impl serde::Serialize) -> String {
+    serde_json::to_string_pretty(value).map_or_else(|_| String::new(), |text| text + "\n")
+}
+
+fn sections(folder: &Folder) -> usize {
+    let sections: BTreeSet<&str> = folder.theorems.iter().map(|t| t.section.as_str()).collect();
+    sections.len()
+}
+
+/// The findings of all claims and readings that have outcomes, paper by paper.
+fn findings<'c>(papers: &'c [Paper], run: &Run) -> Vec<(String, Vec<Finding<'c>>)> {
+    let outcomes: BTreeMap<&str, &Outcome> = run.outcomes().map(|o| (o.id.as_str(), o)).collect();
+    let of = |paper: &'c Paper| {
+        let mut found = vec![];
+        for claim in &paper.claims {
+            let id = claim.entry.id.get_ref();
+            let Some(outcome) = outcomes.get(id.as_str()) else {
+                continue;
+            };
+            found.push(finding(id.clone(), claim, outcome));
+            for (reading, outcome) in claim.readings.iter().zip(&outcome.readings) {
+                let id = format!("{id}.{}", reading.name);
+                found.push(finding(id, &reading.claim, &outcome.outcome));
+            }
+        }
+        (paper.head.id.clone(), found)
+    };
+    papers.iter().map(of).collect()
+}
+
+fn finding<'c>(id: String, claim: &'c Claim, outcome: &Outcome) -> Finding<'c> {
+    let texts = |formulas: &[torse_language::notation::Formula]| -> Vec<String> {
+        formulas
+            .iter()
+            .map(|formula| formula.text.clone())
+            .collect()
+    };
+    let correction = outcome.correction.as_ref();
+    Finding {
+        id,
+        claim,
+        verdict: outcome.verdict,
+        evidence: outcome.evidence.map(|found| match found {
+            evidence::Evidence::Identity => Evidence::Identity,
+            evidence::Evidence::Induction => Evidence::Induction,
+            evidence::Evidence::Inequality => Evidence::Inequality,
+            evidence::Evidence::Enclosure => Evidence::Enclosure,
+            evidence::Evidence::Witness => Evidence::Witness,
+            evidence::Evidence::CheckedRange | evidence::Evidence::Sampled => Evidence::Instances,
+        }),
+        conditions: texts(&outcome.conditions),
+        correction: correction.map(|c| (c.statement.text.clone(), texts(&c.conditions))),
+        witness: outcome
+            .witness
+            .as_ref()
+            .map_or_else(Vec::new, |witness| witness.at.clone()),
+    }
+}
+
+/// What was written, by what the verdicts rest on, and why the rest was not.
+fn written(folder: &Folder) -> String {
+    let mut rows: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
+    for theorem in &folder.theorems {
+        rows.entry(theorem.evidence.word()).or_default()[0] += 1;
+    }
+    let mut reasons: BTreeMap<(usize, &str), usize> = BTreeMap::new();
+    for missing in &folder.missing {
+        let word = missing.evidence.map_or("no evidence", Evidence::word);
+        rows.entry(word).or_default()[1] += 1;
+        *reasons.entry((0, missing.reason.as_str())).or_default() += 1;
+    }
+    let mut table = terminal::table();
+    table.add_row(["rests on", "proofs", "not generated"]);
+    for (word, [proofs, missing]) in rows {
+        table.add_row([word.to_owned(), proofs.to_string(), missing.to_string()]);
+    }
+    let mut text = terminal::lines(&table);
+    let mut table = terminal::table();
+    for ((_, reason), count) in reasons {
+        table.add_row([count.to_string(), reason.to_owned()]);
+    }
+    text.push_str("\nnot generated:\n");
+    text.push_str(&terminal::lines(&table));
+    text.push('\n');
+    text
+}

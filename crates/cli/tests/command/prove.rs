@@ -1,0 +1,142 @@
+//! `torse prove`: what it writes, and how it ends where something is missing.
+
+use crate::support::{claim, mini, torse};
+use std::fs;
+use std::process::Command;
+
+/// A folder with one claim.
+fn square() -> tempfile::TempDir {
+    mini(&claim("a", "(x + 1)^2 == x^2 + 2*x + 1", ""))
+}
+
+/// Runs `torse prove` on a folder of derivations, with these programs on the path.
+fn prove(
+    derivations: &tempfile::TempDir,
+    out: &str,
+    path: Option<&str>,
+    more: &[&str],
+) -> (Option<i32>, String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_torse"));
+    command
+        .arg("prove")
+        .arg("--derivations")
+        .arg(derivations.path())
+        .arg("--out")
+        .arg(out)
+        .args(more);
+    if let Some(path) = path {
+        command.env("PATH", path);
+    }
+    let output = command.output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (
+        output.status.code(),
+        text(output.stdout),
+        text(output.stderr),
+    )
+}
+
+fn has_coqc() -> bool {
+    let found = Command::new("coqc").arg("--version").output().is_ok();
+    if !found {
+        eprintln!("notice: coqc is not installed, the kernel was not asked");
+    }
+    found
+}
+
+#[test]
+fn a_missing_coqc_is_told_with_the_way_to_get_it() {
+    let (derivations, out) = (square(), tempfile::tempdir().unwrap());
+    let folder = out.path().to_str().unwrap();
+    let (code, _, err) = prove(&derivations, folder, Some(folder), &["--check"]);
+    assert_eq!(code, Some(7), "{err}");
+    assert!(
+        err.contains("apt-get install coq libcoq-coquelicot"),
+        "{err}"
+    );
+    // Without a check nothing is asked.
+    let (code, out, err) = prove(&derivations, folder, Some(folder), &[]);
+    assert_eq!(code, Some(0), "{out}{err}");
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_told() {
+    let (derivations, out) = (square(), tempfile::tempdir().unwrap());
+    let file = out.path().join("file");
+    fs::write(&file, "mine").unwrap();
+    let (code, _, err) = prove(&derivations, file.to_str().unwrap(), None, &[]);
+    assert_eq!(code, Some(5), "{err}");
+    assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
+}
+
+#[test]
+fn a_list_of_unproved_theorems_that_is_none_is_refused() {
+    let (derivations, out) = (square(), tempfile::tempdir().unwrap());
+    fs::write(out.path().join("unproved.json"), "{").unwrap();
+    let (code, _, err) = prove(&derivations, out.path().to_str().unwrap(), None, &[]);
+    assert_eq!(code, Some(4), "{err}");
+}
+
+#[test]
+fn foreign_files_stay_and_the_same_run_writes_the_same_bytes() {
+    let (derivations, out) = (square(), tempfile::tempdir().unwrap());
+    let folder = out.path().to_str().unwrap();
+    fs::write(out.path().join("notes.txt"), "mine").unwrap();
+    let statements = out.path().join("Mini/A.v");
+    let written = || {
+        let (code, _, err) = prove(&derivations, folder, None, &[]);
+        assert_eq!(code, Some(0), "{err}");
+        let papers = fs::read_dir(out.path())
+            .unwrap()
+            .flatten()
+            .filter(|e| e.path().is_dir());
+        let files = papers.flat_map(|e| fs::read_dir(e.path()).unwrap().flatten());
+        let mut texts: Vec<_> = files
+            .map(|e| (e.path(), fs::read(e.path()).unwrap()))
+            .collect();
+        texts.sort();
+        texts
+    };
+    let first = written();
+    assert!(
+        first
+            .iter()
+            .any(|(path, _)| path.to_string_lossy().ends_with("_proofs.v")),
+        "{statements:?}"
+    );
+    assert_eq!(first, written());
+    assert_eq!(
+        fs::read_to_string(out.path().join("notes.txt")).unwrap(),
+        "mine"
+    );
+}
+
+#[test]
+fn a_stale_list_of_accepted_theorems_is_told_and_written_anew() {
+    if !has_coqc() {
+        return;
+    }
+    let (derivations, out) = (square(), tempfile::tempdir().unwrap());
+    let folder = out.path().to_str().unwrap();
+    let accepted = out.path().join("accepted.json");
+    fs::write(
+        &accepted,
+        "{\"coq\": \"0\", \"axioms\": [], \"theorems\": {}}",
+    )
+    .unwrap();
+    let (code, said, err) = prove(&derivations, folder, None, &["--check"]);
+    assert_eq!(code, Some(0), "{said}{err}");
+    assert!(
+        said.contains("1 accepted, 0 rejected") && said.contains("was stale"),
+        "{said}"
+    );
+    let (_, said, _) = prove(&derivations, folder, None, &["--check"]);
+    assert!(said.contains("accepted.json agrees"), "{said}");
+}
+
+#[test]
+fn the_help_says_how_to_get_coqc() {
+    let ran = torse(&["prove", "--help"]);
+    assert_eq!(ran.code, Some(0));
+    assert!(ran.out.contains("apt-get install coq"), "{}", ran.out);
+}

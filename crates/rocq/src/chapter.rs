@@ -1,0 +1,120 @@
+//! Files of statements and of proofs, a pair for each section of a paper.
+//!
+//! The statements are for reading: they contain no proof and import nothing but `Torse.Defs`, so that no proof can change
+//! what a statement means.
+
+use crate::name::camel;
+use crate::script;
+use crate::task::{Goal, Role};
+
+/// The section of a paper that holds a place such as `Sect. 5.1, eq. (5.3)`, as the name of a file.
+#[must_use]
+pub fn section(at: &str) -> String {
+    let number = |rest: &str| -> String {
+        let kept: String = rest
+            .chars()
+            .take_while(|c| c.is_ascii_digit() || *c == '.')
+            .collect();
+        kept.trim_end_matches('.').replace('.', "_")
+    };
+    for word in ["Sect. ", "Section ", "Sec. "] {
+        if let Some((_, rest)) = at.split_once(word) {
+            let number = number(rest);
+            if !number.is_empty() {
+                return format!("Section_{number}");
+            }
+        }
+    }
+    match at.split(|c: char| !c.is_ascii_alphabetic()).next() {
+        Some(word) if !word.is_empty() => camel(word),
+        _ => "Other".to_owned(),
+    }
+}
+
+/// A text as a comment of Rocq, which reads quotes and brackets in comments.
+#[must_use]
+pub fn comment(text: &str) -> String {
+    let text = text
+        .replace("(*", "( *")
+        .replace("*)", "* )")
+        .replace('"', "''");
+    format!("(* {} *)", text.trim())
+}
+
+/// The file of statements of these goals.
+#[must_use]
+pub fn statements(paper: &str, section: &str, goals: &[&Goal]) -> String {
+    let mut text = format!(
+        "{}\nFrom Torse Require Import Defs.\nOpen Scope R_scope.\n",
+        comment(&format!(
+            "Statements of {paper}, {}. Nothing is proved here.",
+            section.replace('_', " ")
+        ))
+    );
+    for goal in goals {
+        text.push_str(&statement(goal));
+    }
+    text
+}
+
+/// The module of the statement of a goal.
+#[must_use]
+pub fn statement(goal: &Goal) -> String {
+    let mut text = format!("\nModule {}.\n", goal.module);
+    let corrected = if goal.role == Role::Corrected {
+        " (corrected)"
+    } else {
+        ""
+    };
+    let about = format!(
+        "{}{corrected}, {}\n   printed: {}\n   stated: {}",
+        goal.id, goal.at, goal.printed, goal.states
+    );
+    text.push_str(&comment(&about));
+    text.push('\n');
+    let proposition = &goal.proposition;
+    for (_, definition) in &proposition.definitions {
+        text.push_str(definition);
+        text.push('\n');
+    }
+    text.push_str(&format!(
+        "Definition statement : Prop :=\n{}.\n",
+        proposition.universal()
+    ));
+    if let (Some(instance), true) = (proposition.instance(), goal.role != Role::Refuted) {
+        text.push_str(&format!("Definition instance : Prop :=\n{instance}.\n"));
+    }
+    text.push_str(&format!("End {}.\n", goal.module));
+    text
+}
+
+/// The file of proofs of these goals.
+#[must_use]
+pub fn proofs(folder: &str, section: &str, goals: &[&Goal]) -> String {
+    let mut text = format!(
+        "{}\nFrom Torse Require Import Defs Series Theory Tactics.\nFrom {folder} Require {section}.\nOpen Scope R_scope.\n",
+        comment("Proofs: nothing here has to be read.")
+    );
+    for goal in goals {
+        text.push_str(&script::module(folder, section, goal));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_name_their_sections() {
+        assert_eq!(section("Sect. 5.1, eq. (5.3), first line"), "Section_5_1");
+        assert_eq!(section("eq. (3.11), Sect. 3.4."), "Section_3_4");
+        assert_eq!(section("Abstract, last sentence"), "Abstract");
+        assert_eq!(section("3"), "Other");
+    }
+
+    #[test]
+    fn no_text_ends_its_comment() {
+        assert_eq!(comment("a *) \"b\" (* c"), "(* a * ) ''b'' ( * c *)");
+    }
+}

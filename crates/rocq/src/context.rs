@@ -1,0 +1,384 @@
+//! What names mean while a claim is written: declared symbols, variables of binders, and the definitions that the
+//! statement needs before it.
+//!
+//! Every opened definition and every basis family becomes a `Definition` of its own, with the symbols and variables that
+//! occur in it as arguments: the statement then reads like the claim, and parts that occur often are written once.
+
+use crate::code::Code;
+use crate::gap::Gap;
+use crate::name::{Names, identifier};
+use crate::shape::Shape;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+use torse_language::core::{Family, Node, Set, Term, Variable};
+
+/// The most bytes of a claim's definitions and statement together.
+pub const MAX_BYTES: usize = 60_000;
+
+/// A value and its shape.
+#[derive(Debug, Clone)]
+pub struct Value {
+    /// The text.
+    pub code: Code,
+    /// What it is.
+    pub shape: Shape,
+}
+
+/// What a variable of a binder stands for.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// An integer, of type `Z`.
+    Integer,
+    /// A value.
+    Value(Shape),
+}
+
+impl Kind {
+    fn rocq_type(&self) -> &'static str {
+        match self {
+            Self::Integer => "Z",
+            Self::Value(shape) => shape.rocq_type(),
+        }
+    }
+}
+
+/// A variable in scope: the text that stands for it, and what that is.
+#[derive(Debug, Clone)]
+pub struct Local {
+    /// The text: a name, or the argument of an applied function.
+    pub code: Code,
+    /// What it is.
+    pub kind: Kind,
+}
+
+/// A definition that was written, as it is used.
+#[derive(Debug, Clone)]
+pub struct Head {
+    /// Its name.
+    pub name: String,
+    /// The declared symbols that it takes, in their order.
+    pub symbols: Vec<Arc<str>>,
+    /// The variables of enclosing binders that it takes.
+    pub variables: Vec<Variable>,
+    /// What it is worth.
+    pub shape: Shape,
+}
+
+/// The state of writing one claim.
+#[derive(Debug)]
+pub struct Context<'a> {
+    /// The declared symbols of the claim.
+    pub symbols: &'a BTreeMap<Arc<str>, Set>,
+    /// Their names in Rocq.
+    symbol_names: BTreeMap<Arc<str>, String>,
+    /// The names of symbols.
+    outer: Names,
+    /// Every name that a variable ever had: a definition of that name could be hidden by it.
+    hidden: BTreeSet<String>,
+    /// The names in use in the definition or statement that is being written.
+    names: Names,
+    /// The variables in scope.
+    locals: BTreeMap<u32, Local>,
+    /// Definitions by the address of the opened term and the kinds of their variables.
+    heads: BTreeMap<(usize, Vec<Kind>), Head>,
+    /// Definitions by their text, so that the same text is written once.
+    texts: BTreeMap<String, String>,
+    /// The definitions, in order.
+    definitions: Vec<(String, String)>,
+    /// How many bytes were written.
+    bytes: usize,
+}
+
+impl<'a> Context<'a> {
+    /// The context of a claim with these symbols.
+    #[must_use]
+    pub fn new(symbols: &'a BTreeMap<Arc<str>, Set>) -> Self {
+        let mut outer = Names::default();
+        let named = |name: &Arc<str>| (Arc::clone(name), outer.fresh(name));
+        let symbol_names = symbols.keys().map(named).collect();
+        Self {
+            symbols,
+            symbol_names,
+            names: outer.clone(),
+            outer,
+            hidden: BTreeSet::new(),
+            locals: BTreeMap::new(),
+            heads: BTreeMap::new(),
+            texts: BTreeMap::new(),
+            definitions: vec![],
+            bytes: 0,
+        }
+    }
+
+    /// The definitions written so far: names and texts, in order.
+    #[must_use]
+    pub fn definitions(&self) -> &[(String, String)] {
+        &self.definitions
+    }
+
+    /// The name of a symbol.
+    ///
+    /// # Errors
+    /// [`Gap::Unread`] if the claim does not declare it.
+    pub fn symbol(&self, name: &Arc<str>) -> Result<&str, Gap> {
+        let found = self.symbol_names.get(name).map(String::as_str);
+        found.ok_or_else(|| Gap::Unread(format!("the symbol `{name}` is not declared")))
+    }
+
+    /// The type of a symbol, as it stands in the head of a definition.
+    ///
+    /// # Errors
+    /// [`Gap`] for vectors and families that are not written.
+    pub fn symbol_type(&self, name: &Arc<str>) -> Result<String, Gap> {
+        let set = self.symbols.get(name);
+        let set = set.ok_or_else(|| Gap::Unread(format!("the symbol `{name}` is not declared")))?;
+        Ok(match set {
+            Set::Real(_) | Set::Vector(None) => "R".to_owned(),
+            Set::Integer { .. } => "Z".to_owned(),
+            Set::Vector(Some(_)) => "list R".to_owned(),
+            Set::Family { dimension, ranges } => {
+                // Without a declared range the number of indices is not known here; one is the rule.
+                let indices = "Z -> ".repeat(ranges.len().max(1));
+                let member = match dimension {
+                    None | Some(1) => "R",
+                    Some(_) => "list R",
+                };
+                format!("{indices}{member}")
+            }
+        })
+    }
+
+    /// A name for a variable, and the variable in scope under it.
+    pub fn bind(&mut self, variable: &Variable, kind: Kind) -> String {
+        let name = self.fresh(variable.name());
+        let code = Code::atom(&name);
+        self.locals.insert(variable.number(), Local { code, kind });
+        name
+    }
+
+    /// Ends the scope of a variable: its name is free again.
+    pub fn release(&mut self, variable: &Variable) {
+        if let Some(local) = self.locals.remove(&variable.number()) {
+            self.names.release(local.code.text());
+        }
+    }
+
+    /// A variable in scope that stands for this text.
+    pub fn put(&mut self, variable: &Variable, local: Local) {
+        self.locals.insert(variable.number(), local);
+    }
+
+    /// A name that nothing else has here.
+    pub fn fresh(&mut self, like: &str) -> String {
+        let name = self.names.fresh(like);
+        self.hidden.insert(name.clone());
+        name
+    }
+
+    /// A name for a definition: no symbol and no variable has it, and none will.
+    fn fresh_definition(&mut self, like: &str) -> String {
+        let mut like = identifier(like);
+        loop {
+            let name = self.outer.fresh(&like);
+            if !self.hidden.contains(&name) {
+                return name;
+            }
+            like.push('_');
+        }
+    }
+
+    /// What a variable stands for.
+    ///
+    /// # Errors
+    /// [`Gap::Unread`] outside of its binder.
+    pub fn local(&self, variable: &Variable) -> Result<&Local, Gap> {
+        let found = self.locals.get(&variable.number());
+        found.ok_or_else(|| Gap::Unread(format!("`{}` outside of its binder", variable.name())))
+    }
+
+    /// The definition of an opened term or a family, written where it is met first. `write` writes its body; the variables
+    /// in `own` are further arguments, in this order, behind those of enclosing binders, and integers called like `indices` come last.
+    ///
+    /// # Errors
+    /// What `write` finds, and [`Gap::Size`].
+    pub fn define(
+        &mut self,
+        address: usize,
+        like: &str,
+        used: &Used,
+        own: &[(Variable, Kind)],
+        indices: &[&str],
+        write: impl FnOnce(&mut Self, &[Code]) -> Result<Value, Gap>,
+    ) -> Result<Head, Gap> {
+        let variables: Vec<Variable> = used.variables.iter().cloned().collect();
+        let kinds = variables.iter().map(|v| Ok(self.local(v)?.kind.clone()));
+        let kinds = kinds.collect::<Result<Vec<_>, Gap>>()?;
+        let key = (address, kinds.clone());
+        if let Some(head) = self.heads.get(&key) {
+            return Ok(head.clone());
+        }
+        // The body has a scope of its own, so that the same formula is always the same text.
+        let mut inner = Names::default();
+        self.reserve_definitions(&mut inner);
+        for symbol in &used.symbols {
+            inner.reserve(self.symbol(symbol)?);
+        }
+        let mut names = std::mem::replace(&mut self.names, inner);
+        let locals = std::mem::take(&mut self.locals);
+        let mut parameters = String::new();
+        let symbols: Vec<Arc<str>> = used.symbols.iter().cloned().collect();
+        for symbol in &symbols {
+            let (name, kind) = (self.symbol(symbol)?.to_owned(), self.symbol_type(symbol)?);
+            parameters.push_str(&format!(" ({name} : {kind})"));
+        }
+        for (variable, kind) in variables
+            .iter()
+            .cloned()
+            .zip(kinds)
+            .chain(own.iter().cloned())
+        {
+            let rocq_type = kind.rocq_type();
+            let name = self.bind(&variable, kind);
+            parameters.push_str(&format!(" ({name} : {rocq_type})"));
+        }
+        let mut last = vec![];
+        for index in indices {
+            let name = self.fresh(index);
+            parameters.push_str(&format!(" ({name} : Z)"));
+            last.push(Code::atom(name));
+        }
+        let written = write(self, &last);
+        self.reserve_definitions(&mut names);
+        self.names = names;
+        self.locals = locals;
+        let Value { code, shape } = written?;
+        let rest = format!(
+            "{parameters} : {} :=\n  {}.",
+            shape.rocq_type(),
+            code.text()
+        );
+        let name = match self.texts.get(&rest) {
+            Some(name) => name.clone(),
+            None => {
+                let name = self.fresh_definition(like);
+                self.names.reserve(&name);
+                self.spend(rest.len())?;
+                self.definitions
+                    .push((name.clone(), format!("Definition {name}{rest}")));
+                self.texts.insert(rest, name.clone());
+                name
+            }
+        };
+        let head = Head {
+            name,
+            symbols,
+            variables,
+            shape,
+        };
+        self.heads.insert(key, head.clone());
+        Ok(head)
+    }
+
+    /// Takes the names of all definitions.
+    fn reserve_definitions(&self, names: &mut Names) {
+        for (name, _) in &self.definitions {
+            names.reserve(name);
+        }
+    }
+
+    /// Counts bytes.
+    ///
+    /// # Errors
+    /// [`Gap::Size`] beyond [`MAX_BYTES`].
+    pub fn spend(&mut self, bytes: usize) -> Result<(), Gap> {
+        self.bytes += bytes;
+        match self.bytes <= MAX_BYTES {
+            true => Ok(()),
+            false => Err(Gap::Size { limit: MAX_BYTES }),
+        }
+    }
+
+    /// The arguments that a definition takes from here.
+    ///
+    /// # Errors
+    /// [`Gap::Unread`] outside of a binder.
+    pub fn arguments(&self, head: &Head) -> Result<Vec<Code>, Gap> {
+        let symbols = head
+            .symbols
+            .iter()
+            .map(|name| Ok(Code::atom(self.symbol(name)?)));
+        let variables = head
+            .variables
+            .iter()
+            .map(|v| Ok(self.local(v)?.code.clone()));
+        symbols.chain(variables).collect()
+    }
+}
+
+/// What occurs in a term and is bound outside of it.
+#[derive(Debug, Default)]
+pub struct Used {
+    /// Declared symbols.
+    pub symbols: BTreeSet<Arc<str>>,
+    /// Variables of enclosing binders.
+    pub variables: BTreeSet<Variable>,
+}
+
+impl Used {
+    /// What occurs in a term.
+    #[must_use]
+    pub fn of(term: &Term) -> Self {
+        let mut used = Self::default();
+        term.declared_names(&mut |name| {
+            used.symbols.insert(Arc::clone(name));
+        });
+        used.variables = free(std::iter::once(term), &[]);
+        used
+    }
+
+    /// What occurs in seeds and step of a family.
+    #[must_use]
+    pub fn of_family(family: &Family) -> Self {
+        let parts = || family.seeds.iter().chain([&family.step.0, &family.step.1]);
+        let mut used = Self::default();
+        for part in parts() {
+            part.declared_names(&mut |name| {
+                used.symbols.insert(Arc::clone(name));
+            });
+        }
+        used.variables = free(parts(), &family.variables);
+        used
+    }
+}
+
+/// The variables that occur and are not bound inside. No two binders have the same variable.
+fn free<'t>(terms: impl Iterator<Item = &'t Term>, bound: &[Variable]) -> BTreeSet<Variable> {
+    let mut seen = BTreeSet::new();
+    let mut used = BTreeSet::new();
+    let mut bound: BTreeSet<Variable> = bound.iter().cloned().collect();
+    let mut pending: Vec<Term> = terms.cloned().collect();
+    while let Some(term) = pending.pop() {
+        if !seen.insert(Arc::as_ptr(&term.node).addr()) {
+            continue;
+        }
+        match &*term.node {
+            Node::Variable(variable) => {
+                used.insert(variable.clone());
+            }
+            Node::Sum { index, .. } => {
+                bound.insert(index.clone());
+            }
+            Node::Let { variable, .. } | Node::Derivative { variable, .. } => {
+                bound.insert(variable.clone());
+            }
+            Node::Basis { family, .. } => {
+                bound.extend(family.variables.iter().cloned());
+                pending.extend(family.seeds.iter().cloned());
+                pending.extend([family.step.0.clone(), family.step.1.clone()]);
+            }
+            _ => {}
+        }
+        pending.extend(term.parts().into_iter().cloned());
+    }
+    used.difference(&bound).cloned().collect()
+}

@@ -1,0 +1,424 @@
+//! Running `coqc`, with limits of time and memory, on a scratch copy of a folder of proofs.
+
+use crate::digest::digest;
+use crate::folder::{Folder, LIBRARY, Theorem};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+use thiserror::Error;
+
+/// The axioms that theorems may rest on: those of the real numbers and of classical logic in the standard library.
+pub const AXIOMS: [&str; 4] = [
+    "ClassicalDedekindReals.sig_not_dec",
+    "ClassicalDedekindReals.sig_forall_dec",
+    "FunctionalExtensionality.functional_extensionality_dep",
+    "Classical_Prop.classic",
+];
+
+/// How to get the program.
+pub const INSTALL: &str = "apt-get install coq libcoq-coquelicot";
+
+/// Why nothing could be checked.
+#[derive(Debug, Error)]
+pub enum CheckError {
+    /// The program is not there.
+    #[error("`coqc` was not found")]
+    Missing,
+    /// The program is there, and Coquelicot is not, or the library does not compile.
+    #[error("the library is not accepted: {0}")]
+    Library(String),
+    /// The scratch folder, or the program, failed.
+    #[error("{what}: {source}")]
+    System {
+        /// What was being done.
+        what: String,
+        /// What the system says.
+        source: io::Error,
+    },
+}
+
+/// Limits of one run of the program.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// The longest time for a file.
+    pub time: Duration,
+    /// The most memory, in kilobytes.
+    pub memory: u64,
+    /// How many run at once.
+    pub at_once: usize,
+}
+
+/// What became of a theorem.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Answer {
+    /// The kernel accepted it.
+    Accepted,
+    /// It did not, and says why.
+    Rejected(String),
+    /// A theorem before it in the same file was rejected.
+    NotReached,
+}
+
+/// The theorems that the kernel accepted, as they are kept.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Accepted {
+    /// The version of the program.
+    pub coq: String,
+    /// The axioms that all of them together rest on.
+    pub axioms: Vec<String>,
+    /// Names of theorems, with the digest of all that the answer depends on.
+    pub theorems: BTreeMap<String, String>,
+}
+
+/// The digest of a theorem: the version of the program, the library, the statement, the proof.
+#[must_use]
+pub fn fingerprint(theorem: &Theorem, version: &str) -> String {
+    let mut parts = vec![version];
+    parts.extend(LIBRARY.iter().map(|(_, text)| *text));
+    parts.extend([theorem.says.as_str(), theorem.proof.as_str()]);
+    digest(&parts)
+}
+
+/// The program, found and asked for its version.
+#[derive(Debug, Clone)]
+pub struct Coqc {
+    /// The version, such as `8.16.1`.
+    pub version: String,
+}
+
+impl Coqc {
+    /// Looks for the program on the path.
+    ///
+    /// # Errors
+    /// [`CheckError::Missing`] if it is not there, [`CheckError::System`] if it cannot be run.
+    pub fn find() -> Result<Self, CheckError> {
+        let output = Command::new("coqc")
+            .arg("--print-version")
+            .stdin(Stdio::null())
+            .output();
+        match output {
+            Ok(output) if output.status.success() => {
+                let text = String::from_utf8_lossy(&output.stdout);
+                let version = text
+                    .split_whitespace()
+                    .next()
+                    .unwrap_or("unknown")
+                    .to_owned();
+                Ok(Self { version })
+            }
+            Ok(_) => Err(CheckError::Missing),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Err(CheckError::Missing),
+            Err(source) => Err(CheckError::System {
+                what: "coqc cannot be run".to_owned(),
+                source,
+            }),
+        }
+    }
+
+    /// Checks all theorems of a folder in `scratch`, an empty folder. `done` is called once a file.
+    ///
+    /// # Errors
+    /// [`CheckError`] where nothing could be checked.
+    pub fn check(
+        &self,
+        folder: &Folder,
+        scratch: &Path,
+        limits: Limits,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<(BTreeMap<String, Answer>, Vec<String>), CheckError> {
+        lay_out(folder, scratch)?;
+        for (path, _) in LIBRARY {
+            let run = self.run(scratch, path, limits)?;
+            done();
+            if !run.status.success() {
+                return Err(CheckError::Library(first_lines(&run.text)));
+            }
+        }
+        let sections: Vec<&str> = {
+            let mut sections: Vec<&str> =
+                folder.theorems.iter().map(|t| t.section.as_str()).collect();
+            sections.dedup();
+            sections
+        };
+        let results: Mutex<BTreeMap<String, Answer>> = Mutex::default();
+        let failures: Mutex<Vec<CheckError>> = Mutex::default();
+        let next = AtomicUsize::new(0);
+        std::thread::scope(|scope| {
+            for _ in 0..limits.at_once.max(1) {
+                scope.spawn(|| {
+                    while let Some(section) = sections.get(next.fetch_add(1, Ordering::Relaxed)) {
+                        match self.section(folder, section, scratch, limits) {
+                            Ok(answers) => lock(&results).extend(answers),
+                            Err(error) => lock(&failures).push(error),
+                        }
+                        done();
+                    }
+                });
+            }
+        });
+        let mut answers = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+        if let Some(error) = failures
+            .into_inner()
+            .unwrap_or_else(PoisonError::into_inner)
+            .pop()
+        {
+            return Err(error);
+        }
+        let mut axioms = vec![];
+        if answers.values().all(|answer| *answer == Answer::Accepted) {
+            let run = self.run(scratch, "Check.v", limits)?;
+            match run.status.success() {
+                true => axioms = assumptions(&run.text),
+                false => {
+                    let reason = first_lines(&run.text);
+                    for answer in answers.values_mut() {
+                        *answer = Answer::Rejected(format!("Check.v: {reason}"));
+                    }
+                }
+            }
+        }
+        done();
+        Ok((answers, axioms))
+    }
+
+    /// The answers about one section: its statements, then its proofs.
+    fn section(
+        &self,
+        folder: &Folder,
+        section: &str,
+        scratch: &Path,
+        limits: Limits,
+    ) -> Result<Vec<(String, Answer)>, CheckError> {
+        let theorems: Vec<&Theorem> = folder
+            .theorems
+            .iter()
+            .filter(|t| t.section == section)
+            .collect();
+        let statements = self.run(scratch, &format!("{section}.v"), limits)?;
+        if !statements.status.success() {
+            let reason = Answer::Rejected(first_lines(&statements.text));
+            return Ok(theorems
+                .iter()
+                .map(|t| (t.name(), reason.clone()))
+                .collect());
+        }
+        let path = format!("{section}_proofs.v");
+        let proofs = self.run(scratch, &path, limits)?;
+        if proofs.status.success() {
+            return Ok(theorems
+                .iter()
+                .map(|t| (t.name(), Answer::Accepted))
+                .collect());
+        }
+        // The line of the error tells the theorem; what stands behind it was not reached.
+        let text = folder.files.get(&path).map_or("", String::as_str);
+        let failing = error_line(&proofs.text).and_then(|line| module_at(text, line));
+        let mut answers = vec![];
+        let mut reached = true;
+        for theorem in theorems {
+            let here = failing
+                .as_ref()
+                .is_none_or(|module| *module == theorem.module);
+            let answer = match (reached, here) {
+                (true, true) => Answer::Rejected(first_lines(&proofs.text)),
+                (true, false) => Answer::Accepted,
+                (false, _) => Answer::NotReached,
+            };
+            reached &= !here;
+            answers.push((theorem.name(), answer));
+        }
+        Ok(answers)
+    }
+
+    /// Runs the program on one file of the scratch folder.
+    ///
+    /// # Errors
+    /// [`CheckError`] if it cannot be run at all.
+    pub fn run(&self, scratch: &Path, file: &str, limits: Limits) -> Result<Run, CheckError> {
+        let mut command = limited("coqc", limits.memory);
+        command.args(["-q", "-w", "none"]);
+        for prefix in prefixes(scratch)? {
+            command.arg("-Q").arg(&prefix).arg(&prefix);
+        }
+        command.arg(file).current_dir(scratch).stdin(Stdio::null());
+        run(&mut command, limits.time)
+    }
+}
+
+/// What a run left.
+#[derive(Debug)]
+pub struct Run {
+    /// How it ended; a run that took too long was killed.
+    pub status: ExitStatus,
+    /// What it wrote.
+    pub text: String,
+}
+
+/// A command under a limit of memory, which the shell sets.
+pub(crate) fn limited(program: &str, kilobytes: u64) -> Command {
+    let mut command = Command::new("sh");
+    command.args([
+        "-c",
+        &format!("ulimit -v {kilobytes}; exec nice -n 10 {program} \"$@\""),
+        program,
+    ]);
+    command
+}
+
+/// Runs a command until it ends, or for as long as it may.
+pub(crate) fn run(command: &mut Command, limit: Duration) -> Result<Run, CheckError> {
+    let system = |source| CheckError::System {
+        what: "coqc cannot be run".to_owned(),
+        source,
+    };
+    let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(system)?;
+    let readers = [
+        child.stdout.take().map(|pipe| reader(Box::new(pipe))),
+        child.stderr.take().map(|pipe| reader(Box::new(pipe))),
+    ];
+    let (status, killed) = wait(&mut child, limit).map_err(system)?;
+    let mut text = String::new();
+    for reader in readers.into_iter().flatten() {
+        text.push_str(&reader.join().unwrap_or_default());
+    }
+    if killed {
+        text.push_str(&format!("\nError: more than {} s", limit.as_secs()));
+    }
+    Ok(Run { status, text })
+}
+
+fn reader(mut pipe: Box<dyn Read + Send>) -> std::thread::JoinHandle<String> {
+    std::thread::spawn(move || {
+        let mut bytes = vec![];
+        // What was read until an error is what there is to show.
+        let _ = pipe.read_to_end(&mut bytes);
+        String::from_utf8_lossy(&bytes).into_owned()
+    })
+}
+
+fn wait(child: &mut Child, limit: Duration) -> io::Result<(ExitStatus, bool)> {
+    let start = Instant::now();
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok((status, false));
+        }
+        if start.elapsed() > limit {
+            child.kill()?;
+            return Ok((child.wait()?, true));
+        }
+        std::thread::sleep(Duration::from_millis(20));
+    }
+}
+
+/// Writes the files of a folder below a path.
+///
+/// # Errors
+/// [`CheckError::System`].
+pub fn lay_out(folder: &Folder, below: &Path) -> Result<(), CheckError> {
+    for (path, text) in &folder.files {
+        let path: PathBuf = below.join(path);
+        let system = |source| CheckError::System {
+            what: format!("cannot write {}", path.display()),
+            source,
+        };
+        if let Some(parent) = path.parent() {
+            std::fs::create_dir_all(parent).map_err(system)?;
+        }
+        std::fs::write(&path, text).map_err(system)?;
+    }
+    Ok(())
+}
+
+/// The folders of a scratch folder, each a prefix of its own.
+pub(crate) fn prefixes(scratch: &Path) -> Result<Vec<String>, CheckError> {
+    let system = |source| CheckError::System {
+        what: "cannot read the scratch folder".to_owned(),
+        source,
+    };
+    let mut names = vec![];
+    for entry in std::fs::read_dir(scratch).map_err(system)? {
+        let entry = entry.map_err(system)?;
+        if entry.path().is_dir() {
+            names.push(entry.file_name().to_string_lossy().into_owned());
+        }
+    }
+    names.sort();
+    Ok(names)
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The line of the first error: `File "./P/S.v", line 12, characters 0-31:`.
+fn error_line(text: &str) -> Option<usize> {
+    let (_, rest) = text.split_once(", line ")?;
+    let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
+    digits.parse().ok()
+}
+
+/// The module in which a line stands, counted from 1.
+fn module_at(text: &str, line: usize) -> Option<String> {
+    let opened = |line: &str| Some(line.strip_prefix("Module ")?.strip_suffix('.')?.to_owned());
+    text.lines().take(line).filter_map(opened).last()
+}
+
+/// The axioms of a `Print Assumptions`: what stands before the colons of its list.
+fn assumptions(text: &str) -> Vec<String> {
+    let Some((_, list)) = text.split_once("Axioms:") else {
+        return vec![];
+    };
+    let names = list
+        .lines()
+        .filter(|line| !line.starts_with(char::is_whitespace));
+    let mut names: Vec<String> = names
+        .filter_map(|line| Some(line.split([':', ' ']).next()?.to_owned()))
+        .filter(|name| !name.is_empty())
+        .collect();
+    names.sort();
+    names
+}
+
+fn first_lines(text: &str) -> String {
+    let lines: Vec<&str> = text
+        .lines()
+        .filter(|line| !line.trim().is_empty())
+        .take(12)
+        .collect();
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_names_its_theorem() {
+        let proofs = "From Torse Require Import Defs.\n\nModule one.\nProof.\nEnd one.\n\nModule two.\nProof.\n";
+        let error = "File \"./P/S_proofs.v\", line 8, characters 0-6:\nError: no.";
+        let module = error_line(error).and_then(|line| module_at(proofs, line));
+        assert_eq!(module.as_deref(), Some("two"));
+    }
+
+    #[test]
+    fn axioms_are_read_off_the_list() {
+        let text =
+            "x : y\nAxioms:\nB.classic : forall P : Prop, P \\/ ~ P\nA.sig\n  : forall P,\n    P\n";
+        assert_eq!(assumptions(text), ["A.sig", "B.classic"]);
+        assert_eq!(assumptions("Closed under the global context"), [""; 0]);
+    }
+
+    #[test]
+    fn a_run_that_takes_too_long_is_ended() {
+        let mut command = Command::new("sleep");
+        let run = run(command.arg("30"), Duration::from_millis(50)).unwrap();
+        assert!(!run.status.success());
+        assert!(run.text.contains("more than 0 s"));
+    }
+}

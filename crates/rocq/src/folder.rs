@@ -1,0 +1,251 @@
+//! The folder of proofs: a deterministic set of files, from what was found out about claims.
+
+use crate::chapter;
+use crate::gap::Gap;
+use crate::name::camel;
+use crate::task::{Evidence, Finding, Goal, Role, goals};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
+pub const LIBRARY: [(&str, &str); 4] = [
+    ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
+    (
+        "Torse/Series.v",
+        include_str!("../../../proofs/Torse/Series.v"),
+    ),
+    (
+        "Torse/Theory.v",
+        include_str!("../../../proofs/Torse/Theory.v"),
+    ),
+    (
+        "Torse/Tactics.v",
+        include_str!("../../../proofs/Torse/Tactics.v"),
+    ),
+];
+
+/// The page that says how to check and what to trust.
+pub const README: &str = include_str!("../../../proofs/README.md");
+
+/// The file with the theorems whose proof script is known not to find a proof.
+pub const UNPROVED: &str = "unproved.json";
+
+/// The file with the theorems that the kernel accepted.
+pub const ACCEPTED: &str = "accepted.json";
+
+/// Why no proof is written for a theorem that has a statement.
+pub const NO_SCRIPT: &str = "the tactics of the library find no proof";
+
+/// A theorem of the folder.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Theorem {
+    /// The folder and the section, as `GbtDevelopable/Section_5_1`.
+    pub section: String,
+    /// The module.
+    pub module: String,
+    /// The id of the claim.
+    pub id: String,
+    /// What it says of the claim's statement.
+    pub role: Role,
+    /// What the verdict rests on.
+    pub evidence: Evidence,
+    /// The proposition that is proved, and its proof, as they stand in their modules.
+    pub says: String,
+    /// The text of the proof.
+    pub proof: String,
+}
+
+impl Theorem {
+    /// A name that no other theorem of the folder has: `GbtDevelopable/Section_5_1.thm_2_a`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        format!("{}.{}", self.section, self.module)
+    }
+}
+
+/// A claim, or a part of its verdict, for which no proof is written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Missing {
+    /// The id of the claim.
+    pub id: String,
+    /// What the verdict rests on, if it rests on anything.
+    pub evidence: Option<Evidence>,
+    /// Why.
+    pub reason: String,
+}
+
+/// The files of a folder of proofs.
+#[derive(Debug, Clone, Default)]
+pub struct Folder {
+    /// Paths below the folder, with their texts.
+    pub files: BTreeMap<String, String>,
+    /// The theorems with a proof.
+    pub theorems: Vec<Theorem>,
+    /// What has none.
+    pub missing: Vec<Missing>,
+}
+
+impl Folder {
+    /// The folder for these papers. Theorems named in `unproved` get a statement and no proof.
+    #[must_use]
+    pub fn new(papers: &[(String, Vec<Finding<'_>>)], unproved: &BTreeSet<String>) -> Self {
+        let mut folder = Self::default();
+        for (path, text) in LIBRARY {
+            folder.files.insert(path.to_owned(), text.to_owned());
+        }
+        folder
+            .files
+            .insert("README.md".to_owned(), README.to_owned());
+        let mut prefixes = vec!["Torse".to_owned()];
+        for (slug, findings) in papers {
+            let prefix = camel(slug);
+            folder.paper(slug, &prefix, findings, unproved);
+            if !prefixes.contains(&prefix) {
+                prefixes.push(prefix);
+            }
+        }
+        folder.files.insert("Check.v".to_owned(), folder.check());
+        folder
+            .files
+            .insert("_CoqProject".to_owned(), folder.project(&prefixes));
+        folder
+    }
+
+    fn paper(
+        &mut self,
+        slug: &str,
+        prefix: &str,
+        findings: &[Finding<'_>],
+        unproved: &BTreeSet<String>,
+    ) {
+        let mut sections: BTreeMap<String, Vec<Goal>> = BTreeMap::new();
+        for finding in findings {
+            match goals(finding) {
+                Ok(found) => {
+                    for goal in found {
+                        sections
+                            .entry(chapter::section(&goal.at))
+                            .or_default()
+                            .push(goal);
+                    }
+                }
+                Err(gap) => self.lacks(&finding.id, finding.evidence, &gap),
+            }
+        }
+        for (section, mut goals) in sections {
+            let mut names = BTreeSet::new();
+            for goal in &mut goals {
+                while !names.insert(goal.module.clone()) {
+                    goal.module.push('_');
+                }
+            }
+            let path = format!("{prefix}/{section}");
+            let all: Vec<&Goal> = goals.iter().collect();
+            self.files.insert(
+                format!("{path}.v"),
+                chapter::statements(slug, &section, &all),
+            );
+            let mut proved = vec![];
+            for goal in all {
+                let theorem = Theorem {
+                    section: path.clone(),
+                    module: goal.module.clone(),
+                    id: goal.id.clone(),
+                    role: goal.role,
+                    evidence: goal.evidence,
+                    says: chapter::statement(goal),
+                    proof: crate::script::module(prefix, &section, goal),
+                };
+                if unproved.contains(&theorem.name()) {
+                    let (id, evidence) = (goal.id.clone(), Some(goal.evidence));
+                    let reason = NO_SCRIPT.to_owned();
+                    self.missing.push(Missing {
+                        id,
+                        evidence,
+                        reason,
+                    });
+                    continue;
+                }
+                proved.push(goal);
+                self.theorems.push(theorem);
+            }
+            if !proved.is_empty() {
+                let text = chapter::proofs(prefix, &section, &proved);
+                self.files.insert(format!("{path}_proofs.v"), text);
+            }
+        }
+    }
+
+    fn lacks(&mut self, id: &str, evidence: Option<Evidence>, gap: &Gap) {
+        self.missing.push(Missing {
+            id: id.to_owned(),
+            evidence,
+            reason: gap.to_string(),
+        });
+    }
+
+    /// The file whose output is the referee's list: every theorem with the statement it has, and the axioms of all.
+    fn check(&self) -> String {
+        let mut text = chapter::comment(
+            "The kernel's word: each theorem has the type of its statement, and what all of them assume.",
+        );
+        text.push('\n');
+        let mut sections: Vec<&str> = self.theorems.iter().map(|t| t.section.as_str()).collect();
+        sections.dedup();
+        for section in &sections {
+            if let Some((prefix, section)) = section.split_once('/') {
+                text.push_str(&format!(
+                    "From {prefix} Require {section} {section}_proofs.\n"
+                ));
+            }
+        }
+        let mut parts = vec![];
+        for theorem in &self.theorems {
+            let path = theorem.section.replace('/', ".");
+            let module = &theorem.module;
+            let (proof, says) = match theorem.role {
+                Role::Refuted => ("refuted", format!("~ {path}.{module}.statement")),
+                Role::Holds | Role::Corrected => ("proved", format!("{path}.{module}.statement")),
+            };
+            let proof = format!("{path}_proofs.{module}.{proof}");
+            text.push_str(&format!("Check ({proof} : {says}).\n"));
+            parts.push(proof);
+            if theorem.has_instance() {
+                let instance = format!("{path}_proofs.{module}.met");
+                text.push_str(&format!("Check ({instance} : {path}.{module}.instance).\n"));
+                parts.push(instance);
+            }
+        }
+        for (place, part) in parts.iter().enumerate() {
+            text.push_str(&format!("Definition theorem_{place} := {part}.\n"));
+        }
+        // One walk over all proofs: a nest of pairs.
+        let mut all = "I".to_owned();
+        for place in 0..parts.len() {
+            all = format!("conj theorem_{place} ({all})");
+        }
+        text.push_str(&format!(
+            "Definition all_theorems := {all}.\nPrint Assumptions all_theorems.\n"
+        ));
+        text
+    }
+
+    fn project(&self, prefixes: &[String]) -> String {
+        let mut text = String::new();
+        for prefix in prefixes {
+            text.push_str(&format!("-Q {prefix} {prefix}\n"));
+        }
+        text.push_str("-arg -w -arg none\n");
+        for path in self.files.keys().filter(|path| path.ends_with(".v")) {
+            text.push_str(&format!("{path}\n"));
+        }
+        text
+    }
+}
+
+impl Theorem {
+    /// Whether its premises are shown to be met.
+    #[must_use]
+    pub fn has_instance(&self) -> bool {
+        self.proof.contains("Theorem met :")
+    }
+}

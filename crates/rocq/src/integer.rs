@@ -1,0 +1,76 @@
+//! Terms that are integers: indices, degrees, bounds of sums, exponents.
+
+use crate::code::{Code, Level};
+use crate::context::{Context, Kind};
+use torse_language::core::{Node, Set, Term};
+use torse_language::syntax::Operator;
+use torse_numbers::rational;
+
+/// A literal integer, through definitions.
+#[must_use]
+pub fn literal(term: &Term) -> Option<i64> {
+    match &*term.node {
+        Node::Number(value) => value
+            .is_integer()
+            .then(|| value.numer().to_string().parse().ok())?,
+        Node::Negative(inner) => literal(inner)?.checked_neg(),
+        Node::Opened { body, .. } => literal(body),
+        Node::Binary(operator, a, b) => {
+            let (a, b) = (literal(a)?, literal(b)?);
+            match operator {
+                Operator::Add => a.checked_add(b),
+                Operator::Subtract => a.checked_sub(b),
+                Operator::Multiply => a.checked_mul(b),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// Whether a term is literally the number 0, which fits every shape.
+#[must_use]
+pub fn is_zero(term: &Term) -> bool {
+    match &*term.node {
+        Node::Number(value) => *value == rational::integer(0),
+        Node::Opened { body, .. } => is_zero(body),
+        _ => false,
+    }
+}
+
+impl Context<'_> {
+    /// The term in the scope of integers, if it is made of integers by sums, differences and products.
+    #[must_use]
+    pub fn integer(&self, term: &Term) -> Option<Code> {
+        match &*term.node {
+            Node::Number(value) if value.is_integer() => Some(Code::rational(value)),
+            Node::Symbol(name) => match self.symbols.get(name)? {
+                Set::Integer { .. } => Some(Code::atom(self.symbol(name).ok()?)),
+                _ => None,
+            },
+            Node::Variable(variable) => {
+                let local = self.local(variable).ok()?;
+                (local.kind == Kind::Integer).then(|| local.code.clone())
+            }
+            Node::Negative(inner) => {
+                let inner = self.integer(inner)?;
+                Some(Code::new(
+                    format!("- {}", inner.within(Level::Negative)),
+                    Level::Negative,
+                ))
+            }
+            Node::Opened { body, .. } => self.integer(body),
+            Node::Binary(operator, a, b) => {
+                let (a, b) = (self.integer(a)?, self.integer(b)?);
+                let (sign, level) = match operator {
+                    Operator::Add => ("+", Level::Sum),
+                    Operator::Subtract => ("-", Level::Sum),
+                    Operator::Multiply => ("*", Level::Product),
+                    Operator::Divide | Operator::Power => return None,
+                };
+                Some(Code::infix(&a, sign, &b, level))
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Statements and proofs of claims for the Rocq kernel (Coq 8.16 with Coquelicot).
+//!
+//! A verdict with a proof that the kernel accepts asks for trust in the printed formula, a page of definitions
+//! (`proofs/Torse/Defs.v`) and the kernel, and for none in the prover. [`task`] says by a verdict what is to be proved,
+//! [`statement`] writes a claim's core term as a proposition in the order of the print, with [`defined`] as premises
+//! beside it since Rocq's operations are total, [`script`] names the tactics that prove it, [`folder`] lays out the files,
+//! [`coqc`] asks the kernel. What cannot be written has a [`gap`].
+//!
+//! Nothing here decides anything: a wrong script is rejected by the kernel.
+#![cfg_attr(
+    not(test),
+    deny(clippy::unwrap_used, clippy::expect_used, clippy::panic)
+)]
+
+pub mod chapter;
+pub mod code;
+pub mod context;
+pub mod coqc;
+pub mod defined;
+pub mod digest;
+pub mod folder;
+pub mod gap;
+pub mod integer;
+pub mod name;
+pub mod script;
+pub mod shape;
+pub mod statement;
+pub mod task;
+pub mod trial;
+pub mod value;

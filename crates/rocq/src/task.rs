@@ -1,0 +1,198 @@
+//! What is to be proved of a claim, by its verdict.
+
+use crate::gap::Gap;
+use crate::name::identifier;
+use crate::statement::{Proposition, proposition};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use torse_language::core::{self, Elaborator, Set};
+use torse_language::derivation::{self, Origin, Source, Written};
+use torse_language::syntax::parse;
+use torse_language::words::Verdict;
+
+/// What a verdict rests on, as far as it matters for the way of proving it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Evidence {
+    /// A zero normal form.
+    Identity,
+    /// A proof for every degree at once.
+    Induction,
+    /// A certificate of sign.
+    Inequality,
+    /// A certified enclosure.
+    Enclosure,
+    /// An exact counterexample.
+    Witness,
+    /// Instances, which prove nothing for all.
+    Instances,
+}
+
+impl Evidence {
+    /// The word that outcomes use.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Identity => "identity",
+            Self::Induction => "induction",
+            Self::Inequality => "inequality",
+            Self::Enclosure => "enclosure",
+            Self::Witness => "witness",
+            Self::Instances => "checked-range",
+        }
+    }
+}
+
+/// A claim with what was found out about it: plain data of an outcome.
+#[derive(Debug, Clone)]
+pub struct Finding<'a> {
+    /// The id; that of a reading has the name of the reading behind a point.
+    pub id: String,
+    /// The claim.
+    pub claim: &'a derivation::Claim,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// What it rests on.
+    pub evidence: Option<Evidence>,
+    /// The conditions of the verdict, as formulas.
+    pub conditions: Vec<String>,
+    /// The corrected statement and its conditions.
+    pub correction: Option<(String, Vec<String>)>,
+    /// A point at which the statement fails: names and exact values.
+    pub witness: Vec<(String, String)>,
+}
+
+/// What a theorem says of a statement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Role {
+    /// The statement is true.
+    Holds,
+    /// The statement is false.
+    Refuted,
+    /// The corrected statement is true.
+    Corrected,
+}
+
+/// A theorem to be proved.
+#[derive(Debug, Clone)]
+pub struct Goal {
+    /// The name of its module.
+    pub module: String,
+    /// The id of the claim.
+    pub id: String,
+    /// Where the paper says it.
+    pub at: String,
+    /// What is printed, and how it is read.
+    pub printed: String,
+    /// The statement in the notation of the derivation files.
+    pub states: String,
+    /// What the theorem says of it.
+    pub role: Role,
+    /// What the verdict rests on.
+    pub evidence: Evidence,
+    /// The statement.
+    pub proposition: Proposition,
+    /// The declared symbols of the claim.
+    pub symbols: BTreeMap<Arc<str>, Set>,
+    /// A point at which a refuted statement fails.
+    pub witness: Vec<(String, String)>,
+    /// How many equations determine unknowns.
+    pub given: usize,
+}
+
+/// The theorems of a claim, or why there are none.
+///
+/// # Errors
+/// [`Gap`], the first that is met.
+pub fn goals(finding: &Finding<'_>) -> Result<Vec<Goal>, Gap> {
+    let verdict = finding.verdict;
+    let nothing = |word| Err(Gap::NothingToProve(word));
+    let (role, conditions) = match verdict {
+        Verdict::Holds | Verdict::Conditional => (Role::Holds, finding.conditions.as_slice()),
+        Verdict::Definition if finding.evidence.is_some() => {
+            (Role::Holds, finding.conditions.as_slice())
+        }
+        Verdict::False | Verdict::Misprint => (Role::Refuted, &[][..]),
+        Verdict::Definition => return nothing("definition"),
+        Verdict::Depends => return nothing("depends"),
+        Verdict::Undecided => return nothing("undecided"),
+        Verdict::Vacuous => return Err(Gap::Theory("contradictions of hypotheses")),
+        Verdict::Underspecified => return nothing("underspecified"),
+        Verdict::OutOfScope => return nothing("out-of-scope"),
+        Verdict::Reproduced | Verdict::Partial => return nothing("a figure"),
+    };
+    let Some(statement) = &finding.claim.statement else {
+        return nothing("no statement");
+    };
+    let evidence = finding.evidence.unwrap_or(Evidence::Instances);
+    let mut goals = vec![goal(finding, statement, role, evidence, conditions)?];
+    if let Some((corrected, conditions)) = &finding.correction {
+        let statement = written(corrected, &finding.id)?;
+        goals.push(goal(
+            finding,
+            &statement,
+            Role::Corrected,
+            Evidence::Identity,
+            conditions,
+        )?);
+    }
+    Ok(goals)
+}
+
+fn goal(
+    finding: &Finding<'_>,
+    statement: &Written,
+    role: Role,
+    evidence: Evidence,
+    conditions: &[String],
+) -> Result<Goal, Gap> {
+    let claim = finding.claim;
+    let elaborator = Elaborator::new(&claim.declarations);
+    let unread = |what: &dyn std::fmt::Debug| Gap::Unread(format!("{what:?}"));
+    let core = core::Claim::elaborated(&elaborator, claim, statement).map_err(|f| unread(&f))?;
+    let mut added = vec![];
+    for text in conditions {
+        let written = written(text, &finding.id)?;
+        added.push(
+            elaborator
+                .statement(&written.expr)
+                .map_err(|f| unread(&f))?,
+        );
+    }
+    let short = finding
+        .id
+        .split_once('/')
+        .map_or(finding.id.as_str(), |(_, short)| short);
+    let suffix = if role == Role::Corrected {
+        "_corrected"
+    } else {
+        ""
+    };
+    let reading = claim.entry.reading.as_ref();
+    Ok(Goal {
+        module: identifier(&format!("{}{suffix}", short.replace(['.', '-'], "_"))),
+        id: finding.id.clone(),
+        at: claim.entry.at.clone(),
+        printed: match reading {
+            Some(reading) => format!("{}\n   read as: {reading}", claim.entry.printed),
+            None => claim.entry.printed.clone(),
+        },
+        states: torse_language::notation::text(&statement.expr),
+        role,
+        evidence,
+        proposition: proposition(&core, &added)?,
+        symbols: core.symbols.clone(),
+        witness: finding.witness.clone(),
+        given: core.unknowns.len(),
+    })
+}
+
+/// A formula of an outcome read back.
+fn written(text: &str, name: &str) -> Result<Written, Gap> {
+    let expr = parse(text).map_err(|_| Gap::Unread(text.to_owned()))?;
+    let source = Source {
+        name: name.to_owned(),
+        text: text.to_owned(),
+    };
+    let origin = Origin::range(&Arc::new(source), 0, text.len());
+    Ok(Written { expr, origin })
+}

@@ -1,0 +1,153 @@
+//! Which scripts find a proof: each is tried alone, with a limit of time, in the order of the files.
+//!
+//! Whether a tactic closes a goal is known only when it was run. What fails here gets no proof in the folder, and is
+//! reported as missing: a failing script says nothing against the claim.
+
+use crate::coqc::{CheckError, Coqc, Limits, limited, prefixes, run};
+use crate::folder::{Folder, LIBRARY, Theorem};
+use std::collections::BTreeSet;
+use std::fs::File;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
+
+/// The names of the theorems of a folder whose scripts fail, each tried for so many seconds. `done` is called once a section.
+///
+/// # Errors
+/// [`CheckError`] if nothing can be run, and if the library is not accepted.
+pub fn failing(
+    coqc: &Coqc,
+    folder: &Folder,
+    scratch: &Path,
+    seconds: u64,
+    limits: Limits,
+    done: &(dyn Fn() + Sync),
+) -> Result<BTreeSet<String>, CheckError> {
+    crate::coqc::lay_out(folder, scratch)?;
+    for (path, _) in LIBRARY {
+        let run = coqc.run(scratch, path, limits)?;
+        if !run.status.success() {
+            return Err(CheckError::Library(run.text));
+        }
+    }
+    let mut sections: Vec<&str> = folder.theorems.iter().map(|t| t.section.as_str()).collect();
+    sections.dedup();
+    let found: Mutex<Result<BTreeSet<String>, CheckError>> = Mutex::new(Ok(BTreeSet::new()));
+    let next = AtomicUsize::new(0);
+    std::thread::scope(|scope| {
+        for _ in 0..limits.at_once.max(1) {
+            scope.spawn(|| {
+                while let Some(section) = sections.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let failed = section_failing(coqc, folder, section, scratch, seconds, limits);
+                    let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
+                    match (&mut *found, failed) {
+                        (Ok(all), Ok(more)) => all.extend(more),
+                        (result, Err(error)) => *result = Err(error),
+                        (Err(_), Ok(_)) => {}
+                    }
+                    drop(found);
+                    done();
+                }
+            });
+        }
+    });
+    found.into_inner().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn section_failing(
+    coqc: &Coqc,
+    folder: &Folder,
+    section: &str,
+    scratch: &Path,
+    seconds: u64,
+    limits: Limits,
+) -> Result<Vec<String>, CheckError> {
+    let theorems: Vec<&Theorem> = folder
+        .theorems
+        .iter()
+        .filter(|t| t.section == section)
+        .collect();
+    let all = || theorems.iter().map(|t| t.name());
+    let statements = coqc.run(scratch, &format!("{section}.v"), limits)?;
+    let Some((prefix, file)) = section
+        .split_once('/')
+        .filter(|_| statements.status.success())
+    else {
+        return Ok(all().collect());
+    };
+    let mut text = format!(
+        "From Torse Require Import Defs Series Theory Tactics.\nFrom {prefix} Require {file}.\nOpen Scope R_scope.\n"
+    );
+    for (place, theorem) in theorems.iter().enumerate() {
+        text.push_str(&format!(
+            "Definition mark_{place} := O.\nCheck mark_{place}.\n{}",
+            tried(&theorem.proof, seconds)
+        ));
+    }
+    let path = scratch.join(format!("{section}_trial.v"));
+    let system = |source| CheckError::System {
+        what: format!("cannot write {}", path.display()),
+        source,
+    };
+    std::fs::write(&path, text).map_err(system)?;
+    let mut command = limited("coqtop", limits.memory);
+    command.args(["-q", "-w", "none"]).current_dir(scratch);
+    for prefix in prefixes(scratch)? {
+        command.arg("-Q").arg(&prefix).arg(&prefix);
+    }
+    command.stdin(File::open(&path).map_err(system)?);
+    // The scripts have limits of their own, and a file of them has one that no file of accepted proofs comes near.
+    let whole = Duration::from_secs(60 + seconds * 2 * theorems.len() as u64);
+    let output = run(&mut command, whole)?.text;
+    let mut failed = vec![];
+    for (place, theorem) in theorems.iter().enumerate() {
+        let mark = |place| output.find(&format!("mark_{place}\n     : nat"));
+        let to = mark(place + 1).unwrap_or(output.len());
+        let part = mark(place)
+            .and_then(|from| output.get(from..to))
+            .unwrap_or("");
+        let names = ["proved\n     : ", "refuted\n     : ", "met\n     : "];
+        let found: usize = names.iter().map(|name| part.matches(name).count()).sum();
+        if found != theorem.proof.matches("Theorem ").count() {
+            failed.push(theorem.name());
+        }
+    }
+    Ok(failed)
+}
+
+/// A module of proofs in which every script has a limit of time, and what fails is given up.
+fn tried(proof: &str, seconds: u64) -> String {
+    let mut text = String::new();
+    let mut name = "";
+    for line in proof.lines() {
+        if let Some(rest) = line.strip_prefix("Theorem ") {
+            name = rest.split(' ').next().unwrap_or("");
+        }
+        let script = line
+            .strip_prefix("Proof. ")
+            .and_then(|line| line.strip_suffix(". Qed."));
+        match script {
+            Some(script) => text.push_str(&format!(
+                "Proof.\nTimeout {seconds} ({script}).\nQed.\nAbort All.\nCheck {name}.\n"
+            )),
+            None => {
+                text.push_str(line);
+                text.push('\n');
+            }
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_script_gets_a_limit_of_time() {
+        let proof = "Module a.\nTheorem proved : statement.\nProof. intros; ring. Qed.\nEnd a.\n";
+        let wanted = "Module a.\nTheorem proved : statement.\nProof.\nTimeout 5 (intros; ring).\nQed.\nAbort All.\nCheck proved.\nEnd a.\n";
+        assert_eq!(tried(proof, 5), wanted);
+    }
+}

@@ -1,0 +1,180 @@
+//! The kernel as judge of the generator: proofs of true statements are accepted, and the same scripts for false ones are
+//! not. Where coqc is missing the tests print one line and pass.
+
+#![allow(clippy::unwrap_used, clippy::print_stderr, reason = "tests")]
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+use std::sync::Arc;
+use std::time::Duration;
+use torse_language::derivation::{Claim, LoadError, Source, paper};
+use torse_language::words::Verdict;
+use torse_rocq::coqc::{AXIOMS, Answer, Coqc, Limits};
+use torse_rocq::folder::Folder;
+use torse_rocq::task::{Evidence, Finding};
+use torse_rocq::trial;
+
+const LIMITS: Limits = Limits {
+    time: Duration::from_secs(300),
+    memory: 4_000_000,
+    at_once: 1,
+};
+
+/// A true statement, a false one that differs from it by one edit, and the evidence of the true one.
+const PAIRS: [(&str, &str, Evidence); 8] = [
+    (
+        "(x + 1)^2 == x^2 + 2*x + 1",
+        "(x + 1)^2 == x^2 - 2*x + 1",
+        Evidence::Identity,
+    ),
+    ("x/(x*y) == 1/y", "x/(x*y) == 1/x", Evidence::Identity),
+    (
+        "D(x^3*y, x, 2) == 6*x*y",
+        "D(x^3*y, x, 2) == 3*x*y",
+        Evidence::Identity,
+    ),
+    (
+        "sum(i, 0, 3, i^2) == 14",
+        "sum(i, 0, 3, i^2) == 15",
+        Evidence::Identity,
+    ),
+    (
+        "det([[x, y], [1, 2]]) == 2*x - y",
+        "det([[x, y], [1, 2]]) == 2*x + y",
+        Evidence::Identity,
+    ),
+    (
+        "cross([x, y, 1], [x, y, 1]) == 0",
+        "cross([x, y, 1], [y, x, 1]) == 0",
+        Evidence::Identity,
+    ),
+    (
+        "sum(i, 0, m, B[i,m](x)) == 1",
+        "sum(i, 0, m, B[i,m](x)) == 2",
+        Evidence::Induction,
+    ),
+    (
+        "B[i,m](x) == (1 - x)*B[i,m-1](x) + x*B[i-1,m-1](x)",
+        "B[i,m](x) == (1 - x)*B[i,m-1](x) + x*B[i,m-1](x)",
+        Evidence::Induction,
+    ),
+];
+
+/// The claims of a paper with these statements.
+fn claims(statements: &[&str]) -> Vec<Claim> {
+    let mut text =
+        "[symbols]\nx = {}\ny = {}\nm = { integer = '>= 1' }\ni = { integer = '0..m' }\n\
+                    [basis.B]\nvariable = 'x'\ndegree = 0\nseeds = ['1']\nstep = ['1 - x', 'x']\n"
+            .to_owned();
+    for (place, states) in statements.iter().enumerate() {
+        write!(
+            text,
+            "[[claim]]\nid = 'p/c{place}'\nat = 'Sect. 1'\nkind = 'identity'\nprinted = 'as stated'\nstates = '{states}'\n"
+        )
+        .unwrap();
+    }
+    let read = |name: &str| -> Result<Arc<Source>, LoadError> {
+        let head = "[paper]\nid = 'p'\ntitle = ''\nauthors = ''\nvenue = ''\nclaims = ['c.toml']\n";
+        let text = if name == "paper.toml" {
+            head.to_owned()
+        } else {
+            text.clone()
+        };
+        Ok(Arc::new(Source {
+            name: name.to_owned(),
+            text,
+        }))
+    };
+    paper(read).unwrap().claims
+}
+
+/// The folder in which all these claims are said to hold.
+fn folder(claims: &[Claim], evidence: impl Fn(usize) -> Evidence) -> Folder {
+    let finding = |(place, claim)| Finding {
+        id: format!("p/c{place}"),
+        claim,
+        verdict: Verdict::Holds,
+        evidence: Some(evidence(place)),
+        conditions: vec![],
+        correction: None,
+        witness: vec![],
+    };
+    let findings = claims.iter().enumerate().map(finding).collect();
+    Folder::new(&[("p".to_owned(), findings)], &BTreeSet::new())
+}
+
+fn coqc() -> Option<Coqc> {
+    let found = Coqc::find().ok();
+    if found.is_none() {
+        eprintln!("notice: coqc is not installed, the kernel was not asked");
+    }
+    found
+}
+
+#[test]
+fn true_statements_are_accepted_on_the_four_axioms() {
+    let Some(coqc) = coqc() else { return };
+    let statements: Vec<&str> = PAIRS.iter().map(|(good, _, _)| *good).collect();
+    let claims = claims(&statements);
+    let folder = folder(&claims, |place| PAIRS[place].2);
+    let scratch = tempfile::tempdir().unwrap();
+    let (answers, axioms) = coqc.check(&folder, scratch.path(), LIMITS, &|| ()).unwrap();
+    let wrong: BTreeMap<_, _> = answers
+        .iter()
+        .filter(|(_, a)| **a != Answer::Accepted)
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert_eq!(answers.len(), PAIRS.len());
+    assert!(!axioms.is_empty());
+    assert!(
+        axioms.iter().all(|a| AXIOMS.contains(&a.as_str())),
+        "{axioms:?}"
+    );
+}
+
+#[test]
+fn false_statements_are_rejected_with_the_scripts_of_the_true_ones() {
+    let Some(coqc) = coqc() else { return };
+    let statements: Vec<&str> = PAIRS.iter().map(|(_, bad, _)| *bad).collect();
+    let claims = claims(&statements);
+    let folder = folder(&claims, |place| PAIRS[place].2);
+    let scratch = tempfile::tempdir().unwrap();
+    let failing = trial::failing(&coqc, &folder, scratch.path(), 20, LIMITS, &|| ()).unwrap();
+    let wanted: BTreeSet<String> = folder.theorems.iter().map(|t| t.name()).collect();
+    assert_eq!(failing, wanted);
+}
+
+#[test]
+fn a_rejected_proof_is_told_with_the_words_of_the_kernel() {
+    let Some(coqc) = coqc() else { return };
+    let claims = claims(&["x + 1 == x"]);
+    let folder = folder(&claims, |_| Evidence::Identity);
+    let scratch = tempfile::tempdir().unwrap();
+    let (answers, axioms) = coqc.check(&folder, scratch.path(), LIMITS, &|| ()).unwrap();
+    let answer = answers.get("P/Section_1.c0").unwrap();
+    assert!(
+        matches!(answer, Answer::Rejected(words) if words.contains("Error")),
+        "{answer:?}"
+    );
+    assert_eq!(axioms, [""; 0]);
+}
+
+#[test]
+fn divisors_are_premises_and_can_be_met() {
+    let claims = claims(&["x/(x*y) == 1/y"]);
+    let folder = folder(&claims, |_| Evidence::Identity);
+    let text = &folder.files["P/Section_1.v"];
+    let statement = "forall (x : R) (y : R),\n  x * y <> 0 ->\n  y <> 0 ->\n  x / (x * y) = 1 / y.";
+    assert!(text.contains(statement), "{text}");
+    let instance = "exists (x : R) (y : R),\n  x * y <> 0 /\\\n  y <> 0.";
+    assert!(text.contains(instance), "{text}");
+    assert!(folder.files["P/Section_1_proofs.v"].contains("Theorem met : instance."));
+}
+
+#[test]
+fn the_same_findings_make_the_same_files() {
+    let statements: Vec<&str> = PAIRS.iter().map(|(good, _, _)| *good).collect();
+    let [one, two] = [claims(&statements), claims(&statements)];
+    let evidence = |place: usize| PAIRS[place].2;
+    assert_eq!(folder(&one, evidence).files, folder(&two, evidence).files);
+}

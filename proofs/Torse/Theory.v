@@ -1,0 +1,185 @@
+(* Proved once, by hand: nobody has to read it.
+   Expressions in one variable with a derivative that computes; Rocq's total [Derive_n] is what it computes to. *)
+From Torse Require Import Defs Series.
+From Coq Require Import Lra Lia.
+Open Scope R_scope.
+
+(* ---- expressions ---- *)
+Inductive ex :=
+  | K (r : R) | X | Ad (e f : ex) | Sb (e f : ex) | Op (e : ex) | Ml (e f : ex) | Iv (e : ex) | Pw (e : ex) (n : nat)
+  | Si (e : ex) | Co (e : ex) | Se (a b c : ex) (m : Z) (P : Z -> R).
+Fixpoint ev (e : ex) (x : R) : R := match e with
+  | K r => r | X => x | Ad e f => ev e x + ev f x | Sb e f => ev e x - ev f x | Op e => - ev e x
+  | Ml e f => ev e x * ev f x | Iv e => / ev e x | Pw e n => ev e x ^ n
+  | Si e => sin (ev e x) | Co e => cos (ev e x)
+  | Se a b c m P => pw (1 - x) x (Z.to_nat m) (seed3 (ev a x) (ev b x) (ev c x) P) end.
+(* whether the variable occurs *)
+Fixpoint occurs (e : ex) : bool := match e with
+  | K _ => false | X => true | Ad e f | Sb e f | Ml e f => occurs e || occurs f
+  | Op e | Iv e | Pw e _ | Si e | Co e => occurs e | Se _ _ _ _ _ => true end.
+Fixpoint dx (e : ex) : ex :=
+  if occurs e then match e with
+  | K _ => K 0 | X => K 1
+  | Ad e f => if occurs e then if occurs f then Ad (dx e) (dx f) else dx e else dx f
+  | Sb e f => if occurs e then if occurs f then Sb (dx e) (dx f) else dx e else Op (dx f)
+  | Op e => Op (dx e)
+  | Ml e f => if occurs e then if occurs f then Ad (Ml (dx e) f) (Ml e (dx f)) else Ml (dx e) f else Ml e (dx f)
+  | Iv e => Op (Ml (dx e) (Iv (Ml e e)))
+  | Pw e n => match n with O => K 0 | S n => Ml (K (IZR (Z.of_nat (S n)))) (Ml (dx e) (Pw e n)) end
+  | Si e => Ml (dx e) (Co e) | Co e => Op (Ml (dx e) (Si e))
+  | Se a b c m P => Ad (Ml (K (IZR (Z.max m 0))) (Se a b c (m - 1) (dl P))) (Se (dx a) (dx b) (dx c) m P) end
+  else K 0.
+(* no divisor is zero *)
+Fixpoint ok (e : ex) (x : R) : Prop := match e with
+  | K _ | X => True | Ad e f | Sb e f | Ml e f => ok e x /\ ok f x
+  | Op e | Pw e _ | Si e | Co e => ok e x
+  | Iv e => ok e x /\ ev e x <> 0
+  | Se a b c _ _ => ok a x /\ ok b x /\ ok c x end.
+
+Lemma no_x e : occurs e = false -> forall x y, ev e x = ev e y.
+Proof.
+  induction e; simpl; intros H x y; try discriminate; auto;
+    first [apply Bool.orb_false_elim in H as [H1 H2]; rewrite (IHe1 H1 x y), (IHe2 H2 x y); reflexivity
+          |rewrite (IHe H x y); reflexivity].
+Qed.
+Lemma flat e x : occurs e = false -> is_derive (ev e) x 0.
+Proof.
+  intro H. apply is_derive_ext with (fun _ => ev e x); [intro; apply no_x, H|exact (is_derive_const (ev e x) x)].
+Qed.
+Lemma deq (f : R -> R) (x a b : R) : is_derive f x a -> a = b -> is_derive f x b.
+Proof. intros H <-; exact H. Qed.
+Lemma dplus (f g : R -> R) (x a b : R) : is_derive f x a -> is_derive g x b -> is_derive (fun x => f x + g x) x (a + b).
+Proof. exact (is_derive_plus f g x a b). Qed.
+Lemma dminus (f g : R -> R) (x a b : R) : is_derive f x a -> is_derive g x b -> is_derive (fun x => f x - g x) x (a - b).
+Proof. exact (is_derive_minus f g x a b). Qed.
+Lemma dmult (f g : R -> R) (x a b : R) :
+  is_derive f x a -> is_derive g x b -> is_derive (fun x => f x * g x) x (a * g x + f x * b).
+Proof. intros; apply (is_derive_mult f g x a b); auto. intros; apply Rmult_comm. Qed.
+Lemma dcomp (f g : R -> R) (x a b : R) : is_derive f (g x) a -> is_derive g x b -> is_derive (fun x => f (g x)) x (b * a).
+Proof. intros; apply (is_derive_comp f g x a b); auto. Qed.
+
+Lemma evK r x : ev (K r) x = r. Proof. reflexivity. Qed.
+Lemma evAd e f x : ev (Ad e f) x = ev e x + ev f x. Proof. reflexivity. Qed.
+Lemma evSb e f x : ev (Sb e f) x = ev e x - ev f x. Proof. reflexivity. Qed.
+Lemma evMl e f x : ev (Ml e f) x = ev e x * ev f x. Proof. reflexivity. Qed.
+Lemma evOp e x : ev (Op e) x = - ev e x. Proof. reflexivity. Qed.
+Lemma evIv e x : ev (Iv e) x = / ev e x. Proof. reflexivity. Qed.
+Lemma evPw e n x : ev (Pw e n) x = ev e x ^ n. Proof. reflexivity. Qed.
+Lemma evSi e x : ev (Si e) x = sin (ev e x). Proof. reflexivity. Qed.
+Lemma evCo e x : ev (Co e) x = cos (ev e x). Proof. reflexivity. Qed.
+Ltac evs := cbv beta; repeat (progress (rewrite ?evK, ?evAd, ?evSb, ?evMl, ?evOp, ?evIv, ?evPw, ?evSi, ?evCo)).
+Lemma INR_IZR_INZ_max m : INR (Z.to_nat m) = IZR (Z.max m 0).
+Proof. rewrite INR_IZR_INZ. f_equal. lia. Qed.
+Lemma to_nat_pred m : Z.to_nat (m - 1) = pred (Z.to_nat m).
+Proof. lia. Qed.
+Lemma ev_dx e x : ok e x -> is_derive (ev e) x (ev (dx e) x).
+Proof.
+  induction e; intro H.
+  1: exact (is_derive_const r x).
+  1: exact (is_derive_id x).
+  - destruct H as [H1 H2]. specialize (IHe1 H1). specialize (IHe2 H2).
+    cbn [dx occurs]. destruct (occurs e1) eqn:O1, (occurs e2) eqn:O2; cbn [orb].
+    + apply (dplus (ev e1) (ev e2)); assumption.
+    + eapply deq; [apply (dplus (ev e1) (ev e2)); [exact IHe1|apply flat, O2]|evs; ring].
+    + eapply deq; [apply (dplus (ev e1) (ev e2)); [apply flat, O1|exact IHe2]|evs; ring].
+    + eapply deq; [apply (dplus (ev e1) (ev e2)); apply flat; assumption|evs; ring].
+  - destruct H as [H1 H2]. specialize (IHe1 H1). specialize (IHe2 H2).
+    cbn [dx occurs]. destruct (occurs e1) eqn:O1, (occurs e2) eqn:O2; cbn [orb].
+    + apply (dminus (ev e1) (ev e2)); assumption.
+    + eapply deq; [apply (dminus (ev e1) (ev e2)); [exact IHe1|apply flat, O2]|evs; ring].
+    + eapply deq; [apply (dminus (ev e1) (ev e2)); [apply flat, O1|exact IHe2]|evs; ring].
+    + eapply deq; [apply (dminus (ev e1) (ev e2)); apply flat; assumption|evs; ring].
+  - specialize (IHe H). cbn [dx occurs]. destruct (occurs e) eqn:O1.
+    + exact (is_derive_opp (ev e) x _ IHe).
+    + eapply deq; [apply (is_derive_opp (ev e) x 0), flat, O1|evs; apply Ropp_0].
+  - destruct H as [H1 H2]. specialize (IHe1 H1). specialize (IHe2 H2).
+    cbn [dx occurs]. destruct (occurs e1) eqn:O1, (occurs e2) eqn:O2; cbn [orb].
+    + apply (dmult (ev e1) (ev e2)); assumption.
+    + eapply deq; [apply (dmult (ev e1) (ev e2)); [exact IHe1|apply flat, O2]|evs; ring].
+    + eapply deq; [apply (dmult (ev e1) (ev e2)); [apply flat, O1|exact IHe2]|evs; ring].
+    + eapply deq; [apply (dmult (ev e1) (ev e2)); apply flat; assumption|evs; ring].
+  - destruct H as [H1 H2]. specialize (IHe H1). cbn [dx occurs]. destruct (occurs e) eqn:O1.
+    + eapply deq; [apply (is_derive_inv (ev e) x _ IHe H2)|evs; field; exact H2].
+    + eapply deq; [apply (is_derive_inv (ev e) x 0 (flat e x O1) H2)|evs; field; exact H2].
+  - specialize (IHe H). cbn [dx occurs]. destruct (occurs e) eqn:O1.
+    + destruct n as [|n]; [exact (is_derive_const 1 x)|].
+      eapply deq; [apply (is_derive_pow (ev e) (S n) x _ IHe)|]. cbn [Nat.pred]. evs. rewrite <- INR_IZR_INZ. ring.
+    + apply (flat (Pw e n)). exact O1.
+  - specialize (IHe H). cbn [dx occurs]. destruct (occurs e) eqn:O1.
+    + apply (dcomp sin (ev e)); [apply is_derive_sin|exact IHe].
+    + apply (flat (Si e)). exact O1.
+  - specialize (IHe H). cbn [dx occurs]. destruct (occurs e) eqn:O1.
+    + eapply deq; [apply (dcomp cos (ev e)); [apply is_derive_cos|exact IHe]|evs; ring].
+    + apply (flat (Co e)). exact O1.
+  - destruct H as [H1 [H2 H3]]. cbn [dx occurs]. evs.
+    rewrite <- INR_IZR_INZ_max. cbn [ev]. rewrite to_nat_pred.
+    exact (F_derive (ev e1) (ev e2) (ev e3) (ev (dx e1)) (ev (dx e2)) (ev (dx e3)) x (IHe1 H1) (IHe2 H2) (IHe3 H3) (Z.to_nat m) P).
+Qed.
+
+Lemma ok_dx e x : ok e x -> ok (dx e) x.
+Proof.
+  induction e; intro H; cbn [dx]; destruct (occurs _); try exact I; cbn [ok] in *;
+    repeat match goal with H : _ /\ _ |- _ => destruct H end;
+    repeat match goal with |- context [if occurs ?e then _ else _] => destruct (occurs e) end;
+    try solve [cbn [ok]; repeat split; auto].
+  - cbn [ok]. repeat split; auto. rewrite evMl. intro E. apply Rmult_integral in E. tauto.
+  - destruct n; cbn [ok]; repeat split; auto.
+Qed.
+
+Lemma ok_open e x : ok e x -> locally x (ok e).
+Proof.
+  induction e; intro H; cbn [ok] in *; try (apply filter_forall; intro; exact I); auto;
+    try (apply filter_and; tauto).
+  - destruct H as [H1 H2]. apply filter_and; [auto|].
+    assert (C : continuous (ev e) x) by (apply @ex_derive_continuous; eexists; apply ev_dx, H1).
+    apply (C (fun y => y <> 0)). destruct (Rdichotomy _ _ H2) as [L|L].
+    + apply (filter_imp (fun y => y < 0)); [intros; lra|]. apply (open_lt 0), L.
+    + apply (filter_imp (fun y => 0 < y)); [intros; lra|]. apply (open_gt 0), L.
+  - destruct H as [H1 [H2 H3]]. apply filter_and; [auto|apply filter_and; auto].
+Qed.
+
+Fixpoint dxn (n : nat) (e : ex) : ex := match n with O => e | S n => dx (dxn n e) end.
+Lemma ok_dxn n e x : ok e x -> ok (dxn n e) x.
+Proof. induction n; simpl; auto using ok_dx. Qed.
+(* what generated proofs call *)
+Lemma pw_end m Q : pw (1-1) 1 (Z.to_nat m) Q = Q (Z.max m 0).
+Proof. rewrite pw_at1. f_equal. lia. Qed.
+Lemma curve1 a b s k P : (0 <= k)%Z ->
+  sum 0 k (fun i => basis a b [s] i k * P i) = pw a b (Z.to_nat k) (seed3 s 0 0 P).
+Proof. intro H. rewrite series1 by exact H. apply pw_ext. intro i. unfold seed1, seed3. ring. Qed.
+Lemma unity1 a b s k : (0 <= k)%Z ->
+  sum 0 k (fun i => basis a b [s] i k) = pw a b (Z.to_nat k) (seed3 s 0 0 (fun _ => 1)).
+Proof. intro H. rewrite <- curve1 by exact H. apply sum_ext. intros; ring. Qed.
+Lemma unity3 a b s t u k : (2 <= k)%Z ->
+  sum 0 k (fun i => basis a b [s; t; u] i k) = pw a b (Z.to_nat (k - 2)) (seed3 s t u (fun _ => 1)).
+Proof. intro H. rewrite <- series3 by exact H. apply sum_ext. intros; ring. Qed.
+Theorem derive_ex n : forall e x, ok e x -> Derive_n (ev e) n x = ev (dxn n e) x.
+Proof.
+  induction n as [|n IH]; intros e x H; [reflexivity|].
+  simpl Derive_n. apply is_derive_unique.
+  apply is_derive_ext_loc with (ev (dxn n e)).
+  - apply (filter_imp (ok e)); [intros y Hy; symmetry; apply IH, Hy|apply ok_open, H].
+  - apply ev_dx, ok_dxn, H.
+Qed.
+
+Theorem derive_as f e n x : (forall t, f t = ev e t) -> ok e x -> Derive_n f n x = ev (dxn n e) x.
+Proof. intros E H. rewrite (Derive_n_ext f (ev e) n x E). apply derive_ex, H. Qed.
+
+(* an equation that is linear in an unknown *)
+Lemma solved (F : R -> R) x : F x = 0 -> F x = F 0 + x * (F 1 - F 0) -> F 1 - F 0 <> 0 -> x = - F 0 / (F 1 - F 0).
+Proof.
+  intros H1 H2 H3. rewrite H1 in H2. apply (Rmult_eq_reg_r (F 1 - F 0)); [|exact H3].
+  unfold Rdiv. rewrite Rmult_assoc, Rinv_l by exact H3. lra.
+Qed.
+
+(* ---- special angles ---- *)
+Lemma sin_pi4 : sin (PI/4) = sqrt 2 / 2.
+Proof.
+  rewrite sin_PI4. assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra).
+  assert (E : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
+  apply (Rmult_eq_reg_l (sqrt 2)); [|lra]. unfold Rdiv. rewrite Rmult_1_l, Rinv_r by lra. lra.
+Qed.
+Lemma cos_pi4 : cos (PI/4) = sqrt 2 / 2.
+Proof. rewrite cos_PI4, <- sin_PI4. apply sin_pi4. Qed.
+Lemma square_sum t : sin t ^ 2 + cos t ^ 2 = 1.
+Proof. pose proof (sin2_cos2 t) as E. unfold Rsqr in E. simpl. lra. Qed.
