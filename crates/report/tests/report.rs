@@ -41,6 +41,7 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
       "printed": "det H = 0 for every n",
       "reading": null,
       "garbled": null,
+      "finding": null,
       "parsed": "det(H) == 0",
       "corrected": null,
       "corrected_condition": null,
@@ -73,6 +74,7 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
       "printed": "Q¹_1 = Q_m + (1/α₁)(Q_m − Q_{m−1})",
       "reading": null,
       "garbled": null,
+      "finding": null,
       "parsed": "Q1 == Q[m] + ...",
       "corrected": null,
       "corrected_condition": null,
@@ -88,7 +90,18 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
       "unknowns": [],
       "readings": []
     }
-  ]
+  ],
+  "totals": {
+    "claims": 2,
+    "verdicts": {
+      "conditional": 1,
+      "false": 1
+    },
+    "remarks": {
+      "total": 0,
+      "proved": 0
+    }
+  }
 }
 "#
     );

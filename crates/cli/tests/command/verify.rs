@@ -188,7 +188,7 @@ fn the_json_has_the_fields_of_the_interface_and_the_same_bytes_twice() {
     );
     for claim in claims {
         let claim = claim.as_object().unwrap();
-        assert_eq!(claim.len(), 22);
+        assert_eq!(claim.len(), 23);
         assert!(claim["contradiction"].is_null(), "{claim:?}");
         assert!(claim["verdict"].is_string() && claim["printed"].is_string());
         assert!(claim["witness"].is_object() || claim["witness"].is_null());

@@ -56,6 +56,7 @@ fn outcome(name: &str, at: &str, kind: Kind, verdict: Verdict, printed: &str) ->
         net: None,
         contradiction: None,
         steps: Vec::new(),
+        finding: None,
         note: None,
         uses: Vec::new(),
         expect: None,
