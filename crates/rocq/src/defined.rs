@@ -7,9 +7,8 @@
 use crate::code::{Code, Level};
 use crate::context::{Context, Kind, Local};
 use crate::gap::Gap;
-use crate::integer::literal;
+use crate::integer::{affine, literal};
 use crate::shape::Shape;
-use crate::statement::affine;
 use std::sync::Arc;
 use torse_language::core::{BuiltIn, Family, Node, Points, Term, Variable};
 use torse_language::syntax::Operator;

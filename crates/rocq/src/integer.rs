@@ -2,9 +2,11 @@
 
 use crate::code::{Code, Level};
 use crate::context::{Context, Kind};
+use crate::gap::Gap;
+use std::sync::Arc;
 use torse_language::core::{Node, Set, Term};
 use torse_language::syntax::Operator;
-use torse_numbers::rational;
+use torse_numbers::{Affine, rational};
 
 /// A literal integer, through definitions.
 #[must_use]
@@ -26,6 +28,35 @@ pub fn literal(term: &Term) -> Option<i64> {
         }
         _ => None,
     }
+}
+
+/// An integer-affine form in the scope of integers.
+///
+/// # Errors
+/// [`Gap::Unread`] for a symbol that the claim does not declare.
+pub fn affine(context: &Context<'_>, form: &Affine) -> Result<String, Gap> {
+    let mut text = String::new();
+    for (symbol, multiple) in form.multiples() {
+        let name = context.symbol(&Arc::from(symbol))?;
+        let sign = match (multiple < 0, text.is_empty()) {
+            (true, true) => "- ",
+            (true, false) => " - ",
+            (false, true) => "",
+            (false, false) => " + ",
+        };
+        text.push_str(sign);
+        match multiple.unsigned_abs() {
+            1 => text.push_str(name),
+            n => text.push_str(&format!("{n} * {name}")),
+        }
+    }
+    let constant = form.constant();
+    Ok(match (text.is_empty(), constant) {
+        (true, constant) => constant.to_string(),
+        (false, 0) => text,
+        (false, ..0) => format!("{text} - {}", constant.unsigned_abs()),
+        (false, _) => format!("{text} + {constant}"),
+    })
 }
 
 /// Whether a term is literally the number 0, which fits every shape.

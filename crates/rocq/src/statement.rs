@@ -5,14 +5,14 @@ use crate::code::{Code, Level};
 use crate::context::Context;
 use crate::defined::Premises;
 use crate::gap::Gap;
-use crate::integer::is_zero;
+use crate::integer::{affine, is_zero};
 use crate::shape::Shape;
 use crate::value::zero;
 use std::sync::Arc;
 use torse_language::core::{Claim, Family, FamilyProperty, Node, Printed, Set, Statement, Term};
 use torse_language::derivation::declarations::{Bound, Constant, Interval};
 use torse_language::syntax::{Connective, Relation};
-use torse_numbers::{Affine, rational};
+use torse_numbers::rational;
 
 /// A claim in Rocq.
 #[derive(Debug, Clone)]
@@ -40,35 +40,6 @@ pub struct Binder {
     pub rocq_type: String,
     /// For a vector, the `let` that puts its coordinates together.
     pub together: Option<String>,
-}
-
-/// An integer-affine form in the scope of integers.
-///
-/// # Errors
-/// [`Gap::Unread`] for a symbol that the claim does not declare.
-pub fn affine(context: &Context<'_>, form: &Affine) -> Result<String, Gap> {
-    let mut text = String::new();
-    for (symbol, multiple) in form.multiples() {
-        let name = context.symbol(&Arc::from(symbol))?;
-        let sign = match (multiple < 0, text.is_empty()) {
-            (true, true) => "- ",
-            (true, false) => " - ",
-            (false, true) => "",
-            (false, false) => " + ",
-        };
-        text.push_str(sign);
-        match multiple.unsigned_abs() {
-            1 => text.push_str(name),
-            n => text.push_str(&format!("{n} * {name}")),
-        }
-    }
-    let constant = form.constant();
-    Ok(match (text.is_empty(), constant) {
-        (true, constant) => constant.to_string(),
-        (false, 0) => text,
-        (false, ..0) => format!("{text} - {}", constant.unsigned_abs()),
-        (false, _) => format!("{text} + {constant}"),
-    })
 }
 
 /// The proposition of a claim under conditions.

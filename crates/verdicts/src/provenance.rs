@@ -2,8 +2,9 @@
 //!
 //! A verdict `holds` says that the paper is right, so it may rest on what the paper says. A hypothesis or a range that
 //! is ours is therefore tried: it is dropped and the claim decided again, one at a time, in the order of the file. If the
-//! proof is lost, or holds only where more does not vanish, the hypothesis is needed, and is a condition of the verdict; if
-//! not, it is dropped for the rest. So what is left is a set of hypotheses of which none can be spared, though another order might leave another set.
+//! proof is lost, or holds only where some long polynomial does not vanish, the hypothesis is needed, and is a condition of
+//! the verdict; if not, it is dropped for the rest. So what is left is a set of hypotheses of which none can be spared,
+//! though another order might leave another set.
 //!
 //! A dropped range leaves the one that it narrows, or the whole line.
 
@@ -165,7 +166,7 @@ pub fn weigh(claim: &Claim, statement: &Written, decision: Decision, budget: u64
         // What makes no sense without the hypothesis needs it.
         let found = work::within(budget, || decide_statement(&fewer, statement));
         match found.ok().and_then(Result::ok) {
-            Some(decision) if proves_as_much(&decision, &weighed.decision) => {
+            Some(decision) if stands_for(&decision, &weighed.decision) => {
                 weighed.decision = decision;
                 weighed.needed.push((slot, false));
             }
@@ -178,15 +179,21 @@ pub fn weigh(claim: &Claim, statement: &Written, decision: Decision, budget: u64
     weighed
 }
 
-/// Whether a proof without a hypothesis has no condition that the one with it has not.
-fn proves_as_much(without: &Decision, with: &Decision) -> bool {
+/// The most terms of a condition that is put in the place of a hypothesis.
+const MAX_TERMS: usize = 12;
+
+/// Whether a proof without a hypothesis can stand for the one with it: where it holds only if more does not vanish, these
+/// are weaker conditions than the hypothesis, but only short ones tell a reader more than the words of the file.
+fn stands_for(without: &Decision, with: &Decision) -> bool {
     match (without, with) {
         (
             Decision::Proven { conditions, .. },
             Decision::Proven {
                 conditions: known, ..
             },
-        ) => conditions.iter().all(|c| known.contains(c)),
+        ) => conditions
+            .iter()
+            .all(|condition| known.contains(condition) || condition.len() <= MAX_TERMS),
         _ => false,
     }
 }

@@ -1,9 +1,11 @@
 //! The formulas of a claim: those that it writes itself, and all that they use.
 
 use std::collections::BTreeSet;
+use torse_algebra::Rational;
+use torse_algebra::rational::integer;
 use torse_language::derivation::Claim;
 use torse_language::derivation::declarations::{Declarations, Definition};
-use torse_language::syntax::{Expr, Node};
+use torse_language::syntax::{Expr, Node, Operator};
 
 /// The formulas of a claim.
 pub struct Formulas<'a> {
@@ -105,5 +107,19 @@ pub fn every<'e>(expr: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     visit(expr);
     for part in expr.parts() {
         every(part, visit);
+    }
+}
+
+/// The value of a number or of a quotient of numbers.
+pub fn value(expr: &Expr) -> Option<Rational> {
+    match &expr.node {
+        Node::Number { value, .. } => Some(value.clone()),
+        Node::Binary(Operator::Divide, a, b) => match (&a.node, &b.node) {
+            (Node::Number { value: a, .. }, Node::Number { value: b, .. }) if *b != integer(0) => {
+                Some(a.clone() / b)
+            }
+            _ => None,
+        },
+        _ => None,
     }
 }

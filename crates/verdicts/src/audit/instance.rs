@@ -1,7 +1,6 @@
 //! A sentence about all that is stated for one: one degree, one coordinate, one value.
 
-use super::formulas::{counts, every};
-use super::occurrences::value;
+use super::formulas::{counts, every, value};
 use super::print::Print;
 use super::{Sign, Subject, listed};
 use std::collections::BTreeSet;

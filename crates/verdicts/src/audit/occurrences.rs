@@ -1,13 +1,13 @@
 //! What the print has and the statement has not, and the other way round: numbers, names, relations.
 
-use super::formulas::{counts, every};
+use super::formulas::{counts, every, value};
 use super::print::{Print, explained, stem};
 use super::{Sign, Subject, instance, listed, sign};
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
-use torse_language::syntax::{Expr, Node, Operator, Relation};
+use torse_language::syntax::{Expr, Node, Relation};
 use torse_language::words::Flag;
 
 /// Numbers that stand in too many places to say something.
@@ -59,20 +59,6 @@ pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
         shown(adds),
     ));
     signs
-}
-
-/// The value of a number or of a quotient of numbers.
-pub(super) fn value(expr: &Expr) -> Option<Rational> {
-    match &expr.node {
-        Node::Number { value, .. } => Some(value.clone()),
-        Node::Binary(Operator::Divide, a, b) => match (&a.node, &b.node) {
-            (Node::Number { value: a, .. }, Node::Number { value: b, .. }) if *b != integer(0) => {
-                Some(a.clone() / b)
-            }
-            _ => None,
-        },
-        _ => None,
-    }
 }
 
 /// The numbers of a formula that are neither indices nor orders of derivatives.
