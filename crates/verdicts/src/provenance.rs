@@ -10,11 +10,11 @@
 
 use crate::outcome::{Assumed, Outcome, Role, SaidBy};
 use std::sync::Arc;
-use torse_algebra::work;
+use torse_algebra::{Polynomial, work};
 use torse_language::derivation::declarations::SymbolKind;
 use torse_language::derivation::{Claim, Hypothesis, Origin, Provenance, Written};
 use torse_language::notation::{self, Formula, domain};
-use torse_language::syntax::Place;
+use torse_language::syntax::{Connective, Expr, Node, Place, Relation};
 use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 
@@ -166,7 +166,7 @@ pub fn weigh(claim: &Claim, statement: &Written, decision: Decision, budget: u64
         // What makes no sense without the hypothesis needs it.
         let found = work::within(budget, || decide_statement(&fewer, statement));
         match found.ok().and_then(Result::ok) {
-            Some(decision) if stands_for(&decision, &weighed.decision) => {
+            Some(decision) if stands_for(&decision, &weighed.decision, stated(claim, &slot)) => {
                 weighed.decision = decision;
                 weighed.needed.push((slot, false));
             }
@@ -182,20 +182,43 @@ pub fn weigh(claim: &Claim, statement: &Written, decision: Decision, budget: u64
 /// The most terms of a condition that is put in the place of a hypothesis.
 const MAX_TERMS: usize = 12;
 
-/// Whether a proof without a hypothesis can stand for the one with it: where it holds only if more does not vanish, these
-/// are weaker conditions than the hypothesis, but only short ones tell a reader more than the words of the file.
-fn stands_for(without: &Decision, with: &Decision) -> bool {
-    match (without, with) {
-        (
-            Decision::Proven { conditions, .. },
-            Decision::Proven {
-                conditions: known, ..
-            },
-        ) => conditions
-            .iter()
-            .all(|condition| known.contains(condition) || condition.len() <= MAX_TERMS),
+/// Whether a proof without a hypothesis can stand for the one with it. Where it holds only if more does not vanish, these
+/// are weaker conditions than the hypothesis; but only short ones tell a reader more than the words of the file, and a
+/// hypothesis that itself says that something does not vanish is such a condition already.
+fn stands_for(without: &Decision, with: &Decision, hypothesis: Option<&Expr>) -> bool {
+    let (
+        Decision::Proven { conditions, .. },
+        Decision::Proven {
+            conditions: known, ..
+        },
+    ) = (without, with)
+    else {
+        return false;
+    };
+    let denies_zeros = hypothesis.is_some_and(denies_zeros);
+    let short = |condition: &Polynomial| !denies_zeros && condition.len() <= MAX_TERMS;
+    conditions
+        .iter()
+        .all(|condition| known.contains(condition) || short(condition))
+}
+
+/// Whether a hypothesis says of quantities that they do not vanish.
+fn denies_zeros(hypothesis: &Expr) -> bool {
+    match &hypothesis.node {
+        Node::Join(Connective::And, a, b) => denies_zeros(a) && denies_zeros(b),
+        Node::Compare(_, links) => links.iter().all(|(r, _)| *r == Relation::Different),
         _ => false,
     }
+}
+
+/// The formula of a hypothesis that has one.
+fn stated<'c>(claim: &'c Claim, slot: &Slot) -> Option<&'c Expr> {
+    let hypothesis = match slot {
+        Slot::Assume(i) => claim.assumptions.get(*i),
+        Slot::Given(i) => claim.given.get(*i),
+        Slot::Range(_) => None,
+    };
+    hypothesis.map(|hypothesis| &hypothesis.formula.expr)
 }
 
 /// Whether a hypothesis is ours, and a condition that a formula can state.
