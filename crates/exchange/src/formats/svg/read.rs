@@ -12,7 +12,7 @@ impl Drawing {
     /// that [`svg`](crate::svg) writes, and the description as notes. Arcs come back with bulges up to rounding.
     ///
     /// # Errors
-    /// [`ExchangeError::Unreadable`] with the line for text that is not XML, for numbers that are none, for curves that
+    /// [`ExchangeError::Unreadable`](crate::ExchangeError::Unreadable) with the line for text that is not XML, for numbers that are none, for curves that
     /// are neither lines nor circular arcs and for elements that are moved by a `transform`, and what
     /// [`Drawing::path`] and [`Drawing::text`] refuse.
     ///
