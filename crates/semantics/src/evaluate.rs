@@ -7,6 +7,7 @@
 use crate::arithmetic::Arithmetic;
 use crate::gap::{Gap, Undefined, Unknown};
 use crate::name::Name;
+use crate::scope::{Expansion, Memory, Scope};
 use crate::series::Series;
 use crate::value::Value;
 use std::cell::RefCell;
@@ -16,8 +17,6 @@ use std::sync::Arc;
 use torse_language::core::{BuiltIn, Claim, Family, Node, Points, Term};
 use torse_language::syntax::Operator;
 
-/// How deep terms may be nested, not counting chains of one operator.
-const MAX_DEPTH: usize = 300;
 /// The longest sum.
 const MAX_TERMS: i64 = 4000;
 /// The largest exponent, degree of a basis and order of a derivative.
@@ -26,122 +25,6 @@ const MAX_DEGREE: i64 = 60;
 const MAX_ORDER: i64 = 40;
 /// The largest power, in bits.
 const MAX_POWER_BITS: u64 = 20_000;
-
-/// The values of variables of enclosing binders, innermost first.
-pub(crate) struct Scope<'s, N> {
-    outer: Option<&'s Scope<'s, N>>,
-    binding: Binding<N>,
-    /// How many binders enclose the term.
-    depth: usize,
-    /// How many infinitesimals there are.
-    pub(crate) level: usize,
-    /// What is known below this binding, where it is one of a declared symbol.
-    memory: Option<Memory<N>>,
-}
-
-enum Binding<N> {
-    Nothing,
-    Variable(u32, Value<N>),
-    /// A declared symbol as a variable: its own value plus an infinitesimal.
-    Symbol(Name, Series<N>),
-}
-
-impl<N: Clone> Scope<'_, N> {
-    pub(crate) fn outermost() -> Self {
-        Self {
-            outer: None,
-            binding: Binding::Nothing,
-            depth: 0,
-            level: 0,
-            memory: None,
-        }
-    }
-
-    fn inner<'t>(&'t self, binding: Binding<N>) -> Scope<'t, N> {
-        Scope {
-            outer: Some(self),
-            depth: self.depth + 1,
-            level: self.level,
-            memory: matches!(binding, Binding::Symbol(..)).then(Memory::default),
-            binding,
-        }
-    }
-
-    /// One step further in, to bound the depth.
-    fn deeper(&self) -> Result<Scope<'_, N>, Gap> {
-        if self.depth >= MAX_DEPTH {
-            return Err(Unknown::Large {
-                what: "the depth of a term",
-            }
-            .into());
-        }
-        Ok(self.inner(Binding::Nothing))
-    }
-
-    fn with<'t>(&'t self, variable: u32, value: Value<N>) -> Scope<'t, N> {
-        self.inner(Binding::Variable(variable, value))
-    }
-
-    /// A declared symbol has another value, one infinitesimal further in.
-    pub(crate) fn changed<'t>(&'t self, name: Name, value: Series<N>) -> Scope<'t, N> {
-        let mut inner = self.inner(Binding::Symbol(name, value));
-        inner.level = self.level + 1;
-        inner
-    }
-
-    fn variable(&self, number: u32) -> Option<&Value<N>> {
-        match &self.binding {
-            Binding::Variable(own, value) if *own == number => Some(value),
-            _ => self.outer.and_then(|outer| outer.variable(number)),
-        }
-    }
-
-    /// The memory of the innermost binding of one of these declared symbols; `None` if all have their values of the
-    /// point.
-    fn memory_of(&self, names: &BTreeSet<Arc<str>>) -> Option<&Memory<N>> {
-        match (&self.binding, &self.memory) {
-            (Binding::Symbol(name, _), Some(own)) if names.contains(name.declared()) => Some(own),
-            _ => self.outer.and_then(|outer| outer.memory_of(names)),
-        }
-    }
-
-    /// Whether a declared symbol is bound.
-    fn has_symbols(&self) -> bool {
-        self.memory.is_some() || self.outer.is_some_and(Self::has_symbols)
-    }
-
-    fn symbol(&self, name: &Name) -> Option<&Series<N>> {
-        match &self.binding {
-            Binding::Symbol(own, value) if own == name => Some(value),
-            _ => self.outer.and_then(|outer| outer.symbol(name)),
-        }
-    }
-}
-
-/// What was evaluated under the same values of all declared symbols, by the addresses of terms.
-struct Memory<N> {
-    /// The values of closed terms.
-    closed: RefCell<BTreeMap<usize, Value<N>>>,
-    /// The expansions of formulas that are closed but for the variable they were expanded by.
-    expansions: RefCell<BTreeMap<usize, Vec<Expansion<N>>>>,
-}
-
-impl<N> Default for Memory<N> {
-    fn default() -> Self {
-        Self {
-            closed: RefCell::default(),
-            expansions: RefCell::default(),
-        }
-    }
-}
-
-/// A formula at `point + e` with the infinitesimal e of this level, up to `e^order`.
-struct Expansion<N> {
-    point: Series<N>,
-    level: usize,
-    order: usize,
-    value: Value<N>,
-}
 
 /// The functions of one basis at one degree and one tuple of arguments.
 struct Row<N> {
@@ -328,7 +211,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
 
     /// The memory of the innermost binding that matters to a term.
     fn memory_for<'s>(&'s self, term: &Term, scope: &'s Sc<'_, A>) -> &'s Memory<A::Number> {
-        if !scope.has_symbols() {
+        if scope.innermost_symbol().is_none() {
             return &self.memory;
         }
         let key = Arc::as_ptr(&term.node).addr();
@@ -471,7 +354,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             return Err(Unknown::Large { what: "a degree" }.into());
         }
         let key = Arc::as_ptr(family).addr();
-        if !scope.has_symbols() {
+        // Where seeds or step vary with a binder or a bound symbol, the arguments alone do not tell the functions.
+        let alike = family.closed && scope.innermost_symbol().is_none();
+        if alike {
             let rows = self.rows.borrow();
             let known = rows.iter().find(|row| {
                 row.family == key && row.degree == degree && row.arguments == arguments
@@ -483,7 +368,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         let functions: Rc<[_]> = self
             .recursion(family, steps, &family.variables, &arguments, scope)?
             .into();
-        if !scope.has_symbols() {
+        if alike {
             let mut rows = self.rows.borrow_mut();
             if rows.len() >= 24 {
                 rows.remove(0);

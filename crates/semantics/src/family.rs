@@ -12,12 +12,13 @@
 
 use crate::domain::set;
 use crate::domain::stream::Stream;
-use crate::evaluate::{Evaluator, Scope};
+use crate::evaluate::Evaluator;
 use crate::gap::{Gap, Unknown};
 use crate::judgement::Judgement;
 use crate::linear;
 use crate::name::Name;
 use crate::real::{Real, Reals};
+use crate::scope::Scope;
 use crate::series::Series;
 use crate::value::Value;
 use std::cmp::Ordering;

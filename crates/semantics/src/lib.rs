@@ -73,6 +73,7 @@ mod name;
 mod net;
 mod polynomial;
 mod real;
+mod scope;
 mod series;
 mod value;
 mod witness;

@@ -7,11 +7,12 @@
 
 use super::draft::Draft;
 use crate::arithmetic::Arithmetic;
-use crate::evaluate::{Evaluator, Scope};
+use crate::evaluate::Evaluator;
 use crate::gap::Work;
 use crate::gradient::{Gradient, Gradients};
 use crate::name::Name;
 use crate::real::{Real, Reals};
+use crate::scope::Scope;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -114,9 +115,7 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         }
         // The unknowns alone mostly suffice.
         let some = expanded(&equations, draft, &|name| unknowns.contains(name), work)?;
-        if round == 0
-            && let Some(solved) = found(&some.gaps)
-        {
+        if let Some(solved) = found(&some.gaps) {
             return Some(solved);
         }
         let reals = Reals { bits: BITS, work };

@@ -53,6 +53,12 @@ parameters = ["mu"]
 degree = 2
 seeds = ['(1 - x)^2 + mu*x', '2*x*(1 - x)', 'x^2']
 step = ['1 - x', 'x']
+
+[basis.V]
+variable = "x"
+degree = 1
+seeds = ['1 - a^3*x', 'a^3*x']
+step = ['1 - x', 'x']
 "#;
 
 /// A claim with these further fields (TOML) and this statement.

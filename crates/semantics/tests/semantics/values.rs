@@ -91,6 +91,16 @@ fn a_basis_is_its_recursion() {
 }
 
 #[test]
+fn a_basis_that_varies_with_a_symbol_is_derived_by_it_anew_for_each_order_and_point() {
+    let claim = claim(
+        r#"let = { "part(n)" = 'D(V[1,1](x), a, n)', "there(b)" = 'at(V[1,1](x), a, b)' }"#,
+        "part(1) == 3*a^2*x and part(2) == 6*a*x and there(2) == 8*x and there(3) == 27*x",
+    );
+    let point = [("x", "1/2"), ("a", "5")];
+    assert_eq!(at(&claim, &point), Judgement::True);
+}
+
+#[test]
 fn a_derivative_sees_a_variable_and_not_its_value() {
     holds("D(x^3*y, x, 2) == 6*x*y", &[("x", "1/2"), ("y", "5")]);
     holds("D(x^2, x, 0) == x^2", &[("x", "1/2")]);
