@@ -2,6 +2,7 @@
 
 use crate::exit::Failure;
 use crate::mistakes::Mistakes;
+use crate::selection;
 use std::path::{Path, PathBuf};
 use torse_language::derivation;
 use torse_language::derivation::Paper;
@@ -38,6 +39,13 @@ impl Derivations {
             left_out: loaded.left_out,
             mistakes,
         })
+    }
+
+    /// The same with just the claims that the user names.
+    pub fn select(&self, names: &[String]) -> Result<(Vec<Paper>, Mistakes), Failure> {
+        let found = self.load()?;
+        let papers = selection::select(found.papers, names, &found.left_out)?;
+        Ok((papers, found.mistakes))
     }
 
     fn find(&self) -> Result<PathBuf, Failure> {

@@ -166,14 +166,6 @@ pub enum Failure {
     /// Proofs could not be checked, or not be written.
     #[error("the proofs cannot be checked: {0}")]
     Proofs(CheckError),
-    /// A file of proofs could not be written.
-    #[error("cannot write {}", path.display())]
-    WriteProofs {
-        /// The path.
-        path: PathBuf,
-        /// Why.
-        source: std::io::Error,
-    },
     /// A file of the folder of proofs is not what it should be.
     #[error("{} cannot be read: {reason}", path.display())]
     #[diagnostic(help("remove it: `torse prove --try` writes it anew"))]
@@ -248,7 +240,6 @@ impl Failure {
             Failure::MissingCoqc => Exit::Missing,
             Failure::ReadProofs { .. } => Exit::BadData,
             Failure::Proofs(_)
-            | Failure::WriteProofs { .. }
             | Failure::Report(_)
             | Failure::Figure { .. }
             | Failure::Print(_) => Exit::Output,

@@ -1,16 +1,18 @@
 //! `torse prove`: statements and proofs for the Rocq kernel.
 
-use crate::derivations::{Derivations, Found};
+use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
-use crate::{guard, selection, terminal};
+use crate::{guard, terminal};
 use clap::Args;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
+use tempfile::TempDir;
 use torse_language::derivation::{Claim, Paper};
 use torse_prove::evidence;
+use torse_report::{ReportError, write_file};
 use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Limits, fingerprint};
 use torse_rocq::folder::{ACCEPTED, Folder, Theorem, UNPROVED};
 use torse_rocq::task::{Evidence, Finding};
@@ -62,12 +64,7 @@ Examples:
 impl Prove {
     /// Decides, writes, checks; prints what has a proof, and why the rest has none.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let Found {
-            papers,
-            left_out,
-            mut mistakes,
-        } = self.derivations.load()?;
-        let papers = selection::select(papers, &self.names, &left_out)?;
+        let (papers, mut mistakes) = self.derivations.select(&self.names)?;
         // Before minutes are spent on verdicts.
         let coqc = match self.check || self.attempt.is_some() {
             true => Some(Coqc::find()?),
@@ -110,12 +107,7 @@ impl Prove {
         if std::fs::read(&path).is_ok_and(|old| old == text.as_bytes()) {
             return Ok(());
         }
-        let written = match path.parent() {
-            Some(parent) => std::fs::create_dir_all(parent),
-            None => Ok(()),
-        };
-        let written = written.and_then(|()| std::fs::write(&path, text));
-        written.map_err(|source| Failure::WriteProofs { path, source })
+        Ok(write_file(&path, text.as_bytes())?)
     }
 
     /// The theorems whose scripts are known to fail.
@@ -139,11 +131,13 @@ impl Prove {
         known: &BTreeSet<String>,
     ) -> Result<BTreeSet<String>, Failure> {
         let all = Folder::new(findings, &BTreeSet::new());
-        let scratch = Scratch::new()?;
-        let progress = Progress::new("trying", sections(&all));
+        let scratch = scratch()?;
+        let progress = Progress::new("trying", all.sections().len());
         let seconds = self.attempt.unwrap_or(20);
         let limits = self.limits();
-        let failing = trial::failing(coqc, &all, &scratch.0, seconds, limits, &|| progress.step());
+        let failing = trial::failing(coqc, &all, scratch.path(), seconds, limits, &|| {
+            progress.step()
+        });
         progress.finish();
         let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
         let others = known.iter().filter(|name| !own.contains(*name)).cloned();
@@ -156,9 +150,9 @@ impl Prove {
 
     /// Asks the kernel, keeps what it accepted, and says so.
     fn checked(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
-        let scratch = Scratch::new()?;
-        let progress = Progress::new("checking", sections(folder) + 4);
-        let checked = coqc.check(folder, &scratch.0, self.limits(), &|| progress.step());
+        let scratch = scratch()?;
+        let progress = Progress::new("checking", folder.sections().len() + 4);
+        let checked = coqc.check(folder, scratch.path(), self.limits(), &|| progress.step());
         progress.finish();
         let (answers, axioms) = checked?;
         let mut text = String::new();
@@ -231,36 +225,16 @@ impl Prove {
 }
 
 /// A folder that is removed at the end.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new() -> Result<Self, Failure> {
-        let path = std::env::temp_dir().join(format!("torse-prove-{}", std::process::id()));
-        // What an ended process of the same number left behind.
-        let _ = std::fs::remove_dir_all(&path);
-        let made = std::fs::create_dir_all(&path);
-        made.map_err(|source| Failure::WriteProofs {
-            path: path.clone(),
-            source,
-        })?;
-        Ok(Self(path))
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        // A folder that stays behind is untidy and no failure.
-        let _ = std::fs::remove_dir_all(Path::new(&self.0));
-    }
+fn scratch() -> Result<TempDir, Failure> {
+    let made = tempfile::Builder::new().prefix("torse-prove-").tempdir();
+    made.map_err(|source| {
+        let path = std::env::temp_dir();
+        ReportError::Write { path, source }.into()
+    })
 }
 
 fn json(value: &impl serde::Serialize) -> String {
     serde_json::to_string_pretty(value).map_or_else(|_| String::new(), |text| text + "\n")
-}
-
-fn sections(folder: &Folder) -> usize {
-    let sections: BTreeSet<&str> = folder.theorems.iter().map(|t| t.section.as_str()).collect();
-    sections.len()
 }
 
 /// The findings of all claims and readings that have outcomes, paper by paper.
@@ -319,11 +293,11 @@ fn written(folder: &Folder) -> String {
     for theorem in &folder.theorems {
         rows.entry(theorem.evidence.word()).or_default()[0] += 1;
     }
-    let mut reasons: BTreeMap<(usize, &str), usize> = BTreeMap::new();
+    let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
     for missing in &folder.missing {
         let word = missing.evidence.map_or("no evidence", Evidence::word);
         rows.entry(word).or_default()[1] += 1;
-        *reasons.entry((0, missing.reason.as_str())).or_default() += 1;
+        *reasons.entry(&missing.reason).or_default() += 1;
     }
     let mut table = terminal::table();
     table.add_row(["rests on", "proofs", "not generated"]);
@@ -332,7 +306,7 @@ fn written(folder: &Folder) -> String {
     }
     let mut text = terminal::lines(&table);
     let mut table = terminal::table();
-    for ((_, reason), count) in reasons {
+    for (reason, count) in reasons {
         table.add_row([count.to_string(), reason.to_owned()]);
     }
     text.push_str("\nnot generated:\n");

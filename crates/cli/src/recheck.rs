@@ -1,10 +1,10 @@
 //! `torse recheck`: verdicts judged again by the semantics.
 
-use crate::derivations::{Derivations, Found};
+use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
-use crate::{guard, selection, terminal};
+use crate::{guard, terminal};
 use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -42,12 +42,7 @@ Examples:
 impl Replay {
     /// Decides, judges again, prints the counts and every contradiction.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let Found {
-            papers,
-            left_out,
-            mut mistakes,
-        } = self.derivations.load()?;
-        let papers = selection::select(papers, &self.names, &left_out)?;
+        let (papers, mut mistakes) = self.derivations.select(&self.names)?;
         let run = Run::of(&papers, self.budget, &mut mistakes);
         let judged = again(&papers, &run.papers);
         guard::finished();

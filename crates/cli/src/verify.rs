@@ -1,11 +1,11 @@
 //! `torse verify`: what is true of the claims.
 
 use crate::against::{self, Verdicts};
-use crate::derivations::{Derivations, Found};
+use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::format::Format;
 use crate::run::{Budget, Run};
-use crate::{figures, guard, selection, terminal, verdicts};
+use crate::{figures, guard, terminal, verdicts};
 use clap::Args;
 use std::path::PathBuf;
 use torse_report::{ReportError, verdicts_json};
@@ -50,12 +50,7 @@ Examples:
 impl Verify {
     /// Decides, prints, and says how it went.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let Found {
-            papers,
-            left_out,
-            mut mistakes,
-        } = self.derivations.load()?;
-        let papers = selection::select(papers, &self.names, &left_out)?;
+        let (papers, mut mistakes) = self.derivations.select(&self.names)?;
         let before = self.against.as_deref().map(Verdicts::read).transpose()?;
         let run = Run::of(&papers, self.budget, &mut mistakes);
         figures::check(&papers, &mut mistakes);

@@ -120,21 +120,13 @@ const LONGEST_CONDITION: usize = 400;
 /// A condition in the language of the files, or how many terms it has: nobody reads thousands of characters.
 #[must_use]
 pub fn condition(text: &str) -> String {
-    match text.chars().count() <= LONGEST_CONDITION {
-        true => text.to_owned(),
-        false => {
-            let polynomial = text.strip_suffix("!= 0");
-            let of = match polynomial {
-                Some(_) => "a polynomial of",
-                None => "a condition of",
-            };
-            let is = match polynomial {
-                Some(_) => " is not 0",
-                None => "",
-            };
-            let terms = terms(text);
-            format!("{of} {terms} terms{is} (`torse explain` has it)")
-        }
+    if text.chars().count() <= LONGEST_CONDITION {
+        return text.to_owned();
+    }
+    let terms = terms(text);
+    match text.strip_suffix("!= 0") {
+        Some(_) => format!("a polynomial of {terms} terms is not 0 (`torse explain` has it)"),
+        None => format!("a condition of {terms} terms (`torse explain` has it)"),
     }
 }
 

@@ -131,44 +131,10 @@ impl Coqc {
         limits: Limits,
         done: &(dyn Fn() + Sync),
     ) -> Result<(BTreeMap<String, Answer>, Vec<String>), CheckError> {
-        lay_out(folder, scratch)?;
-        for (path, _) in LIBRARY {
-            let run = self.run(scratch, path, limits)?;
-            done();
-            if !run.status.success() {
-                return Err(CheckError::Library(first_lines(&run.text)));
-            }
-        }
-        let sections: Vec<&str> = {
-            let mut sections: Vec<&str> =
-                folder.theorems.iter().map(|t| t.section.as_str()).collect();
-            sections.dedup();
-            sections
-        };
-        let results: Mutex<BTreeMap<String, Answer>> = Mutex::default();
-        let failures: Mutex<Vec<CheckError>> = Mutex::default();
-        let next = AtomicUsize::new(0);
-        std::thread::scope(|scope| {
-            for _ in 0..limits.at_once.max(1) {
-                scope.spawn(|| {
-                    while let Some(section) = sections.get(next.fetch_add(1, Ordering::Relaxed)) {
-                        match self.section(folder, section, scratch, limits) {
-                            Ok(answers) => lock(&results).extend(answers),
-                            Err(error) => lock(&failures).push(error),
-                        }
-                        done();
-                    }
-                });
-            }
-        });
-        let mut answers = results.into_inner().unwrap_or_else(PoisonError::into_inner);
-        if let Some(error) = failures
-            .into_inner()
-            .unwrap_or_else(PoisonError::into_inner)
-            .pop()
-        {
-            return Err(error);
-        }
+        self.prepare(folder, scratch, limits, done)?;
+        let of_section = |section: &str| self.section(folder, section, scratch, limits);
+        let found = each_section(folder, limits.at_once, done, &of_section)?;
+        let mut answers: BTreeMap<String, Answer> = found.into_iter().flatten().collect();
         let mut axioms = vec![];
         if answers.values().all(|answer| *answer == Answer::Accepted) {
             let run = self.run(scratch, "Check.v", limits)?;
@@ -186,6 +152,28 @@ impl Coqc {
         Ok((answers, axioms))
     }
 
+    /// Lays out a folder and compiles the library. `done` is called once a file of the library.
+    ///
+    /// # Errors
+    /// [`CheckError`]; [`CheckError::Library`] if the library is not accepted.
+    pub(crate) fn prepare(
+        &self,
+        folder: &Folder,
+        scratch: &Path,
+        limits: Limits,
+        done: &dyn Fn(),
+    ) -> Result<(), CheckError> {
+        lay_out(folder, scratch)?;
+        for (path, _) in LIBRARY {
+            let run = self.run(scratch, path, limits)?;
+            done();
+            if !run.status.success() {
+                return Err(CheckError::Library(first_lines(&run.text)));
+            }
+        }
+        Ok(())
+    }
+
     /// The answers about one section: its statements, then its proofs.
     fn section(
         &self,
@@ -194,11 +182,7 @@ impl Coqc {
         scratch: &Path,
         limits: Limits,
     ) -> Result<Vec<(String, Answer)>, CheckError> {
-        let theorems: Vec<&Theorem> = folder
-            .theorems
-            .iter()
-            .filter(|t| t.section == section)
-            .collect();
+        let theorems = folder.theorems_of(section);
         let statements = self.run(scratch, &format!("{section}.v"), limits)?;
         if !statements.status.success() {
             let reason = Answer::Rejected(first_lines(&statements.text));
@@ -248,6 +232,41 @@ impl Coqc {
         command.arg(file).current_dir(scratch).stdin(Stdio::null());
         run(&mut command, limits.time)
     }
+}
+
+/// What `work` says of every section of a folder, so many at once, in the order of the sections. `done` is called once a
+/// section.
+///
+/// # Errors
+/// The error of the first section that has one.
+pub(crate) fn each_section<T: Send>(
+    folder: &Folder,
+    at_once: usize,
+    done: &(dyn Fn() + Sync),
+    work: &(dyn Fn(&str) -> Result<T, CheckError> + Sync),
+) -> Result<Vec<T>, CheckError> {
+    let sections = folder.sections();
+    let found: Mutex<BTreeMap<usize, Result<T, CheckError>>> = Mutex::default();
+    let next = AtomicUsize::new(0);
+    std::thread::scope(|scope| {
+        for _ in 0..at_once.max(1) {
+            scope.spawn(|| {
+                loop {
+                    let place = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(section) = sections.get(place) else {
+                        break;
+                    };
+                    let result = work(section);
+                    let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
+                    found.insert(place, result);
+                    drop(found);
+                    done();
+                }
+            });
+        }
+    });
+    let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+    found.into_values().collect()
 }
 
 /// What a run left.
@@ -350,10 +369,6 @@ pub(crate) fn prefixes(scratch: &Path) -> Result<Vec<String>, CheckError> {
     }
     names.sort();
     Ok(names)
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The line of the first error: `File "./P/S.v", line 12, characters 0-31:`.

@@ -110,6 +110,21 @@ impl Folder {
         folder
     }
 
+    /// The sections with theorems, in the order of the files.
+    #[must_use]
+    pub fn sections(&self) -> Vec<&str> {
+        let mut sections: Vec<&str> = self.theorems.iter().map(|t| t.section.as_str()).collect();
+        sections.dedup();
+        sections
+    }
+
+    /// The theorems of a section.
+    #[must_use]
+    pub fn theorems_of(&self, section: &str) -> Vec<&Theorem> {
+        let all = self.theorems.iter();
+        all.filter(|theorem| theorem.section == section).collect()
+    }
+
     fn paper(
         &mut self,
         slug: &str,
@@ -189,9 +204,7 @@ impl Folder {
             "The kernel's word: each theorem has the type of its statement, and what all of them assume.",
         );
         text.push('\n');
-        let mut sections: Vec<&str> = self.theorems.iter().map(|t| t.section.as_str()).collect();
-        sections.dedup();
-        for section in &sections {
+        for section in self.sections() {
             if let Some((prefix, section)) = section.split_once('/') {
                 text.push_str(&format!(
                     "From {prefix} Require {section} {section}_proofs.\n"

@@ -3,13 +3,11 @@
 //! Whether a tactic closes a goal is known only when it was run. What fails here gets no proof in the folder, and is
 //! reported as missing: a failing script says nothing against the claim.
 
-use crate::coqc::{CheckError, Coqc, Limits, limited, prefixes, run};
-use crate::folder::{Folder, LIBRARY, Theorem};
+use crate::coqc::{CheckError, Coqc, Limits, each_section, limited, prefixes, run};
+use crate::folder::Folder;
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 /// The names of the theorems of a folder whose scripts fail, each tried for so many seconds. `done` is called once a section.
@@ -24,35 +22,11 @@ pub fn failing(
     limits: Limits,
     done: &(dyn Fn() + Sync),
 ) -> Result<BTreeSet<String>, CheckError> {
-    crate::coqc::lay_out(folder, scratch)?;
-    for (path, _) in LIBRARY {
-        let run = coqc.run(scratch, path, limits)?;
-        if !run.status.success() {
-            return Err(CheckError::Library(run.text));
-        }
-    }
-    let mut sections: Vec<&str> = folder.theorems.iter().map(|t| t.section.as_str()).collect();
-    sections.dedup();
-    let found: Mutex<Result<BTreeSet<String>, CheckError>> = Mutex::new(Ok(BTreeSet::new()));
-    let next = AtomicUsize::new(0);
-    std::thread::scope(|scope| {
-        for _ in 0..limits.at_once.max(1) {
-            scope.spawn(|| {
-                while let Some(section) = sections.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let failed = section_failing(coqc, folder, section, scratch, seconds, limits);
-                    let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
-                    match (&mut *found, failed) {
-                        (Ok(all), Ok(more)) => all.extend(more),
-                        (result, Err(error)) => *result = Err(error),
-                        (Err(_), Ok(_)) => {}
-                    }
-                    drop(found);
-                    done();
-                }
-            });
-        }
-    });
-    found.into_inner().unwrap_or_else(PoisonError::into_inner)
+    coqc.prepare(folder, scratch, limits, &|| ())?;
+    let of_section =
+        |section: &str| section_failing(coqc, folder, section, scratch, seconds, limits);
+    let found = each_section(folder, limits.at_once, done, &of_section)?;
+    Ok(found.into_iter().flatten().collect())
 }
 
 fn section_failing(
@@ -63,11 +37,7 @@ fn section_failing(
     seconds: u64,
     limits: Limits,
 ) -> Result<Vec<String>, CheckError> {
-    let theorems: Vec<&Theorem> = folder
-        .theorems
-        .iter()
-        .filter(|t| t.section == section)
-        .collect();
+    let theorems = folder.theorems_of(section);
     let all = || theorems.iter().map(|t| t.name());
     let statements = coqc.run(scratch, &format!("{section}.v"), limits)?;
     let Some((prefix, file)) = section

@@ -1,6 +1,7 @@
 //! Where a statement is meant to hold: the declared ranges of its symbols and its assumptions.
 
 use crate::decide::interval::{Bound, Interval};
+use std::cmp::Ordering;
 use torse_algebra::rational::integer;
 use torse_algebra::{Affine, Angle, Ball, Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
@@ -252,19 +253,25 @@ pub fn enclosure(value: &Fraction, bits: usize) -> Option<Ball> {
     part(value.numerator())?.divided_by(&denominator).ok()
 }
 
+/// How a fraction without free symbols compares with zero: zero is decided by the normal form, the sign of a nonzero number
+/// by an enclosure.
+#[must_use]
+pub fn order(value: &Fraction) -> Option<Ordering> {
+    if value.is_zero() {
+        return Some(Ordering::Equal);
+    }
+    match value.as_rational() {
+        Some(number) => Some(number.cmp(&Rational::default())),
+        None => BITS
+            .into_iter()
+            .find_map(|bits| enclosure(value, bits).and_then(|ball| ball.sign())),
+    }
+}
+
 /// Whether `value relation 0` holds, for a fraction without free symbols.
 #[must_use]
 pub fn truth(value: &Fraction, relation: Relation) -> Option<bool> {
-    use std::cmp::Ordering;
-    // Zero is decided by the normal form, the sign of a nonzero number by an enclosure.
-    let order = if value.is_zero() {
-        Ordering::Equal
-    } else if let Some(number) = value.as_rational() {
-        number.cmp(&Rational::default())
-    } else {
-        BITS.into_iter()
-            .find_map(|bits| enclosure(value, bits).and_then(|ball| ball.sign()))?
-    };
+    let order = order(value)?;
     Some(match relation {
         Relation::Equal => order == Ordering::Equal,
         Relation::Different => order != Ordering::Equal,

@@ -4,7 +4,7 @@
 //! at once where the polynomial is negative at one.
 
 use super::coordinates::{Coordinates, Region, Side};
-use crate::decide::domain::truth;
+use crate::decide::domain::order;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use torse_algebra::bernstein::{BernsteinForm, Term};
@@ -12,7 +12,6 @@ use torse_algebra::planted::{Planted, planted};
 use torse_algebra::positivity::RationalBox;
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
-use torse_language::syntax::Relation;
 
 /// The most Bernstein coefficients computed.
 const MAX_PIECES: usize = 20_000;
@@ -189,41 +188,22 @@ impl Spread {
 /// How the number that these parts make up at a place compares with zero. Products of powers of pi and roots are
 /// linearly independent over the rationals, so that a sum of them is zero only if each coefficient is.
 fn number_sign(parts: &[Part], place: usize) -> Option<Ordering> {
-    let sign = |part: &Part| {
-        part.form
-            .numerators()
-            .get(place)
-            .map(|n| n.cmp(&Integer::ZERO))
-    };
-    let signs: Vec<Ordering> = parts.iter().map(sign).collect::<Option<_>>()?;
-    let (some_positive, some_negative) = (
-        signs.contains(&Ordering::Greater),
-        signs.contains(&Ordering::Less),
-    );
+    let numerators = parts.iter().map(|part| part.form.numerators().get(place));
+    let numerators: Vec<&Integer> = numerators.collect::<Option<_>>()?;
+    let some = |order: Ordering| numerators.iter().any(|n| n.cmp(&&Integer::ZERO) == order);
     // Each product of powers is a positive number.
-    Some(match (some_positive, some_negative) {
-        (false, false) => Ordering::Equal,
-        (true, false) => Ordering::Greater,
-        (false, true) => Ordering::Less,
+    match (some(Ordering::Greater), some(Ordering::Less)) {
+        (false, false) => Some(Ordering::Equal),
+        (true, false) => Some(Ordering::Greater),
+        (false, true) => Some(Ordering::Less),
         (true, true) => {
-            let total = parts.iter().fold(Polynomial::zero(), |sum, part| {
-                let weight = part
-                    .form
-                    .numerators()
-                    .get(place)
-                    .map(|n| part.form.scale() * n);
-                &sum + &part.number.scaled(&weight.unwrap_or_default())
+            let terms = parts.iter().zip(&numerators);
+            let total = terms.fold(Polynomial::zero(), |sum, (part, numerator)| {
+                &sum + &part.number.scaled(&(part.form.scale() * *numerator))
             });
-            let total = Fraction::from(total);
-            if truth(&total, Relation::Greater)? {
-                Ordering::Greater
-            } else if truth(&total, Relation::Less)? {
-                Ordering::Less
-            } else {
-                Ordering::Equal
-            }
+            order(&Fraction::from(total))
         }
-    })
+    }
 }
 
 /// A range of Bernstein indices of one coordinate.
