@@ -4,6 +4,7 @@
 //! domain or satisfies the statement. Neither needs to know how the verdict was found.
 
 use crate::domain::draft::Draft;
+use crate::domain::narrow::narrowed;
 use crate::domain::point::{Outside, Point, check_hypotheses, check_sets, drawn};
 use crate::domain::stream::Stream;
 use crate::gap::Work;
@@ -12,7 +13,9 @@ use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::real::Real;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use torse_language::core::{Claim, Hypothesis, Source, Statement};
+use torse_language::derivation::declarations::Interval;
 use torse_language::derivation::{Origin, Source as Text};
 
 /// Attempts for each wanted point, and at least.
@@ -251,6 +254,7 @@ impl Tally {
 /// A walk through points of a domain, with bounded work.
 struct Survey<'a> {
     claim: &'a Claim,
+    narrowed: BTreeMap<Arc<str>, Interval>,
     seed: &'a str,
     attempts: u64,
     /// The work of one point.
@@ -264,6 +268,7 @@ impl<'a> Survey<'a> {
     fn new(claim: &'a Claim, seed: &'a str, wanted: u64, budget: u64) -> Self {
         Self {
             claim,
+            narrowed: narrowed(claim),
             seed,
             attempts: LEAST_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted),
             share: (budget / wanted.max(1)).saturating_mul(2),
@@ -315,7 +320,7 @@ impl<'a> Survey<'a> {
             0 => stream.at_edges(),
             _ => stream,
         };
-        let (draft, near) = drawn(self.claim, stream, work)?;
+        let (draft, near) = drawn(self.claim, &self.narrowed, stream, work)?;
         let judge = Judge {
             claim: self.claim,
             values: &|name| draft.value(name),

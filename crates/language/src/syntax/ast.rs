@@ -96,6 +96,18 @@ impl Relation {
             Self::AtLeast => Self::Less,
         }
     }
+
+    /// The relation between the sides exchanged.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        match self {
+            Self::Less => Self::Greater,
+            Self::AtMost => Self::AtLeast,
+            Self::Greater => Self::Less,
+            Self::AtLeast => Self::AtMost,
+            symmetric @ (Self::Equal | Self::Different) => symmetric,
+        }
+    }
 }
 
 /// How two statements are joined.

@@ -6,7 +6,9 @@ use crate::name::Name;
 use crate::real::Real;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 use torse_language::core::{Claim, Set};
+use torse_language::derivation::declarations::Interval;
 use torse_numbers::Affine;
 use torse_numbers::rational::integer;
 
@@ -18,6 +20,7 @@ const MAX_NAMES: usize = 4000;
 /// A point in the making.
 pub(crate) struct Draft<'a> {
     claim: &'a Claim,
+    narrowed: &'a BTreeMap<Arc<str>, Interval>,
     stream: Stream,
     values: RefCell<BTreeMap<Name, Real>>,
     rounded: RefCell<BTreeSet<Name>>,
@@ -26,9 +29,15 @@ pub(crate) struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    pub fn new(claim: &'a Claim, stream: Stream) -> Self {
+    /// The empty draft of these choices; symbols are drawn from the intervals of [`narrowed`](super::narrow::narrowed).
+    pub fn new(
+        claim: &'a Claim,
+        narrowed: &'a BTreeMap<Arc<str>, Interval>,
+        stream: Stream,
+    ) -> Self {
         Self {
             claim,
+            narrowed,
             stream,
             values: RefCell::default(),
             rounded: RefCell::default(),
@@ -55,7 +64,8 @@ impl<'a> Draft<'a> {
         }
         let label = name.to_string();
         let drawn = match (name, self.claim.symbols.get(name.declared())?) {
-            (Name::Symbol(_), Set::Real(interval)) => {
+            (Name::Symbol(symbol), Set::Real(interval)) => {
+                let interval = self.narrowed.get(symbol).unwrap_or(interval);
                 let drawn = set::in_interval(interval, &self.stream, &label);
                 if set::contains(interval, &drawn) != Some(true) {
                     // The ends are exchanged, or one point is left and does not belong to the interval.

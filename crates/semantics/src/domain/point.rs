@@ -11,7 +11,9 @@ use crate::name::Name;
 use crate::real::Real;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::Arc;
 use torse_language::core::{Claim, Set, Statement};
+use torse_language::derivation::declarations::Interval;
 use torse_numbers::Affine;
 
 /// A point: a number for each symbol, coordinate and member that a statement asks for.
@@ -118,10 +120,11 @@ pub(crate) fn check_hypotheses(
 /// A point of the domain, to be completed by what a statement asks for; `None` if this attempt found none.
 pub(crate) fn drawn<'a>(
     claim: &'a Claim,
+    narrowed: &'a BTreeMap<Arc<str>, Interval>,
     stream: Stream,
     work: &Work,
 ) -> Option<(Draft<'a>, bool)> {
-    let draft = Draft::new(claim, stream);
+    let draft = Draft::new(claim, narrowed, stream);
     let solved = solve(claim, &draft, work)?;
     let near = solved == Solved::Nearly;
     let denied = BTreeMap::new();

@@ -46,6 +46,14 @@ fn inequalities_are_respected() {
 }
 
 #[test]
+fn numbers_are_drawn_from_the_ranges_that_hypotheses_narrow() {
+    let narrow = "assume = ['a > 1000', '-5 >= b', 'x < 1/100 and 1/200 <= x']";
+    let tally = netted(&claim(narrow, "a + b*x > 0 and x >= 1/200"));
+    assert!(tally.attempts < 30, "{tally:?}");
+    stands(narrow, "a > 1000 and b <= -5 and 1/200 <= x < 1/100");
+}
+
+#[test]
 fn domains_without_points_are_seen_to_be_empty() {
     is_empty("assume = ['1 == 2']", "a == a");
     is_empty("assume = ['a > 0', 'a < 0']", "a == a");

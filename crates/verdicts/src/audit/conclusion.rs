@@ -4,7 +4,7 @@ use super::{Sign, Subject, sign};
 use crate::conjunction::conjuncts;
 use std::sync::Arc;
 use torse_language::notation;
-use torse_language::syntax::{Expr, Node, Relation};
+use torse_language::syntax::{Expr, Node};
 use torse_language::words::Flag;
 
 /// Parts of the statement that are hypotheses, with the sides either way round.
@@ -34,13 +34,6 @@ fn turned(part: &Expr) -> Option<Expr> {
     let [(relation, right)] = rest.as_slice() else {
         return None;
     };
-    let relation = match relation {
-        Relation::Less => Relation::Greater,
-        Relation::Greater => Relation::Less,
-        Relation::AtMost => Relation::AtLeast,
-        Relation::AtLeast => Relation::AtMost,
-        same => *same,
-    };
-    let rest = vec![(relation, (**left).clone())];
+    let rest = vec![(relation.mirrored(), (**left).clone())];
     Some(Expr::made(Node::Compare(Arc::new(right.clone()), rest)))
 }
