@@ -30,7 +30,7 @@ fn empty_range(domain: &Domain<'_>, name: &str) -> Option<String> {
     let empty = || Some(format!("the declared range of {name} is empty"));
     match domain.declarations.symbol(name)? {
         SymbolKind::Real(_) => {
-            let interval = domain.interval(&torse_algebra::Symbol::named(name));
+            let interval = domain.declared(name);
             let (low, high) = (interval.lower?, interval.upper?);
             let relation = match low.closed && high.closed {
                 true => Relation::AtMost,

@@ -19,6 +19,28 @@ pub struct Constraint {
     pub relation: Relation,
 }
 
+impl Constraint {
+    /// The constraint as `symbol relation number`, if it is linear in this symbol and says nothing of another.
+    #[must_use]
+    pub fn bound_of(&self, symbol: &Symbol) -> Option<(Relation, Rational)> {
+        let value = self.value.as_polynomial()?;
+        let (mut slope, mut constant) = (integer(0), integer(0));
+        for term in value.terms() {
+            match term.powers.as_slice() {
+                [] => constant = term.coefficient.clone(),
+                [(own, 1)] if own == symbol => slope = term.coefficient.clone(),
+                _ => return None,
+            }
+        }
+        let relation = match slope.cmp(&integer(0)) {
+            Ordering::Equal => return None,
+            Ordering::Less => self.relation.mirrored(),
+            Ordering::Greater => self.relation,
+        };
+        Some((relation, -constant / slope))
+    }
+}
+
 /// The domain of a statement.
 #[derive(Debug, Clone)]
 pub struct Domain<'a> {
@@ -60,29 +82,46 @@ impl<'a> Domain<'a> {
     }
 }
 
+/// A closed end at an integer.
+fn closed(n: i64) -> Option<Bound> {
+    Some(Bound {
+        value: Fraction::integer(n),
+        closed: true,
+    })
+}
+
 impl Domain<'_> {
-    /// The interval in which a symbol lives; integers from their bounds, functions of angles from -1
-    /// to 1 or, for a variable of `[0, 1]`, from 0 to 1.
+    /// The interval in which a symbol is declared to live, whatever is assumed; integers from their bounds.
+    #[must_use]
+    pub fn declared(&self, name: &str) -> Interval {
+        match self.declarations.symbol(name) {
+            Some(SymbolKind::Real(interval)) => Interval::from(&**interval),
+            Some(SymbolKind::Integer { .. }) => {
+                let form = Affine::symbol(name);
+                Interval {
+                    lower: self.declarations.least(&form).and_then(closed),
+                    upper: self.declarations.greatest(&form).and_then(closed),
+                }
+            }
+            _ => Interval::default(),
+        }
+    }
+
+    /// The interval in which a symbol lives: the declared one, narrowed by what is assumed of the symbol alone
+    /// (`2*a - 2 > 0` says that a > 1). Functions of angles live from -1 to 1 or, for a variable of `[0, 1]`, from 0
+    /// to 1.
     #[must_use]
     pub fn interval(&self, symbol: &Symbol) -> Interval {
-        let closed = |n: i64| {
-            Some(Bound {
-                value: Fraction::integer(n),
-                closed: true,
-            })
-        };
         match symbol {
-            Symbol::Named(name) => match self.declarations.symbol(name) {
-                Some(SymbolKind::Real(interval)) => Interval::from(&**interval),
-                Some(SymbolKind::Integer { .. }) => {
-                    let form = Affine::symbol(name);
-                    Interval {
-                        lower: self.declarations.least(&form).and_then(closed),
-                        upper: self.declarations.greatest(&form).and_then(closed),
+            Symbol::Named(name) => {
+                let mut interval = self.declared(name);
+                for constraint in &self.constraints {
+                    if let Some((relation, number)) = constraint.bound_of(symbol) {
+                        interval.narrow(relation, number);
                     }
                 }
-                _ => Interval::default(),
-            },
+                interval
+            }
             Symbol::Sin(name, Angle::QuarterTurn) | Symbol::Cos(name, Angle::QuarterTurn) => {
                 let of = self.interval(&Symbol::Named(name.clone()));
                 let inside = |bound: &Option<Bound>, low: bool| {

@@ -1,7 +1,9 @@
 //! Intervals with exact ends.
 
-use torse_algebra::{Fraction, Scalar as _, Symbol};
+use std::cmp::Ordering;
+use torse_algebra::{Fraction, Rational, Scalar as _, Symbol};
 use torse_language::derivation::declarations::{self, Constant};
+use torse_language::syntax::Relation;
 
 /// One end of an interval.
 #[derive(Debug, Clone)]
@@ -19,6 +21,33 @@ pub struct Interval {
     pub lower: Option<Bound>,
     /// The upper end.
     pub upper: Option<Bound>,
+}
+
+impl Interval {
+    /// Leaves out what is not `relation number`. An end that is no rational number stays, and so does one that lies
+    /// further inside.
+    pub fn narrow(&mut self, relation: Relation, number: Rational) {
+        let (end, closed, inward) = match relation {
+            Relation::Greater => (&mut self.lower, false, Ordering::Greater),
+            Relation::AtLeast => (&mut self.lower, true, Ordering::Greater),
+            Relation::Less => (&mut self.upper, false, Ordering::Less),
+            Relation::AtMost => (&mut self.upper, true, Ordering::Less),
+            Relation::Equal | Relation::Different => return,
+        };
+        let narrows = match end.as_ref() {
+            None => true,
+            Some(own) => own.value.as_rational().is_some_and(|known| {
+                let order = number.cmp(&known);
+                order == inward || (order.is_eq() && own.closed)
+            }),
+        };
+        if narrows {
+            *end = Some(Bound {
+                value: number.into(),
+                closed,
+            });
+        }
+    }
 }
 
 /// The exact value of a constant.

@@ -204,3 +204,30 @@ fn zero_is_no_product_of_what_differs_from_zero() {
     expect("zero", "states = 'a != a or b == 1'", False);
     expect("zeros", "states = '(a != a or b != b) or b > 0'", False);
 }
+
+#[test]
+fn what_is_assumed_of_one_symbol_bounds_products_with_it() {
+    let lines =
+        |assumed: &str, statement: &str| format!("assume = ['{assumed}']\nstates = '{statement}'");
+    for (assumed, statement) in [
+        ("a > 1", "a^2 > 1"),
+        ("a > 1", "1/(a^2 - 1) > 0"),
+        ("1 - 2*a < -1", "a^2 > 1"),
+        ("a >= 1 and b > 2", "a*b > 1"),
+        ("0 < a < 1/2", "a*(1 - a) < 1/4"),
+        ("x > 1/2", "x^2 > 1/4"),
+        ("m >= 4", "m^2 >= 16"),
+    ] {
+        expect("bounded", &lines(assumed, statement), Holds);
+    }
+    for (assumed, statement) in [
+        ("a >= 1", "a^2 > 1"),
+        ("a > -1", "a^2 > 1"),
+        ("a > 1", "a^2 > 2"),
+        ("a*b > 1", "a^2 > 1"),
+        ("0 < a < 2", "a*(1 - a) < 1/4"),
+        ("m >= 3", "m^2 >= 16"),
+    ] {
+        expect("not-bounded", &lines(assumed, statement), False);
+    }
+}

@@ -19,7 +19,7 @@ use crate::evaluate::quantity::Quantity;
 use crate::evaluate::value::{NOWHERE, Value};
 use crate::evidence::Evidence;
 use certificate::{Certificate, CertificateError};
-use torse_algebra::{Fraction, Integer, Polynomial};
+use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
 
@@ -250,7 +250,14 @@ fn replayed(proofs: &[Proof], domain: &Domain<'_>) -> Result<Vec<String>, Certif
     let mut steps = vec![
         "all Bernstein coefficients of the difference on the domain have the right sign".to_owned(),
     ];
-    let assumes = proofs.iter().any(|p| p.certificate.rests_on_assumptions());
+    let bounded = |symbol: &Symbol| {
+        let mut constraints = domain.constraints.iter();
+        constraints.any(|c| c.bound_of(symbol).is_some())
+    };
+    let assumes = proofs.iter().any(|proof| {
+        let symbols = proof.polynomial.symbols();
+        proof.certificate.rests_on_assumptions() || symbols.iter().any(bounded)
+    });
     if assumes {
         steps.push("the assumptions bound the domain".to_owned());
     }
