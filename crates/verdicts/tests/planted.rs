@@ -1,8 +1,8 @@
 //! Deliberate mistakes of the engine, one at a time, and what catches each.
 //!
 //! For every [`Planted`] there is a claim whose verdict changes with it: the prover alone says something else. What a
-//! user sees is then never the wrong verdict. A test without the feature `planted-faults` would have nothing to
-//! plant: run it with `cargo test -p torse-verdicts --features planted-faults --test planted`.
+//! user sees is then never the wrong verdict. The feature `planted-faults` of the numbers is a matter of the tests of
+//! this crate: what a user builds has no mistake to choose.
 
 #![allow(
     clippy::unwrap_used,
