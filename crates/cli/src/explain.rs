@@ -11,7 +11,7 @@ use torse_language::derivation::Paper;
 use torse_language::notation::Formula;
 use torse_language::words::Verdict;
 use torse_prove::evidence::Witness;
-use torse_report::{rests, words};
+use torse_report::{counted, rests, words};
 use torse_verdicts::consequences::{consequences, resting, users};
 use torse_verdicts::outcome::{Correction, Outcome, PaperOutcome, Role};
 
@@ -88,7 +88,7 @@ impl Explain {
             None => "condition",
         };
         note.list(condition, self.formulas(&outcome.conditions));
-        note.list("steps", outcome.steps.iter().cloned());
+        note.list("steps", counted(&outcome.steps).into_iter());
         self.readings(&mut note, outcome);
         note.gap();
         if let Some(witness) = &outcome.witness {
@@ -133,7 +133,7 @@ impl Explain {
             self.rests(note, of);
             note.add("verdict", &verdict(of));
             note.list("on condition", self.formulas(&of.conditions));
-            note.list("steps", of.steps.iter().cloned());
+            note.list("steps", counted(&of.steps).into_iter());
             if let Some(witness) = &of.witness {
                 add_witness(note, witness);
             }

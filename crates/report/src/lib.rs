@@ -40,6 +40,6 @@ pub use html::html_page;
 pub use json::verdicts_json;
 pub use rests::{Rests, rests};
 pub use tally::{Remarks, Row, Tally};
-pub use text::plain;
+pub use text::{counted, plain};
 pub use typeset::Typeset;
 pub use write::write_file;

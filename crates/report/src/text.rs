@@ -113,7 +113,8 @@ pub(crate) fn beginning(text: &str, length: usize) -> String {
 }
 
 /// The steps with each run of equal ones as one, followed by how often it was taken.
-pub(crate) fn counted(steps: &[String]) -> Vec<String> {
+#[must_use]
+pub fn counted(steps: &[String]) -> Vec<String> {
     let runs = steps.chunk_by(|one, other| one == other);
     runs.filter_map(|run| match run {
         [] => None,
