@@ -78,10 +78,7 @@ impl Explain {
         note.add("verdict", &verdict(outcome));
         note.option(
             "evidence",
-            outcome.evidence.map(|of| {
-                let of = words::evidence(of);
-                format!("{}. {}", of.label, of.meaning)
-            }),
+            words::evidence_on(outcome).map(|of| format!("{}. {}", of.label, of.meaning)),
         );
         let condition = match outcome.evidence {
             Some(_) => "on condition",

@@ -322,7 +322,7 @@ impl<'a> Builder<'a> {
             at: visible(&outcome.at),
             kind: words::kind(outcome.kind),
             verdict: words::verdict_on(outcome),
-            evidence: outcome.evidence.map(words::evidence),
+            evidence: words::evidence_on(outcome),
             expected: outcome
                 .expect
                 .filter(|of| *of != outcome.verdict)
@@ -384,8 +384,8 @@ impl<'a> Builder<'a> {
             ReadingView {
                 name: visible(&reading.name),
                 says: visible(&reading.says),
-                verdict: words::verdict(of.verdict),
-                evidence: of.evidence.map(words::evidence),
+                verdict: words::verdict_on(of),
+                evidence: words::evidence_on(of),
                 parsed: of.parsed.as_ref().map(|formula| self.formula(formula)),
                 assumed: self.assumed(of),
                 conditions: self.formulas(&of.conditions),

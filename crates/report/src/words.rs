@@ -91,7 +91,8 @@ pub fn distant_survivors(count: usize) -> String {
     }
 }
 
-/// The words for the verdict on a claim: of one that holds, whether the paper assumes something for it.
+/// The words for the verdict on a claim: of one that holds, whether the paper assumes something for it; of one that is
+/// false, whether its true form was found.
 #[must_use]
 pub fn verdict_on(outcome: &Outcome) -> Term {
     let term = verdict(outcome.verdict);
@@ -108,6 +109,14 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
         },
         (Verdict::Holds, false) => Term {
             meaning: "True as printed.",
+            ..term
+        },
+        (Verdict::False, _) if outcome.correction.is_some() => Term {
+            meaning: "False as printed, with an exact counterexample; no small edit repairs it. What is true instead was derived anew and is proved.",
+            ..term
+        },
+        (Verdict::False, _) if outcome.data.is_some() => Term {
+            meaning: "False as printed, with exact values; for other data, which are given, the printed value is right.",
             ..term
         },
         _ => term,
@@ -217,6 +226,22 @@ pub const fn verdict(of: Verdict) -> Term {
         label,
         meaning,
     }
+}
+
+/// The words for what the verdict on a claim rests on: of a point, what it shows.
+#[must_use]
+pub fn evidence_on(outcome: &Outcome) -> Option<Term> {
+    let term = evidence(outcome.evidence?);
+    let meaning = match (outcome.evidence, outcome.verdict) {
+        (Some(Evidence::Witness), Verdict::False | Verdict::Misprint) => {
+            "An exact point of the domain at which the printed statement fails."
+        }
+        (Some(Evidence::Witness), Verdict::Holds | Verdict::Conditional) => {
+            "An exact point of the domain that shows what is said to exist."
+        }
+        _ => term.meaning,
+    };
+    Some(Term { meaning, ..term })
 }
 
 /// The words for what a verdict rests on.
