@@ -335,7 +335,7 @@ impl<'a> Builder<'a> {
             garbled: outcome.garbled.as_deref().map(visible),
             rests: cleared(rests(outcome)),
             readings: self.readings(outcome),
-            conditions: self.formulas(&outcome.conditions),
+            conditions: self.conditions(&outcome.conditions),
             correction: outcome
                 .correction
                 .as_ref()
@@ -347,11 +347,11 @@ impl<'a> Builder<'a> {
             derived: outcome
                 .derived
                 .as_ref()
-                .map(|formula| self.formula(formula)),
+                .map(|formula| self.derived(formula)),
             difference: outcome
                 .difference
                 .as_ref()
-                .map(|formula| self.formula(formula)),
+                .map(|formula| self.derived(formula)),
             witness: outcome.witness.as_ref().map(witness),
             denied: findings::denied(outcome).map(|text| visible(&text)),
             steps: counted(&outcome.steps)
@@ -388,7 +388,7 @@ impl<'a> Builder<'a> {
                 evidence: words::evidence_on(of),
                 parsed: of.parsed.as_ref().map(|formula| self.formula(formula)),
                 assumed: self.assumed(of),
-                conditions: self.formulas(&of.conditions),
+                conditions: self.conditions(&of.conditions),
                 fails_at: of.witness.as_ref().map(|w| visible(&findings::fails_at(w))),
                 rests: cleared(rests(of)),
             }
@@ -396,11 +396,23 @@ impl<'a> Builder<'a> {
         outcome.readings.iter().map(view).collect()
     }
 
-    fn formulas(&mut self, formulas: &[Formula]) -> Vec<FormulaView> {
-        formulas
-            .iter()
-            .map(|formula| self.formula(formula))
-            .collect()
+    fn conditions(&mut self, conditions: &[Formula]) -> Vec<FormulaView> {
+        let view = |condition| self.derived(condition);
+        conditions.iter().map(view).collect()
+    }
+
+    /// A formula that the engine derived: a long one is counted.
+    fn derived(&mut self, formula: &Formula) -> FormulaView {
+        let Some(words) = words::long(&formula.text) else {
+            return self.formula(formula);
+        };
+        // A string in quotes is text in the mathematics of the typesetter.
+        self.formulas
+            .push(format!("\"{}\"", words.replace('`', "")));
+        FormulaView {
+            text: words,
+            math: self.formulas.len() - 1,
+        }
     }
 
     fn formula(&mut self, formula: &Formula) -> FormulaView {

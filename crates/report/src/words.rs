@@ -123,20 +123,26 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
     }
 }
 
-/// Conditions of more characters than this are counted, not written.
-const LONGEST_CONDITION: usize = 400;
+/// Formulas of more characters than this that nobody printed are counted, not written.
+const LONGEST_DERIVED: usize = 400;
 
-/// A condition in the language of the files, or how many terms it has: nobody reads thousands of characters.
+/// What stands in the place of a condition or another derived formula that nobody would read: how many terms it has.
 #[must_use]
-pub fn condition(text: &str) -> String {
-    if text.chars().count() <= LONGEST_CONDITION {
-        return text.to_owned();
+pub fn long(text: &str) -> Option<String> {
+    if text.chars().count() <= LONGEST_DERIVED {
+        return None;
     }
     let terms = terms(text);
-    match text.strip_suffix("!= 0") {
+    Some(match text.strip_suffix("!= 0") {
         Some(_) => format!("a polynomial of {terms} terms is not 0 (`torse explain` has it)"),
-        None => format!("a condition of {terms} terms (`torse explain` has it)"),
-    }
+        None => format!("a formula of {terms} terms (`torse explain` has it)"),
+    })
+}
+
+/// A condition in the language of the files, or how many terms it has.
+#[must_use]
+pub fn condition(text: &str) -> String {
+    long(text).unwrap_or_else(|| text.to_owned())
 }
 
 /// How many summands stand outside of brackets.
@@ -405,6 +411,7 @@ mod tests {
     #[test]
     fn a_long_condition_is_counted() {
         assert_eq!(condition("x != 0"), "x != 0");
+        assert_eq!(long("x + 1"), None);
         let long = vec!["a*(b + c)"; 80].join(" + ") + " - y != 0";
         let words = "a polynomial of 81 terms is not 0 (`torse explain` has it)";
         assert_eq!(condition(&long), words);
