@@ -29,6 +29,7 @@ pub mod trigonometry;
 
 use crate::rational::{Integer, Rational, integer};
 use crate::symbol::Symbol;
+use dashu_int::ops::BitTest;
 use num_integer::Integer as _;
 use num_traits::{One, Signed, Zero};
 use std::fmt;
@@ -149,6 +150,14 @@ impl Polynomial {
     #[must_use]
     pub fn denominator(&self) -> &Integer {
         &self.denominator
+    }
+
+    /// The binary digits of the longest of the integers that the coefficients consist of: numerators over the common
+    /// denominator.
+    #[must_use]
+    pub fn bits(&self) -> usize {
+        let numerators = self.coefficients.iter().map(BitTest::bit_len).max();
+        numerators.unwrap_or(0).max(self.denominator.bit_len())
     }
 
     /// The terms, in descending lexicographic order.

@@ -4,7 +4,7 @@ use super::quantity::Quantity;
 use super::value::{Value, Vector};
 use super::{Environment, Evaluator, Outcome, shapes, symbolic_degree, wrong_type};
 use std::cell::RefCell;
-use torse_algebra::Fraction;
+use torse_algebra::{Fraction, Rational};
 use torse_language::core::Term;
 use torse_language::fault::Fault;
 use torse_language::syntax::{Operator, Place};
@@ -215,6 +215,13 @@ pub(super) fn bounded_product(a: &Fraction, b: &Fraction, place: Place) -> Outco
         .saturating_add(b.numerator().total_degree());
     if degree > u32::from(u16::MAX) / 2 {
         return Err(Fault::limit(place, format!("a product of degree {degree}")));
+    }
+    let bits = a.numerator().bits() + b.numerator().bits();
+    if bits > Rational::MAX_BITS {
+        return Err(Fault::limit(
+            place,
+            format!("a product with numbers of {bits} binary digits"),
+        ));
     }
     Ok(a.clone() * b.clone())
 }
