@@ -302,8 +302,9 @@ fn correct(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
         }
         // Derived anew is no slip of printing: the statement is false.
         outcome.correction = repair::ansatz::search(claim, statement);
+        outcome.data = repair::entries::search(claim, statement);
     }
-    if outcome.kind == Kind::Value && outcome.correction.is_none() {
+    if outcome.kind == Kind::Value && outcome.correction.is_none() && outcome.data.is_none() {
         outcome.data = repair::data::search(claim, statement);
     }
 }

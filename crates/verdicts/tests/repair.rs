@@ -182,3 +182,11 @@ fn a_coefficient_of_the_join_is_derived_anew_in_its_printed_terms() {
 fn the_determinant_of_the_quartic_system_keeps_two_of_its_three_powers() {
     assert_eq!(anew("hermite-developable/eq-3.6.det").0, "16*k^3*(1 - k)");
 }
+
+#[test]
+fn a_wrong_determinant_is_that_of_a_matrix_with_two_other_entries() {
+    assert_eq!(
+        data_changes("hermite-developable/eq-3.6.det"),
+        ["A36[2,1]: 32 -> 32*k", "A36[3,1]: -80 -> -80*k"]
+    );
+}

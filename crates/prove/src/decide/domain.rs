@@ -28,7 +28,7 @@ impl Constraint {
         for term in value.terms() {
             match term.powers.as_slice() {
                 [] => constant = term.coefficient.clone(),
-                [(own, 1)] if own == symbol => slope = term.coefficient.clone(),
+                [(own, 1)] if *own == symbol => slope = term.coefficient.clone(),
                 _ => return None,
             }
         }

@@ -63,7 +63,7 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
 }
 
 /// The value of a number or a generic vector.
-fn single(value: &Value) -> Option<Fraction> {
+pub(super) fn single(value: &Value) -> Option<Fraction> {
     match value.entries().as_slice() {
         [entry] => entry.as_fraction().cloned(),
         _ => None,

@@ -244,7 +244,8 @@ fn replace<'n>(
     Some(())
 }
 
-fn with(claim: &Claim, declarations: Declarations) -> Claim {
+/// The claim with other declarations.
+pub(super) fn with(claim: &Claim, declarations: Declarations) -> Claim {
     Claim {
         declarations: Arc::new(declarations),
         ..claim.clone()

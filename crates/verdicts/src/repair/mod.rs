@@ -3,7 +3,7 @@
 //! The printed side of a refuted equality ([`subject`]) is edited, first once, then twice; candidates are
 //! filtered at a sample point ([`target`]) and the survivors **proved** like any statement. The smallest
 //! number of edits wins; whether another correction with as few edits exists is reported. A wrong value
-//! may be the right value of other data: see [`data`].
+//! may be the right value of other data, and a wrong determinant that of another matrix: see [`data`] and [`entries`].
 
 pub(crate) mod alphabet;
 pub mod ansatz;
@@ -11,6 +11,7 @@ pub mod canonical;
 pub mod data;
 pub mod edit;
 pub mod edits;
+pub mod entries;
 mod rates;
 mod residue;
 pub mod slips;
