@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use torse_verdicts::outcome::{Assumed, Outcome, Role, SaidBy};
+use torse_verdicts::table::Declared;
 
 /// Lines under one label.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -48,7 +49,10 @@ pub fn rests(outcome: &Outcome) -> Vec<Rests> {
         ),
         (
             "said by",
-            outcome.assumed.iter().filter_map(said_by).collect(),
+            (outcome.assumed.iter())
+                .filter(|hypothesis| concerns(hypothesis, &table.symbols))
+                .filter_map(said_by)
+                .collect(),
         ),
     ];
     let groups = groups
@@ -63,6 +67,13 @@ fn joined(items: Vec<String>) -> Vec<String> {
         true => vec![],
         false => vec![items.join("; ")],
     }
+}
+
+/// Whether a hypothesis is about the statement: a paper declares the ranges of more symbols than a sentence has.
+fn concerns(hypothesis: &Assumed, symbols: &[Declared]) -> bool {
+    let text = &hypothesis.formula.text;
+    let mut words = text.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+    hypothesis.role != Role::Range || words.any(|word| symbols.iter().any(|s| s.name == word))
 }
 
 /// Whose a hypothesis is, where the file says it.

@@ -241,7 +241,7 @@ pub fn independent(
                 .iter()
                 .enumerate()
                 .filter(|(_, c)| !c.is_zero())
-                .map(|(i, c)| format!("({c})*g[{i},{degree}]"))
+                .map(|(i, c)| format!("({c})*{}[{i},{degree}]", basis.name))
                 .collect();
             let witness = Witness {
                 at,

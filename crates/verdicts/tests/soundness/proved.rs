@@ -206,7 +206,7 @@ fn zero_is_no_product_of_what_differs_from_zero() {
 }
 
 #[test]
-fn what_is_assumed_of_one_symbol_bounds_products_with_it() {
+fn what_is_assumed_bounds_products_and_quotients() {
     let lines =
         |assumed: &str, statement: &str| format!("assume = ['{assumed}']\nstates = '{statement}'");
     for (assumed, statement) in [
@@ -217,6 +217,8 @@ fn what_is_assumed_of_one_symbol_bounds_products_with_it() {
         ("0 < a < 1/2", "a*(1 - a) < 1/4"),
         ("x > 1/2", "x^2 > 1/4"),
         ("m >= 4", "m^2 >= 16"),
+        ("a*b > 0", "b/a > 0"),
+        ("a*b < 0", "2*b/(3*a) < 0"),
     ] {
         expect("bounded", &lines(assumed, statement), Holds);
     }
@@ -227,6 +229,8 @@ fn what_is_assumed_of_one_symbol_bounds_products_with_it() {
         ("a*b > 1", "a^2 > 1"),
         ("0 < a < 2", "a*(1 - a) < 1/4"),
         ("m >= 3", "m^2 >= 16"),
+        ("a*b > 0", "b/a > 1"),
+        ("a*b > 0", "a/b^2 > 0"),
     ] {
         expect("not-bounded", &lines(assumed, statement), False);
     }

@@ -268,8 +268,24 @@ fn replayed(proofs: &[Proof], domain: &Domain<'_>) -> Result<Vec<String>, Certif
     Ok(steps)
 }
 
-/// The sign of a fraction from the signs of its parts, with the proofs.
+/// The largest product of numerator and denominator that is examined, in products of terms.
+const MAX_PRODUCT: usize = 200;
+
+/// The sign of a fraction, with the proofs: from the signs of its parts, or else from that of the product of numerator
+/// and denominator, which is the same wherever there is a fraction.
 fn sign_of_fraction(value: &Fraction, domain: &Domain<'_>) -> Option<(Sign, Vec<Proof>)> {
+    if let Some(found) = sign_of_parts(value, domain) {
+        return Some(found);
+    }
+    let (above, below) = (value.numerator(), value.denominator());
+    if below.as_constant().is_some() || above.len() * below.len() > MAX_PRODUCT {
+        return None;
+    }
+    let (sign, proof) = proof(&(above * &below), domain)?;
+    Some((sign, vec![proof]))
+}
+
+fn sign_of_parts(value: &Fraction, domain: &Domain<'_>) -> Option<(Sign, Vec<Proof>)> {
     let (above, first) = proof(value.numerator(), domain)?;
     let (mut negative, mut proofs) = (false, vec![first]);
     for (factor, exponent) in value.denominator_factors() {
