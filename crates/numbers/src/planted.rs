@@ -13,6 +13,8 @@ pub enum Planted {
     ConditionDropped,
     /// An assumption is used with the wrong sign.
     AssumptionReversed,
+    /// What is assumed of one symbol bounds it on the wrong side.
+    BoundReversed,
     /// A multiple of an assumption enters a certificate of sign with the wrong sign.
     CertificateSign,
     /// Zero or more is taken for more than zero.

@@ -43,7 +43,7 @@ pub struct Effort {
 /// What every verdict has to pass before it is shown.
 pub const ALWAYS: Effort = Effort {
     points: 20,
-    budget: 300_000,
+    budget: 400_000,
     beyond: 100_000,
     polynomials: 0,
     seed: "",

@@ -127,12 +127,13 @@ fn a_certificate_that_was_tampered_with_is_rejected() {
 fn multipliers_and_factors_that_may_be_negative_are_rejected() {
     let declarations = declarations();
     let mut domain = Domain::new(&declarations);
+    let assumed = &x() + &y();
     domain.constraints.push(Constraint {
-        value: y().into(),
+        value: assumed.clone().into(),
         relation: Relation::Greater,
     });
-    // y + x > 0 where y > 0.
-    let sum = &x() + &y();
+    // 2x + y > 0 where x + y > 0.
+    let sum = &x() + &assumed;
     let good = prove(&sum, &domain).unwrap();
     assert_eq!(check(&sum, &domain, &good), Ok(()));
     assert!(good.strict && good.rests_on_assumptions());
@@ -141,7 +142,7 @@ fn multipliers_and_factors_that_may_be_negative_are_rejected() {
         ..domain.clone()
     };
     assert!(check(&sum, &none, &good).is_err());
-    // -y = (-1) y, -y/2 = (-1/2) y: the multipliers are negative.
+    // -c = (-1) c, -c/2 = (-1/2) c: the multipliers are negative.
     for multiplier in [integer(-1), ratio(-1, 2).unwrap()] {
         let mut bad = prove(&number(0), &domain).unwrap();
         bad.multipliers = vec![(0, multiplier.clone())];
@@ -149,7 +150,7 @@ fn multipliers_and_factors_that_may_be_negative_are_rejected() {
         for strict in [false, true] {
             bad.strict = strict;
             assert_eq!(
-                check(&y().scaled(&multiplier), &domain, &bad),
+                check(&assumed.scaled(&multiplier), &domain, &bad),
                 Err(CertificateError::Part { part: 0 })
             );
         }

@@ -84,6 +84,12 @@ const CASES: &[Case] = &[
     ),
     case(
         Planted::AssumptionReversed,
+        "assume = ['a + b >= 1']\nstates = 'a + b <= 1'",
+        False,
+        Caught::Net,
+    ),
+    case(
+        Planted::BoundReversed,
         "assume = ['a >= 1']\nstates = 'a <= 1'",
         False,
         Caught::Net,

@@ -118,10 +118,10 @@ fn suggested(interval: &Interval) -> Vec<Fraction> {
             let simplest = simplest.map(Fraction::from);
             ends.into_iter().chain(simplest).chain(inner).collect()
         }
-        (Some(a), None) => [(0, 1), (1, 1), (1, 2), (2, 1)]
+        (Some(a), None) => [(0, 1), (1, 1), (1, 2), (2, 1), (1, 10)]
             .map(|(n, d)| a.value.clone() + part(n, d))
             .to_vec(),
-        (None, Some(b)) => [(0, 1), (1, 1), (1, 2), (2, 1)]
+        (None, Some(b)) => [(0, 1), (1, 1), (1, 2), (2, 1), (1, 10)]
             .map(|(n, d)| b.value.clone() - part(n, d))
             .to_vec(),
         (None, None) => vec![],

@@ -2,6 +2,7 @@
 
 use crate::decide::interval::{Bound, Interval};
 use std::cmp::Ordering;
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::rational::integer;
 use torse_algebra::{Affine, Angle, Ball, Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
@@ -34,6 +35,7 @@ impl Constraint {
         }
         let relation = match slope.cmp(&integer(0)) {
             Ordering::Equal => return None,
+            Ordering::Greater if planted(Planted::BoundReversed) => self.relation.mirrored(),
             Ordering::Less => self.relation.mirrored(),
             Ordering::Greater => self.relation,
         };

@@ -166,27 +166,26 @@ fn residues(expr: &Expr, evaluator: &Evaluator<'_>) -> Option<Vec<u64>> {
 
 /// What an entry may have been: with the other sign, with one of the names as a factor more or less.
 fn slipped(entry: &Expr, names: &BTreeSet<&str>) -> Vec<Expr> {
-    let mut slips = vec![match &entry.node {
-        Node::Negative(inner) => (**inner).clone(),
-        _ => Expr::made(Node::Negative(Arc::new(entry.clone()))),
-    }];
+    let mut slips = vec![negated(entry)];
     for name in names {
-        slips.push(with_factor(entry, name));
+        let factor = Arc::new(Expr::name(name));
+        let more = Node::Binary(Operator::Multiply, Arc::new(entry.clone()), factor);
+        slips.push(Expr::made(more));
         slips.extend(without_factor(entry, name));
     }
     slips
 }
 
-/// `-80*k` for `-80`.
-fn with_factor(entry: &Expr, name: &str) -> Expr {
-    let node = match &entry.node {
-        Node::Negative(inner) => Node::Negative(Arc::new(with_factor(inner, name))),
-        _ => {
-            let factor = Arc::new(Expr::name(name));
-            Node::Binary(Operator::Multiply, Arc::new(entry.clone()), factor)
+/// `-8*k` for `8*k`.
+fn negated(entry: &Expr) -> Expr {
+    match &entry.node {
+        Node::Negative(inner) => (**inner).clone(),
+        Node::Binary(Operator::Multiply, a, b) => {
+            let first = Arc::new(negated(a));
+            Expr::made(Node::Binary(Operator::Multiply, first, Arc::clone(b)))
         }
-    };
-    Expr::made(node)
+        _ => Expr::made(Node::Negative(Arc::new(entry.clone()))),
+    }
 }
 
 /// `-5` for `-5*k`.
