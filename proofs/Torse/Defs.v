@@ -31,9 +31,9 @@ Definition cross (u v : list R) : list R :=
    entry u 3 * entry v 1 - entry u 1 * entry v 3;
    entry u 1 * entry v 2 - entry u 2 * entry v 1].
 
-(* the sum of vectors of n numbers *)
+(* the sum of vectors of n numbers, entry by entry *)
 Definition vsum (n : nat) (low high : Z) (f : Z -> list R) : list R :=
-  fold_right vadd (zeros n) (map f (range low high)).
+  map (fun i => sum low high (fun k => nth i (f k) 0)) (seq 0 n).
 
 (* ---- matrices ---- *)
 
