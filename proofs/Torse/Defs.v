@@ -102,9 +102,6 @@ Fixpoint falling (n : R) (j : nat) : R :=
 Definition binom (n : R) (j : Z) : R := if (0 <=? j)%Z then falling n (Z.to_nat j) else 0.
 Definition factorial (n : Z) : R := INR (fact (Z.to_nat n)).
 
-(* the coefficient of a variable in a form that is linear in it *)
-Definition slope (f : R -> R) : R := f 1 - f 0.
-
 (* the derivative of a vector of n numbers, entry by entry *)
 Definition vDerive (n : nat) (f : R -> list R) (order : nat) (x : R) : list R :=
   map (fun i => Derive_n (fun t => nth i (f t) 0) order x) (seq 0 n).

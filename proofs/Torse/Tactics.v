@@ -12,7 +12,7 @@ Ltac whole t := eval cbv beta iota zeta delta
    map fold_right seq repeat nth firstn skipn app hd tl length pred negb andb Nat.even Nat.eqb Nat.add Nat.sub Nat.mul fact
    Z.to_nat Z.of_nat Z.add Z.sub Z.mul Z.opp Z.leb Z.eqb Z.compare Z.pos_sub Z.double Z.succ_double Z.pred_double
    Pos.add Pos.succ Pos.mul Pos.compare Pos.compare_cont Pos.eqb Pos.pred_double Pos.to_nat Pos.iter_op Pos.of_succ_nat
-   Pos.add_carry CompOpp slope powerRZ pow INR] in t.
+   Pos.add_carry CompOpp powerRZ pow INR] in t.
 Ltac compute_goal := match goal with |- ?g => let h := whole g in change h end.
 Ltac compute_in H := let T := type of H in let U := whole T in change U in H.
 
@@ -20,7 +20,7 @@ Ltac compute_in H := let T := type of H in let U := whole T in change U in H.
 Ltac lists := cbv beta iota zeta delta
   [vsum vadd vsub vopp vscale vdiv zip zeros entry dot norm cross mzeros mzip madd msub mopp mscale mdiv row
    mvec transpose mmul identity drop expansion det cofactor inverse solve vDerive
-   map fold_right seq repeat nth firstn skipn app hd tl length pred negb Nat.even Nat.eqb Nat.add Nat.sub slope].
+   map fold_right seq repeat nth firstn skipn app hd tl length pred negb Nat.even Nat.eqb Nat.add Nat.sub].
 Ltac closed_integer a := let v := eval vm_compute in a in
   lazymatch v with Z0 => idtac | Zpos _ => idtac | Zneg _ => idtac end.
 Ltac closed_parts := repeat match goal with
@@ -314,7 +314,7 @@ Ltac unities := first
   [ operators; apply pw_const; [ring|intro; unfold seed3; ring] ].
 Ltac mirrored := apply basis_mirror;
   [ reflexivity | cbn [length]; lia
-  | intros i Hi; cbn [length] in *; destruct i as [|[|[|i]]]; cbn [nth Nat.sub]; try lia; atoms; equal
+  | let i := fresh in intros i ?; cbn [length] in *; destruct i as [|[|[|i]]]; cbn [nth Nat.sub]; try lia; atoms; equal
   | cbn [length]; lia ].
 (* functions of the basis at the ends *)
 Ltac corners := repeat first
@@ -326,7 +326,19 @@ Ltac corners := repeat first
 Ltac rewritten := repeat match goal with
   | H : ?P ?a = _ |- context [?P ?a] => is_var P; lazymatch type of P with Z -> R => idtac end; rewrite H
   end.
+Ltac mirrored' :=
+  repeat match goal with |- context [1 - (1 - ?x)] => replace (1 - (1 - x)) with x by ring end;
+  first [ mirrored | symmetry; mirrored ].
 Ltac settle := corners; ends; special; tidied; maxes; members; rewritten; numbers; circles; roots; equal.
+Ltac signs := repeat match goal with
+  | H : 0 <= ?x <= 1 |- context [sin (PI / 2 * ?x)] =>
+      lazymatch goal with _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail | _ => pose proof (quarter_sine x H); pose proof (quarter_cosine x H) end
+  | H : 0 <= ?x <= 1 |- context [cos (PI / 2 * ?x)] =>
+      lazymatch goal with _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail | _ => pose proof (quarter_sine x H); pose proof (quarter_cosine x H) end
+  end.
+(* functions of a basis with seeds and step that are not negative *)
+Ltac nonnegative := apply basis_nonneg; [ lra | lra |
+  let i := fresh in intro i; signs; do 5 (destruct i as [|i]; cbn [nth]; [circles; nra|]); destruct i; cbn [nth]; lra ].
 Ltac corner := first
   [ rewrite basis_at0; compute_goal; special; equal
   | rewrite basis_at1 by (cbn [length]; lia); match goal with |- context [fam _ _ _ O ?i] => let v := place i in replace i with v by (cbn [length]; lia) end;
@@ -334,7 +346,7 @@ Ltac corner := first
 Ltac symbolic1 := lazymatch goal with
   | |- context [Derive_n _ _ _] => derivatives; operators; settle
   | |- context [sum _ _ _] => first [ unities | operators; settle ]
-  | _ => first [ corner | recursion | mirrored | settle ]
+  | _ => first [ corner | recursion | mirrored | settle | mirrored' | nonnegative ]
   end.
 Ltac symbolic := computed; intros; equations; substituted; divisors; parts; closed_parts; symbolic1.
 
@@ -400,10 +412,16 @@ Ltac premises H := repeat match type of H with
       let K := fresh in assert (K : A) by discharge; specialize (H K); clear K end
   | let _ := _ in _ => cbv zeta in H
   end.
+(* an absolute value that is too large *)
+Ltac far C := revert C; apply Rlt_not_le; match goal with |- _ < Rabs ?v => first
+  [ apply Rlt_le_trans with v; [numeric|apply Rle_abs]
+  | rewrite <- Rabs_Ropp; apply Rlt_le_trans with (- v); [numeric|apply Rle_abs] ] end.
 Ltac contradiction_in C := lazymatch type of C with
   | _ /\ _ => let A := fresh in let B := fresh in destruct C as [A B]; first [contradiction_in A | contradiction_in B]
   | _ :: _ = _ :: _ => injection C; clear C; intros;
       match goal with H : _ = _ |- False => contradiction_in H end
+  | agrees_up _ _ _ => destruct C as [C|[C D]]; [far C | first [contradiction_in C | contradiction_in D]]
+  | agrees_down _ _ _ => destruct C as [C|[C D]]; [far C | first [contradiction_in C | contradiction_in D]]
   | ?a = ?b => first
       [ revert C; change (a <> b); numeric
       | revert C; roots; intro C; pose proof PI_RGT_0; first [lra | nra] ]
@@ -418,14 +436,10 @@ Ltac refuting H0 :=
 Ltac met := cbv beta zeta; discharge.
 
 (* ---- order ---- *)
-Ltac signs := repeat match goal with
-  | H : 0 <= ?x <= 1 |- context [sin (PI / 2 * ?x)] =>
-      lazymatch goal with _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail | _ => pose proof (quarter_sine x H); pose proof (quarter_cosine x H) end
-  | H : 0 <= ?x <= 1 |- context [cos (PI / 2 * ?x)] =>
-      lazymatch goal with _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail | _ => pose proof (quarter_sine x H); pose proof (quarter_cosine x H) end
-  end.
 Ltac order1 := lazymatch goal with
   | |- _ = _ => atoms; equal
+  | |- 0 <= basis _ _ _ _ _ => nonnegative
+  | |- basis _ _ _ _ _ >= 0 => apply Rle_ge; nonnegative
   | _ => special; first [ numeric | lra | facts; signs; circles; roots; pose proof PI_RGT_0; first [lra | nra] ]
   end.
 Ltac rounded := cbv beta delta [agrees_up agrees_down]; special; first

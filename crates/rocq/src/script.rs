@@ -5,7 +5,7 @@
 //! | identity | `identity` | computes sums, bases and matrices, derivatives and special angles; then `field`, modulo s^2 + c^2 = 1 |
 //! | `given` equations | `prepared`, `unknown` | the same in the equations, which are solved for the unknowns one after the other |
 //! | induction | `symbolic` | reads a curve of symbolic degree as ((1 - x) + x E)^n of its seeds: end values, recursion, unity |
-//! | inequality, enclosure | `ordered` | linear and polynomial arithmetic on what is known |
+//! | inequality, enclosure | `ordered` | enclosures of closed numbers by rational arithmetic; linear and polynomial arithmetic |
 //! | witness | `refuting` | the statement at the witness, which computes to something false |
 //!
 //! Every theorem with premises has a second one, `met`: values at which all premises are true.
