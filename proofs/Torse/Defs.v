@@ -31,9 +31,9 @@ Definition cross (u v : list R) : list R :=
    entry u 3 * entry v 1 - entry u 1 * entry v 3;
    entry u 1 * entry v 2 - entry u 2 * entry v 1].
 
-(* the sum of vectors of n numbers *)
+(* the sum of vectors of n numbers, entry by entry *)
 Definition vsum (n : nat) (low high : Z) (f : Z -> list R) : list R :=
-  fold_right vadd (zeros n) (map f (range low high)).
+  map (fun i => sum low high (fun k => nth i (f k) 0)) (seq 0 n).
 
 (* ---- matrices ---- *)
 
@@ -101,9 +101,6 @@ Fixpoint falling (n : R) (j : nat) : R :=
   match j with O => 1 | S j => falling n j * (n - INR j) / INR (S j) end.
 Definition binom (n : R) (j : Z) : R := if (0 <=? j)%Z then falling n (Z.to_nat j) else 0.
 Definition factorial (n : Z) : R := INR (fact (Z.to_nat n)).
-
-(* the coefficient of a variable in a form that is linear in it *)
-Definition slope (f : R -> R) : R := f 1 - f 0.
 
 (* the derivative of a vector of n numbers, entry by entry *)
 Definition vDerive (n : nat) (f : R -> list R) (order : nat) (x : R) : list R :=

@@ -166,9 +166,9 @@ Theorem derive_as f e n x : (forall t, f t = ev e t) -> ok e x -> Derive_n f n x
 Proof. intros E H. rewrite (Derive_n_ext f (ev e) n x E). apply derive_ex, H. Qed.
 
 (* an equation that is linear in an unknown *)
-Lemma solved (F : R -> R) x : F x = 0 -> F x = F 0 + x * (F 1 - F 0) -> F 1 - F 0 <> 0 -> x = - F 0 / (F 1 - F 0).
+Lemma solved (F : R -> R) x n d : F x = 0 -> F x = n + x * d -> d <> 0 -> x = - n / d.
 Proof.
-  intros H1 H2 H3. rewrite H1 in H2. apply (Rmult_eq_reg_r (F 1 - F 0)); [|exact H3].
+  intros H1 H2 H3. rewrite H1 in H2. apply (Rmult_eq_reg_r d); [|exact H3].
   unfold Rdiv. rewrite Rmult_assoc, Rinv_l by exact H3. lra.
 Qed.
 
@@ -183,3 +183,63 @@ Lemma cos_pi4 : cos (PI/4) = sqrt 2 / 2.
 Proof. rewrite cos_PI4, <- sin_PI4. apply sin_pi4. Qed.
 Lemma square_sum t : sin t ^ 2 + cos t ^ 2 = 1.
 Proof. pose proof (sin2_cos2 t) as E. unfold Rsqr in E. simpl. lra. Qed.
+Lemma circle_rule s c : s ^ 2 + c ^ 2 = 1 -> c ^ 2 = 1 - s ^ 2.
+Proof. intro; lra. Qed.
+Lemma square_root q : 0 <= q -> sqrt q ^ 2 = q.
+Proof. intro H. simpl. rewrite Rmult_1_r. apply sqrt_sqrt, H. Qed.
+Lemma sin_2PI3' : sin (PI - PI/3) = sqrt 3 / 2. Proof. rewrite sin_PI_x, sin_PI3. reflexivity. Qed.
+Lemma sin_3PI4' : sin (PI - PI/4) = sqrt 2 / 2. Proof. rewrite sin_PI_x. apply sin_pi4. Qed.
+Lemma sin_5PI6' : sin (PI - PI/6) = 1 / 2. Proof. rewrite sin_PI_x, sin_PI6. reflexivity. Qed.
+Lemma cos_PI_x' x : cos (PI - x) = - cos x. Proof. rewrite cos_minus, cos_PI, sin_PI. ring. Qed.
+Lemma sin_PI_x' x : sin (PI - x) = sin x. Proof. apply sin_PI_x. Qed.
+Lemma cos_2PI3' : cos (PI - PI/3) = - (1 / 2). Proof. rewrite cos_PI_x', cos_PI3. reflexivity. Qed.
+Lemma cos_3PI4' : cos (PI - PI/4) = - (sqrt 2 / 2). Proof. rewrite cos_PI_x', cos_pi4. reflexivity. Qed.
+Lemma cos_5PI6' : cos (PI - PI/6) = - (sqrt 3 / 2). Proof. rewrite cos_PI_x', cos_PI6. reflexivity. Qed.
+Lemma sin_mPI2 : sin (- (PI/2)) = -1. Proof. rewrite sin_neg, sin_PI2. reflexivity. Qed.
+Lemma cos_mPI2 : cos (- (PI/2)) = 0. Proof. rewrite cos_neg. apply cos_PI2. Qed.
+Lemma sin_mPI : sin (- PI) = 0. Proof. rewrite sin_neg, sin_PI. ring. Qed.
+Lemma cos_mPI : cos (- PI) = -1. Proof. rewrite cos_neg. apply cos_PI. Qed.
+Lemma sin_PI2_plus x : sin (PI/2 + x) = cos x. Proof. rewrite sin_plus, sin_PI2, cos_PI2. ring. Qed.
+Lemma cos_PI2_plus x : cos (PI/2 + x) = - sin x. Proof. rewrite cos_plus, sin_PI2, cos_PI2. ring. Qed.
+Lemma sin_2PI_minus x : sin (2*PI - x) = - sin x. Proof. rewrite sin_minus, sin_2PI, cos_2PI. ring. Qed.
+Lemma cos_2PI_minus x : cos (2*PI - x) = cos x. Proof. rewrite cos_minus, sin_2PI, cos_2PI. ring. Qed.
+Lemma quarter_sine x : 0 <= x <= 1 -> 0 <= sin (PI / 2 * x) <= 1.
+Proof. intro H. pose proof PI_RGT_0. split; [apply sin_ge_0; nra|apply SIN_bound]. Qed.
+Lemma quarter_cosine x : 0 <= x <= 1 -> 0 <= cos (PI / 2 * x) <= 1.
+Proof. intro H. pose proof PI_RGT_0. split; [apply cos_ge_0; nra|apply COS_bound]. Qed.
+
+(* ---- what is not zero ---- *)
+Lemma factors a b : a * b <> 0 -> a <> 0 /\ b <> 0.
+Proof. intro H. split; intro E; apply H; rewrite E; ring. Qed.
+Lemma product a b : a <> 0 /\ b <> 0 -> a * b <> 0.
+Proof. intros [H1 H2] E. apply Rmult_integral in E. tauto. Qed.
+Lemma quotient a b : a / b <> 0 -> a <> 0.
+Proof. intros H E. apply H. rewrite E. unfold Rdiv. ring. Qed.
+Lemma power_base a n : a ^ S n <> 0 -> a <> 0.
+Proof. intros H E. apply H. rewrite E. cbn. ring. Qed.
+Lemma opposite a : - a <> 0 -> a <> 0.
+Proof. intros H E. apply H. rewrite E. ring. Qed.
+Lemma near_nonzero f e x : (forall t, f t = ev e t) -> ok e x -> ev e x <> 0 -> locally x (fun t => f t <> 0).
+Proof.
+  intros E H N. apply (filter_imp (ok (Iv e))).
+  - intros t [_ Ht]. rewrite E. exact Ht.
+  - apply ok_open. split; assumption.
+Qed.
+
+(* the mark of a number that equations determine *)
+Definition unknown_value (x : R) : Prop := True.
+
+
+(* ---- the ends of the interval ---- *)
+Lemma fam_at0 ss n : forall i, fam (1 - 0) 0 ss n i = fam (1 - 0) 0 ss 0 i.
+Proof. induction n as [|n IH]; intro i; [reflexivity|]. cbn [fam]. rewrite IH. cbn [fam]. ring. Qed.
+Lemma fam_at1 ss n : forall i, fam (1 - 1) 1 ss n i = fam (1 - 1) 1 ss 0 (i - Z.of_nat n).
+Proof.
+  induction n as [|n IH]; intro i; [cbn [fam]; rewrite Z.sub_0_r; reflexivity|].
+  cbn [fam]. rewrite (IH i), (IH (i - 1)%Z). replace (i - Z.of_nat (S n))%Z with (i - 1 - Z.of_nat n)%Z by lia. cbn [fam]. ring.
+Qed.
+Lemma basis_at0 ss i k : basis (1 - 0) 0 ss i k = fam (1 - 0) 0 ss 0 i.
+Proof. apply fam_at0. Qed.
+Lemma basis_at1 ss i k : (Z.of_nat (length ss) - 1 <= k)%Z ->
+  basis (1 - 1) 1 ss i k = fam (1 - 1) 1 ss 0 (i - (k - (Z.of_nat (length ss) - 1))).
+Proof. intro H. unfold basis. rewrite fam_at1. f_equal. lia. Qed.

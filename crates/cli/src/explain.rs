@@ -2,6 +2,7 @@
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
+use crate::kernel::Proofs;
 use crate::mistakes::Mistakes;
 use crate::run::{Budget, Run};
 use crate::{guard, selection, terminal};
@@ -30,10 +31,15 @@ pub struct Explain {
     #[arg(long, value_name = "CHARACTERS", default_value_t = 2000)]
     longest: usize,
     #[command(flatten)]
+    proofs: Proofs,
+    #[command(flatten)]
     budget: Budget,
     #[command(flatten)]
     derivations: Derivations,
 }
+
+/// What the level *kernel* means.
+const ACCEPTED: &str = "accepted: Rocq has proofs of the statements of this verdict (`torse prove --check` asks it again).";
 
 const EXAMPLES: &str = "\
 Examples:
@@ -53,17 +59,25 @@ impl Explain {
         }
         let paper = selection::select_one(&papers, &self.name)?;
         let run = Run::of(std::slice::from_ref(&paper), self.budget, &mut mistakes);
+        let kernel = self.proofs.accepted(std::slice::from_ref(&paper), &run);
         for paper in &run.papers {
             for outcome in &paper.claims {
                 let resting = Resting::on(outcome, &papers, self.budget, &mut mistakes);
                 guard::finished();
-                terminal::print(&self.note(paper, outcome, resting))?;
+                let kernel = kernel.contains(&outcome.id);
+                terminal::print(&self.note(paper, outcome, resting, kernel))?;
             }
         }
         Ok(mistakes.tell(Exit::AsExpected))
     }
 
-    fn note(&self, paper: &PaperOutcome, outcome: &Outcome, resting: Resting) -> String {
+    fn note(
+        &self,
+        paper: &PaperOutcome,
+        outcome: &Outcome,
+        resting: Resting,
+        kernel: bool,
+    ) -> String {
         let mut note = Note::default();
         note.add("paper", &format!("{}, {}", paper.title, paper.venue));
         note.add("where", &outcome.at);
@@ -80,6 +94,7 @@ impl Explain {
             "evidence",
             words::evidence_on(outcome).map(|of| format!("{}. {}", of.label, of.meaning)),
         );
+        note.option("kernel", kernel.then_some(ACCEPTED));
         let condition = match outcome.evidence {
             Some(_) => "on condition",
             None => "condition",

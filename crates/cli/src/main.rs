@@ -13,6 +13,7 @@ mod explain;
 mod figures;
 mod format;
 mod guard;
+mod kernel;
 mod mistakes;
 mod prove;
 mod recheck;

@@ -110,11 +110,11 @@ impl Prove {
         Ok(write_file(&path, text.as_bytes())?)
     }
 
-    /// The theorems whose scripts are known to fail.
-    fn unproved(&self) -> Result<BTreeSet<String>, Failure> {
+    /// The theorems whose scripts are known to fail, and why.
+    fn unproved(&self) -> Result<BTreeMap<String, String>, Failure> {
         let path = self.out.join(UNPROVED);
         let Ok(text) = std::fs::read_to_string(&path) else {
-            return Ok(BTreeSet::new());
+            return Ok(BTreeMap::new());
         };
         let read = serde_json::from_str(&text);
         read.map_err(|error| Failure::ReadProofs {
@@ -128,9 +128,9 @@ impl Prove {
         &self,
         coqc: &Coqc,
         findings: &[(String, Vec<Finding<'_>>)],
-        known: &BTreeSet<String>,
-    ) -> Result<BTreeSet<String>, Failure> {
-        let all = Folder::new(findings, &BTreeSet::new());
+        known: &BTreeMap<String, String>,
+    ) -> Result<BTreeMap<String, String>, Failure> {
+        let all = Folder::new(findings, &BTreeMap::new());
         let scratch = scratch()?;
         let progress = Progress::new("trying", all.sections().len());
         let seconds = self.attempt.unwrap_or(20);
@@ -140,11 +140,15 @@ impl Prove {
         });
         progress.finish();
         let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
-        let others = known.iter().filter(|name| !own.contains(*name)).cloned();
+        let others = known.iter().filter(|(name, _)| !own.contains(*name));
         let selected = !self.names.is_empty();
         Ok(failing?
             .into_iter()
-            .chain(others.filter(|_| selected))
+            .chain(
+                others
+                    .filter(|_| selected)
+                    .map(|(name, why)| (name.clone(), why.clone())),
+            )
             .collect())
     }
 
@@ -201,6 +205,7 @@ impl Prove {
             axioms: axioms.clone(),
             theorems: accepted,
         };
+        let fresh = self.with_others(fresh, folder);
         text.push_str(self.compared(&fresh));
         self.write(ACCEPTED, &json(&fresh))?;
         let exit = match bad + open + foreign.len() {
@@ -208,6 +213,25 @@ impl Prove {
             _ => Exit::Contradiction,
         };
         Ok((text, exit))
+    }
+
+    /// What was accepted before, of claims that were not asked for now.
+    fn with_others(&self, mut fresh: Accepted, folder: &Folder) -> Accepted {
+        let old = match self.names.is_empty() {
+            true => None,
+            false => Accepted::read(&self.out).filter(|old| old.coq == fresh.coq),
+        };
+        let asked: BTreeSet<String> = folder.theorems.iter().map(Theorem::name).collect();
+        if let Some(old) = old {
+            let others = old.theorems.into_iter();
+            fresh
+                .theorems
+                .extend(others.filter(|(name, _)| !asked.contains(name)));
+            fresh.axioms.extend(old.axioms);
+            fresh.axioms.sort();
+            fresh.axioms.dedup();
+        }
+        fresh
     }
 
     /// What the kept answers have to do with the fresh ones.
@@ -238,7 +262,7 @@ fn json(value: &impl serde::Serialize) -> String {
 }
 
 /// The findings of all claims and readings that have outcomes, paper by paper.
-fn findings<'c>(papers: &'c [Paper], run: &Run) -> Vec<(String, Vec<Finding<'c>>)> {
+pub fn findings<'c>(papers: &'c [Paper], run: &Run) -> Vec<(String, Vec<Finding<'c>>)> {
     let outcomes: BTreeMap<&str, &Outcome> = run.outcomes().map(|o| (o.id.as_str(), o)).collect();
     let of = |paper: &'c Paper| {
         let mut found = vec![];

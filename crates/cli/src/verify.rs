@@ -4,11 +4,13 @@ use crate::against::{self, Verdicts};
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::format::Format;
+use crate::kernel::Proofs;
 use crate::run::{Budget, Run};
 use crate::{figures, guard, terminal, verdicts};
 use clap::Args;
 use std::path::PathBuf;
-use torse_report::{ReportError, verdicts_json};
+use torse_language::derivation::Paper;
+use torse_report::{ReportError, verdicts_json_with_kernel};
 
 /// Decide claims and show their verdicts.
 ///
@@ -33,6 +35,8 @@ pub struct Verify {
     /// List the ten slowest claims on standard error
     #[arg(long)]
     timings: bool,
+    #[command(flatten)]
+    proofs: Proofs,
     #[command(flatten)]
     budget: Budget,
     #[command(flatten)]
@@ -61,11 +65,11 @@ impl Verify {
             terminal::print(&match self.format {
                 Format::Text if before.is_some() => String::new(),
                 Format::Text => verdicts::text(&run.papers),
-                Format::Json => verdicts_json(run.outcomes())?,
+                Format::Json => self.json(&papers, &run)?,
             })?;
         }
         if let Some(before) = before {
-            let now = Verdicts::parse(&verdicts_json(run.outcomes())?);
+            let now = Verdicts::parse(&self.json(&papers, &run)?);
             let now = now.map_err(ReportError::from)?;
             let found = against::differences(&before.named(&self.names), &now);
             match self.format {
@@ -80,6 +84,10 @@ impl Verify {
             terminal::remark(&slowest(&run));
         }
         Ok(mistakes.tell(exit))
+    }
+
+    fn json(&self, papers: &[Paper], run: &Run) -> Result<String, ReportError> {
+        verdicts_json_with_kernel(run.outcomes(), &self.proofs.accepted(papers, run))
     }
 }
 

@@ -7,6 +7,7 @@
 use crate::tally::{Remarks, Tally};
 use crate::{ReportError, words};
 use serde::{Serialize, Serializer, ser::SerializeMap};
+use std::collections::BTreeSet;
 use torse_language::notation::Formula;
 use torse_prove::evidence::Witness;
 use torse_verdicts::outcome::{Net, Outcome, Role, SaidBy};
@@ -41,7 +42,24 @@ use torse_verdicts::outcome::{Net, Outcome, Role, SaidBy};
 pub fn verdicts_json<'a>(
     outcomes: impl IntoIterator<Item = &'a Outcome>,
 ) -> Result<String, ReportError> {
+    verdicts_json_with_kernel(outcomes, &BTreeSet::new())
+}
+
+/// The same with the claims, by their ids, whose verdicts have proofs that the kernel of the proof assistant accepted: they
+/// have the field `kernel`, which says `accepted`.
+///
+/// # Errors
+///
+/// As [`verdicts_json`].
+pub fn verdicts_json_with_kernel<'a>(
+    outcomes: impl IntoIterator<Item = &'a Outcome>,
+    accepted: &BTreeSet<String>,
+) -> Result<String, ReportError> {
     let outcomes: Vec<&Outcome> = outcomes.into_iter().collect();
+    let entry = |outcome: &'a Outcome| Entry {
+        kernel: accepted.contains(&outcome.id).then_some("accepted"),
+        ..Entry::from(outcome)
+    };
     let tally = Tally::new(outcomes.iter().copied());
     let list = List {
         totals: Totals {
@@ -55,7 +73,7 @@ pub fn verdicts_json<'a>(
             ),
             remarks: tally.remarks,
         },
-        claims: outcomes.into_iter().map(Entry::from).collect(),
+        claims: outcomes.into_iter().map(entry).collect(),
     };
     let mut text = serde_json::to_string_pretty(&list)?;
     text.push('\n');
@@ -94,6 +112,8 @@ struct Entry<'a> {
     kind: &'static str,
     verdict: &'static str,
     evidence: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kernel: Option<&'static str>,
     part_of: Option<&'a str>,
     printed: &'a str,
     reading: Option<&'a str>,
@@ -169,6 +189,7 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
             kind: words::kind(outcome.kind).key,
             verdict: words::verdict(outcome.verdict).key,
             evidence: outcome.evidence.map(|of| words::evidence(of).key),
+            kernel: None,
             part_of: outcome.part_of.as_deref(),
             printed: &outcome.printed,
             reading: outcome.reading.as_deref(),

@@ -37,7 +37,7 @@ pub use figure::{FigureImage, Image};
 pub use findings::Finding;
 pub use gallery::gallery;
 pub use html::html_page;
-pub use json::verdicts_json;
+pub use json::{verdicts_json, verdicts_json_with_kernel};
 pub use rests::{Rests, rests};
 pub use tally::{Remarks, Row, Tally};
 pub use text::{counted, plain};

@@ -26,7 +26,8 @@ pub fn section(at: &str) -> String {
         }
     }
     match at.split(|c: char| !c.is_ascii_alphabetic()).next() {
-        Some(word) if !word.is_empty() => camel(word),
+        // No word of the language is the name of a file.
+        Some(word) if !word.is_empty() => format!("Part_{}", camel(word)),
         _ => "Other".to_owned(),
     }
 }
@@ -92,7 +93,7 @@ pub fn statement(goal: &Goal) -> String {
 #[must_use]
 pub fn proofs(folder: &str, section: &str, goals: &[&Goal]) -> String {
     let mut text = format!(
-        "{}\nFrom Torse Require Import Defs Series Theory Tactics.\nFrom {folder} Require {section}.\nOpen Scope R_scope.\n",
+        "{}\nFrom Torse Require Import Defs Series Theory Bounds Tactics.\nFrom {folder} Require {section}.\nOpen Scope R_scope.\n",
         comment("Proofs: nothing here has to be read.")
     );
     for goal in goals {
@@ -109,7 +110,7 @@ mod tests {
     fn places_name_their_sections() {
         assert_eq!(section("Sect. 5.1, eq. (5.3), first line"), "Section_5_1");
         assert_eq!(section("eq. (3.11), Sect. 3.4."), "Section_3_4");
-        assert_eq!(section("Abstract, last sentence"), "Abstract");
+        assert_eq!(section("Abstract, last sentence"), "Part_Abstract");
         assert_eq!(section("3"), "Other");
     }
 

@@ -87,6 +87,8 @@ pub struct Context<'a> {
     definitions: Vec<(String, String)>,
     /// How many bytes were written.
     bytes: usize,
+    /// Whether coefficients of forms occur.
+    coefficients: bool,
 }
 
 impl<'a> Context<'a> {
@@ -107,6 +109,7 @@ impl<'a> Context<'a> {
             texts: BTreeMap::new(),
             definitions: vec![],
             bytes: 0,
+            coefficients: false,
         }
     }
 
@@ -114,6 +117,17 @@ impl<'a> Context<'a> {
     #[must_use]
     pub fn definitions(&self) -> &[(String, String)] {
         &self.definitions
+    }
+
+    /// Coefficients of forms occur.
+    pub fn takes_coefficients(&mut self) {
+        self.coefficients = true;
+    }
+
+    /// Whether coefficients of forms occur.
+    #[must_use]
+    pub fn has_coefficients(&self) -> bool {
+        self.coefficients
     }
 
     /// The name of a symbol.

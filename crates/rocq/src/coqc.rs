@@ -1,7 +1,7 @@
 //! Running `coqc`, with limits of time and memory, on a scratch copy of a folder of proofs.
 
 use crate::digest::digest;
-use crate::folder::{Folder, LIBRARY, Theorem};
+use crate::folder::{ACCEPTED, Folder, LIBRARY, Theorem};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{self, Read};
@@ -73,6 +73,21 @@ pub struct Accepted {
     pub axioms: Vec<String>,
     /// Names of theorems, with the digest of all that the answer depends on.
     pub theorems: BTreeMap<String, String>,
+}
+
+impl Accepted {
+    /// What a folder keeps; none where nothing is kept that can be read.
+    #[must_use]
+    pub fn read(folder: &Path) -> Option<Self> {
+        let text = std::fs::read_to_string(folder.join(ACCEPTED)).ok()?;
+        serde_json::from_str(&text).ok()
+    }
+
+    /// Whether a theorem was accepted as it is now.
+    #[must_use]
+    pub fn has(&self, theorem: &Theorem) -> bool {
+        self.theorems.get(&theorem.name()) == Some(&fingerprint(theorem, &self.coq))
+    }
 }
 
 /// The digest of a theorem: the version of the program, the library, the statement, the proof.

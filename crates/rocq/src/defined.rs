@@ -191,6 +191,25 @@ impl Context<'_> {
                     premises.add(integer_relation(format!("0 <= {}", argument.argument())));
                 }
             }
+            Node::Apply(BuiltIn::Coefficients, arguments) => {
+                // A form that is linear in a symbol is defined whatever the symbol is.
+                let [forms, unknowns] = arguments.as_slice() else {
+                    return Err(Gap::Construct("`coefficients` of what is no list"));
+                };
+                let found = self.gathered(forms, premises)?;
+                let mut names = std::collections::BTreeSet::new();
+                unknowns.declared_names(&mut |name| {
+                    names.insert(Arc::clone(name));
+                });
+                for name in names {
+                    let name = self.symbol(&name)?;
+                    if found.iter().any(|premise| mentions(premise.text(), name)) {
+                        return Err(Gap::Construct(
+                            "forms that divide by what they are forms in",
+                        ));
+                    }
+                }
+            }
             Node::Apply(BuiltIn::Inverse | BuiltIn::Solve, arguments) => {
                 if let Some(matrix) = arguments.first() {
                     let matrix = self.value(matrix)?;

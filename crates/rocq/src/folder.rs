@@ -7,7 +7,7 @@ use crate::task::{Evidence, Finding, Goal, Role, goals};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 4] = [
+pub const LIBRARY: [(&str, &str); 5] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -18,6 +18,10 @@ pub const LIBRARY: [(&str, &str); 4] = [
         include_str!("../../../proofs/Torse/Theory.v"),
     ),
     (
+        "Torse/Bounds.v",
+        include_str!("../../../proofs/Torse/Bounds.v"),
+    ),
+    (
         "Torse/Tactics.v",
         include_str!("../../../proofs/Torse/Tactics.v"),
     ),
@@ -26,14 +30,14 @@ pub const LIBRARY: [(&str, &str); 4] = [
 /// The page that says how to check and what to trust.
 pub const README: &str = include_str!("../../../proofs/README.md");
 
-/// The file with the theorems whose proof script is known not to find a proof.
+/// The file with the theorems whose proof script is known not to find a proof, and why.
 pub const UNPROVED: &str = "unproved.json";
 
 /// The file with the theorems that the kernel accepted.
 pub const ACCEPTED: &str = "accepted.json";
 
-/// Why no proof is written for a theorem that has a statement.
-pub const NO_SCRIPT: &str = "the tactics of the library find no proof";
+/// The file with the claims that have no statement, and why.
+pub const NOT_STATED: &str = "not-stated.json";
 
 /// A theorem of the folder.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -82,12 +86,14 @@ pub struct Folder {
     pub theorems: Vec<Theorem>,
     /// What has none.
     pub missing: Vec<Missing>,
+    /// The claims that have no statement, and why.
+    pub not_stated: BTreeMap<String, String>,
 }
 
 impl Folder {
     /// The folder for these papers. Theorems named in `unproved` get a statement and no proof.
     #[must_use]
-    pub fn new(papers: &[(String, Vec<Finding<'_>>)], unproved: &BTreeSet<String>) -> Self {
+    pub fn new(papers: &[(String, Vec<Finding<'_>>)], unproved: &BTreeMap<String, String>) -> Self {
         let mut folder = Self::default();
         for (path, text) in LIBRARY {
             folder.files.insert(path.to_owned(), text.to_owned());
@@ -104,6 +110,11 @@ impl Folder {
             }
         }
         folder.files.insert("Check.v".to_owned(), folder.check());
+        let reasons = serde_json::to_string_pretty(&folder.not_stated);
+        folder.files.insert(
+            NOT_STATED.to_owned(),
+            reasons.map_or_else(|_| String::new(), |text| text + "\n"),
+        );
         folder
             .files
             .insert("_CoqProject".to_owned(), folder.project(&prefixes));
@@ -130,7 +141,7 @@ impl Folder {
         slug: &str,
         prefix: &str,
         findings: &[Finding<'_>],
-        unproved: &BTreeSet<String>,
+        unproved: &BTreeMap<String, String>,
     ) {
         let mut sections: BTreeMap<String, Vec<Goal>> = BTreeMap::new();
         for finding in findings {
@@ -143,7 +154,10 @@ impl Folder {
                             .push(goal);
                     }
                 }
-                Err(gap) => self.lacks(&finding.id, finding.evidence, &gap),
+                Err(gap) => {
+                    self.not_stated.insert(finding.id.clone(), gap.to_string());
+                    self.lacks(&finding.id, finding.evidence, &gap);
+                }
             }
         }
         for (section, mut goals) in sections {
@@ -170,9 +184,9 @@ impl Folder {
                     says: chapter::statement(goal),
                     proof: crate::script::module(prefix, &section, goal),
                 };
-                if unproved.contains(&theorem.name()) {
+                if let Some(reason) = unproved.get(&theorem.name()) {
                     let (id, evidence) = (goal.id.clone(), Some(goal.evidence));
-                    let reason = NO_SCRIPT.to_owned();
+                    let reason = reason.clone();
                     self.missing.push(Missing {
                         id,
                         evidence,

@@ -5,7 +5,7 @@
 //! | identity | `identity` | computes sums, bases and matrices, derivatives and special angles; then `field`, modulo s^2 + c^2 = 1 |
 //! | `given` equations | `prepared`, `unknown` | the same in the equations, which are solved for the unknowns one after the other |
 //! | induction | `symbolic` | reads a curve of symbolic degree as ((1 - x) + x E)^n of its seeds: end values, recursion, unity |
-//! | inequality, enclosure | `ordered` | linear and polynomial arithmetic on what is known |
+//! | inequality, enclosure | `ordered` | enclosures of closed numbers by rational arithmetic; linear and polynomial arithmetic |
 //! | witness | `refuting` | the statement at the witness, which computes to something false |
 //!
 //! Every theorem with premises has a second one, `met`: values at which all premises are true.
@@ -55,9 +55,9 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
         .iter()
         .map(|unknown| format!("unknown {unknown}; "));
     let tactics = match goal.given {
-        0 => format!("{}; intros; {tactic}", open("statement")),
+        0 => format!("{}; {tactic}", open("statement")),
         _ => format!(
-            "{}; intros; prepared; {}finished",
+            "{}; prepared; {}finished",
             open("statement"),
             unknowns.collect::<String>()
         ),
@@ -151,7 +151,12 @@ fn point(goal: &Goal, choice: Choice) -> Vec<String> {
                     integers.insert(Arc::clone(&binder.symbol), value);
                     format!("({value})%Z")
                 }
-                Some(Set::Real(interval)) => within(interval, choice, count),
+                Some(Set::Real(interval)) => match binder.names.first() {
+                    Some(name) => {
+                        fixed(goal, name).unwrap_or_else(|| within(interval, choice, count))
+                    }
+                    None => within(interval, choice, count),
+                },
                 Some(Set::Family { ranges, .. }) => {
                     format!("(fun{} => {number})", " _".repeat(ranges.len().max(1)))
                 }
@@ -160,6 +165,19 @@ fn point(goal: &Goal, choice: Choice) -> Vec<String> {
         }
     }
     values
+}
+
+/// The closed number that a premise `name = number` says a symbol is.
+fn fixed(goal: &Goal, name: &str) -> Option<String> {
+    let premises = goal.proposition.premises.iter();
+    let mut values = premises.filter_map(|premise| {
+        let (left, right) = premise.text().split_once(" = ")?;
+        let words = right.split(|c: char| !c.is_ascii_alphanumeric() && c != '_' && c != '\'');
+        let mut names = words.filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()));
+        (left == name && names.all(|word| word == "PI" || word == "sqrt"))
+            .then(|| format!("({right})"))
+    });
+    values.next()
 }
 
 /// A number of an interval.

@@ -27,6 +27,8 @@ pub struct Proposition {
     pub conclusion: Code,
     /// The numbers that the `given` equations determine.
     pub unknowns: Vec<String>,
+    /// Whether coefficients of forms occur.
+    pub coefficients: bool,
 }
 
 /// A symbol that is bound.
@@ -75,8 +77,12 @@ pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Propositio
     for unknown in &claim.unknowns {
         unknowns.extend(numbers_of(&mut context, unknown, &binders)?);
     }
+    if context.has_coefficients() && !claim.unknowns.is_empty() {
+        return Err(Gap::Theory("coefficients along given equations"));
+    }
     let definitions = context.definitions().to_vec();
     Ok(Proposition {
+        coefficients: context.has_coefficients(),
         definitions,
         binders,
         premises: kept,
@@ -355,6 +361,7 @@ fn said(context: &mut Context<'_>, statement: &Statement, claim: &Claim) -> Resu
                 premises,
                 conclusion,
                 unknowns: vec![],
+                coefficients: false,
             };
             Ok(Code::new(
                 format!("~ ({})", whole.universal()),

@@ -158,6 +158,12 @@ fn goal(
                 .map_err(|f| unread(&f))?,
         );
     }
+    let proposition = proposition(&core, &added)?;
+    // That a form is linear is what its coefficients being equal to something without the symbol says; a refutation would
+    // have to show it besides.
+    if proposition.coefficients && role == Role::Refuted {
+        return Err(Gap::Theory("refutations of coefficients of forms"));
+    }
     let short = finding
         .id
         .split_once('/')
@@ -179,7 +185,7 @@ fn goal(
         states: torse_language::notation::text(&statement.expr),
         role,
         evidence,
-        proposition: proposition(&core, &added)?,
+        proposition,
         symbols: core.symbols.clone(),
         witness: finding.witness.clone(),
         given: core.unknowns.len(),

@@ -5,12 +5,20 @@
 
 use crate::coqc::{CheckError, Coqc, Limits, each_section, limited, prefixes, run};
 use crate::folder::Folder;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::Path;
 use std::time::Duration;
 
-/// The names of the theorems of a folder whose scripts fail, each tried for so many seconds. `done` is called once a section.
+/// The theorems that a module may have, and what it means that the script of one fails.
+const SCRIPTS: [(&str, &str); 3] = [
+    ("proved", "the tactics find no proof"),
+    ("refuted", "the tactics find no refutation"),
+    ("met", "no values are found that meet all premises"),
+];
+
+/// The names of the theorems of a folder whose scripts fail, each tried for so many seconds, with what fails. `done` is
+/// called once a section.
 ///
 /// # Errors
 /// [`CheckError`] if nothing can be run, and if the library is not accepted.
@@ -21,7 +29,7 @@ pub fn failing(
     seconds: u64,
     limits: Limits,
     done: &(dyn Fn() + Sync),
-) -> Result<BTreeSet<String>, CheckError> {
+) -> Result<BTreeMap<String, String>, CheckError> {
     coqc.prepare(folder, scratch, limits, &|| ())?;
     let of_section =
         |section: &str| section_failing(coqc, folder, section, scratch, seconds, limits);
@@ -36,9 +44,14 @@ fn section_failing(
     scratch: &Path,
     seconds: u64,
     limits: Limits,
-) -> Result<Vec<String>, CheckError> {
+) -> Result<Vec<(String, String)>, CheckError> {
     let theorems = folder.theorems_of(section);
-    let all = || theorems.iter().map(|t| t.name());
+    let all = || {
+        let words = |theorem: &&crate::folder::Theorem| {
+            (theorem.name(), "the statement is not accepted".to_owned())
+        };
+        theorems.iter().map(words)
+    };
     let statements = coqc.run(scratch, &format!("{section}.v"), limits)?;
     let Some((prefix, file)) = section
         .split_once('/')
@@ -47,7 +60,7 @@ fn section_failing(
         return Ok(all().collect());
     };
     let mut text = format!(
-        "From Torse Require Import Defs Series Theory Tactics.\nFrom {prefix} Require {file}.\nOpen Scope R_scope.\n"
+        "From Torse Require Import Defs Series Theory Bounds Tactics.\nFrom {prefix} Require {file}.\nOpen Scope R_scope.\n"
     );
     for (place, theorem) in theorems.iter().enumerate() {
         text.push_str(&format!(
@@ -77,10 +90,12 @@ fn section_failing(
         let part = mark(place)
             .and_then(|from| output.get(from..to))
             .unwrap_or("");
-        let names = ["proved\n     : ", "refuted\n     : ", "met\n     : "];
-        let found: usize = names.iter().map(|name| part.matches(name).count()).sum();
-        if found != theorem.proof.matches("Theorem ").count() {
-            failed.push(theorem.name());
+        let mut reasons = SCRIPTS.iter().filter(|(name, _)| {
+            theorem.proof.contains(&format!("Theorem {name} :"))
+                && !part.contains(&format!("{name}\n     : "))
+        });
+        if let Some((_, reason)) = reasons.next() {
+            failed.push((theorem.name(), (*reason).to_owned()));
         }
     }
     Ok(failed)

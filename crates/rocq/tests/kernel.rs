@@ -100,7 +100,7 @@ fn folder(claims: &[Claim], evidence: impl Fn(usize) -> Evidence) -> Folder {
         witness: vec![],
     };
     let findings = claims.iter().enumerate().map(finding).collect();
-    Folder::new(&[("p".to_owned(), findings)], &BTreeSet::new())
+    Folder::new(&[("p".to_owned(), findings)], &BTreeMap::new())
 }
 
 fn coqc() -> Option<Coqc> {
@@ -141,6 +141,7 @@ fn false_statements_are_rejected_with_the_scripts_of_the_true_ones() {
     let scratch = tempfile::tempdir().unwrap();
     let failing = trial::failing(&coqc, &folder, scratch.path(), 20, LIMITS, &|| ()).unwrap();
     let wanted: BTreeSet<String> = folder.theorems.iter().map(|t| t.name()).collect();
+    let failing: BTreeSet<String> = failing.into_keys().collect();
     assert_eq!(failing, wanted);
 }
 

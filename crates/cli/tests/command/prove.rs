@@ -134,6 +134,111 @@ fn a_stale_list_of_accepted_theorems_is_told_and_written_anew() {
     assert!(said.contains("accepted.json agrees"), "{said}");
 }
 
+/// Runs `torse verify --format json` with this folder of proofs.
+fn verified(derivations: &tempfile::TempDir, proofs: &str) -> String {
+    let path = derivations.path().to_str().unwrap();
+    let ran = torse(&[
+        "verify",
+        "--format",
+        "json",
+        "--derivations",
+        path,
+        "--proofs",
+        proofs,
+    ]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    ran.out
+}
+
+#[test]
+fn the_level_kernel_is_shown_from_the_kept_answers_while_they_fit() {
+    if !has_coqc() {
+        return;
+    }
+    let (derivations, out) = (square(), tempfile::tempdir().unwrap());
+    let folder = out.path().to_str().unwrap();
+    let level = "\"kernel\": \"accepted\"";
+    assert!(!verified(&derivations, folder).contains(level));
+    let (code, said, err) = prove(&derivations, folder, None, &["--check"]);
+    assert_eq!(code, Some(0), "{said}{err}");
+    assert!(verified(&derivations, folder).contains(level));
+    let explained = |derivations: &tempfile::TempDir| {
+        let path = derivations.path().to_str().unwrap().to_owned();
+        torse(&[
+            "explain",
+            "mini/a",
+            "--derivations",
+            &path,
+            "--proofs",
+            folder,
+        ])
+        .out
+    };
+    assert!(explained(&derivations).contains("kernel"));
+    // Another statement under the same id: what was accepted is not this.
+    let other = mini(&claim("a", "(x + 2)^2 == x^2 + 4*x + 4", ""));
+    assert!(!verified(&other, folder).contains(level));
+    assert!(!explained(&other).contains("kernel"));
+    // Another digest: what was accepted is not known.
+    let accepted = out.path().join("accepted.json");
+    let text = fs::read_to_string(&accepted).unwrap();
+    let stale = text.replacen("8.16", "8.17", 1);
+    assert_ne!(stale, text);
+    fs::write(&accepted, stale).unwrap();
+    assert!(!verified(&derivations, folder).contains(level));
+    fs::write(&accepted, "no json").unwrap();
+    assert!(!verified(&derivations, folder).contains(level));
+}
+
+#[test]
+fn a_proof_that_the_kernel_rejects_contradicts_the_verdict() {
+    if !has_coqc() {
+        return;
+    }
+    // True, and no tactic of the library finds its proof: the script is not the proof that was announced.
+    let more = "assume = ['x^3 == 2*x^2 + x - 1']\n";
+    let derivations = mini(&claim(
+        "a",
+        "x^6 == 4*x^5 - 2*x^4 - 6*x^3 + 5*x^2 - 2*x + 1",
+        more,
+    ));
+    let out = tempfile::tempdir().unwrap();
+    let folder = out.path().to_str().unwrap();
+    let (code, said, err) = prove(&derivations, folder, None, &["--check"]);
+    if said.contains("0 accepted, 0 rejected") {
+        return;
+    }
+    assert_eq!(code, Some(6), "{said}{err}");
+    assert!(said.contains("rejected: mini/a"), "{said}");
+    let kept = fs::read_to_string(out.path().join("accepted.json")).unwrap();
+    assert!(kept.contains("\"theorems\": {}"), "{kept}");
+    // Tried first, the theorem is left out with the reason, and nothing is rejected.
+    let (code, said, err) = prove(&derivations, folder, None, &["--try", "5", "--check"]);
+    assert_eq!(code, Some(0), "{said}{err}");
+    assert!(said.contains("the tactics find no proof"), "{said}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_coqc_that_is_killed_is_told_and_nothing_is_kept() {
+    use std::os::unix::fs::PermissionsExt;
+    let (derivations, out, bin) = (
+        square(),
+        tempfile::tempdir().unwrap(),
+        tempfile::tempdir().unwrap(),
+    );
+    let program = bin.path().join("coqc");
+    let script = "#!/bin/sh\ncase $1 in --print-version) echo 8.16.1;; *) kill -9 $$;; esac\n";
+    fs::write(&program, script).unwrap();
+    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
+    let path = format!("{}:/usr/bin:/bin", bin.path().display());
+    let folder = out.path().to_str().unwrap();
+    let (code, said, err) = prove(&derivations, folder, Some(&path), &["--check"]);
+    assert!(code.is_some_and(|code| code != 0), "{said}{err}");
+    assert!(err.contains("the library is not accepted"), "{err}");
+    assert!(!out.path().join("accepted.json").exists());
+}
+
 #[test]
 fn the_help_says_how_to_get_coqc() {
     let ran = torse(&["prove", "--help"]);

@@ -1,0 +1,43 @@
+//! The level *kernel*: verdicts whose theorems the kernel of the proof assistant accepted, as the folder of proofs keeps it.
+
+use crate::prove::findings;
+use crate::run::Run;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use torse_language::derivation::Paper;
+use torse_rocq::coqc::Accepted;
+use torse_rocq::folder::{Folder, UNPROVED};
+
+/// The option that names the folder of proofs.
+#[derive(Debug, clap::Args)]
+pub struct Proofs {
+    /// The folder of proofs; what its accepted.json says counts while statements, proofs and library are the same
+    #[arg(long = "proofs", value_name = "DIR", default_value = "proofs")]
+    folder: PathBuf,
+}
+
+impl Proofs {
+    /// The ids of the claims of a run all of whose theorems were accepted as they are written now. A claim with one theorem
+    /// that has no proof is not among them.
+    pub fn accepted(&self, papers: &[Paper], run: &Run) -> BTreeSet<String> {
+        let Some(accepted) = Accepted::read(&self.folder) else {
+            return BTreeSet::new();
+        };
+        let folder = Folder::new(&findings(papers, run), &unproved(&self.folder));
+        let mut fresh: BTreeMap<&str, bool> = BTreeMap::new();
+        for theorem in &folder.theorems {
+            *fresh.entry(&theorem.id).or_insert(true) &= accepted.has(theorem);
+        }
+        for missing in &folder.missing {
+            fresh.insert(&missing.id, false);
+        }
+        let accepted = fresh.into_iter().filter(|(_, fits)| *fits);
+        accepted.map(|(id, _)| id.to_owned()).collect()
+    }
+}
+
+/// The theorems that have no proof, with the reasons; none where the list cannot be read.
+fn unproved(folder: &Path) -> BTreeMap<String, String> {
+    let text = std::fs::read_to_string(folder.join(UNPROVED)).unwrap_or_default();
+    serde_json::from_str(&text).unwrap_or_default()
+}
