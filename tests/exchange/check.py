@@ -1,25 +1,32 @@
 #!/usr/bin/env python3
-"""Independent readers open what torse-exchange writes.
+"""Independent readers open what torse writes.
 
-    python3 tests/exchange/check.py [FOLDER]
+    python3 tests/exchange/check.py [--files FOLDER] [--torse PROGRAM]
 
-FOLDER holds the files of `cargo run -p torse-exchange --example files -- FOLDER`, or those of the worked designs, `cargo run
--p torse-designs --example formats -- designs FOLDER`; without it both are made in a temporary folder. Each reader that is not installed is skipped with a notice:
+The files are those of the library (`cargo run -p torse-exchange --example files`) and, for every design of `designs/` and
+every format, those that the command writes; what should be found in them comes from the library (`cargo run -p torse-designs
+--example expected`). They are made in a temporary folder, or in FOLDER, by the command built here, or by PROGRAM. Each
+reader that is not installed is skipped with a notice:
 
-    pip install ezdxf cadquery-ocp trimesh networkx lxml svgpathtools
+    pip install ezdxf cadquery-ocp trimesh networkx lxml svgpathtools pillow
     npm install gltf-validator        (beside the folder where this is run, or name it in NODE_PATH)
 
-Ends with 1 when a reader finds something else than the library says.
+Ends with 1 when a command fails, or when a reader finds something else than the library says.
 """
 
+import argparse
 import json
 import math
-import os
+import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parents[2]
+PATTERNS = ("dxf", "svg")
+FORMATS = (*PATTERNS, "stl", "obj", "ply", "3mf", "glb", "step", "stp", "iges", "igs")
+PICTURES = ("png", "svg", "html")
 failures = 0
 
 
@@ -315,12 +322,117 @@ def check_glb(folder, entry):
             print("        ", message["code"], message["message"])
 
 
+def check_outline_svg(folder, entry):
+    """The same outlines in the other format: its y axis points down."""
+    try:
+        import svgpathtools
+    except ImportError as error:
+        return skipped("svgpathtools", error)
+    name = entry["svg"]
+    paths, attributes = svgpathtools.svg2paths(str(folder / name))
+    closed = [path for path in paths if path.isclosed()]
+    bends = sum("data-bend" in each for each in attributes)
+    wanted = sum(piece["rulings"] for piece in entry["pieces"])
+    check(bends == wanted, f"svgpathtools {name}: {bends} rulings with their bends")
+    for piece in entry["pieces"]:
+        points = [complex(x, -y) for x, y in piece["points"]]
+
+        def farthest(path):
+            return max(min(_svg_distance(part, point) for part in path) for point in points)
+
+        distance, path = min(((farthest(path), path) for path in closed), key=lambda pair: pair[0])
+        good = close(path.length(), piece["length"], 1e-9) and distance <= piece["error"] + 1e-9
+        text = f"length {path.length():.6f}, {distance:.3g} mm from the exact outline, stated {piece['error']:.3g}"
+        check(good, f"svgpathtools {name} {piece['name']}: closed, {text}")
+
+
+def _svg_distance(part, point):
+    """The distance of a point from a line or an arc of a circle of svgpathtools."""
+    if hasattr(part, "center"):
+        angle = math.degrees(math.atan2(point.imag - part.center.imag, point.real - part.center.real))
+        along = (angle - part.theta) % 360 if part.delta > 0 else (part.theta - angle) % 360
+        if along <= abs(part.delta):
+            return abs(abs(point - part.center) - part.radius.real)
+        return min(abs(point - part.start), abs(point - part.end))
+    way = part.end - part.start
+    share = ((point - part.start) * way.conjugate()).real / abs(way) ** 2
+    return abs(point - part.start - min(max(share, 0), 1) * way)
+
+
+def check_pictures(folder, name):
+    import xml.etree.ElementTree as tree
+
+    root = tree.parse(folder / f"{name}.picture.svg").getroot()
+    check(root.tag.endswith("}svg") and len(list(root.iter())) > 20, f"picture {name}: SVG is XML")
+    page = (folder / f"{name}.picture.html").read_text()
+    # Addresses that name a language are never fetched.
+    fetched = re.search(r"""(src|href|action)=["']?\s*(https?:)?//|url\(["']?(https?:)?//|@import|fetch\(|XMLHttp""", page)
+    check(not fetched, f"picture {name}: the page needs no network")
+    try:
+        from PIL import Image
+    except ImportError as error:
+        return skipped("pillow", error)
+    with Image.open(folder / f"{name}.picture.png") as picture:
+        picture.load()
+        colours = len(picture.convert("RGB").getcolors(1 << 24))
+        check(min(picture.size) >= 400 and colours > 50, f"pillow {name}: {picture.size}, {colours} colours")
+
+
+def check_values(folder, name):
+    """Of the values that are printed: the same as CSV and as JSON, unit normals."""
+    rows = json.loads((folder / f"{name}.values.json").read_text())
+    lines = (folder / f"{name}.values.csv").read_text().splitlines()[1:]
+    check(len(rows) == len(lines) > 0, f"values {name}: {len(rows)} rows in both forms")
+    same = all([float(x) for x in line.split(",")[3:6]] == row["point"] for line, row in zip(lines, rows))
+    lengths = [math.hypot(*row["normal"]) for row in rows if row["normal"]]
+    check(same and all(abs(length - 1) < 1e-12 for length in lengths), f"values {name}: points agree, normals of length 1")
+
+
+def written_by_the_command(torse, designs, folder):
+    """Every design inspected, unrolled, folded back, exported, evaluated, drawn."""
+
+    def run(*arguments, to=None):
+        done = subprocess.run([torse, *map(str, arguments)], capture_output=True, text=True)
+        if to:
+            to.write_text(done.stdout)
+        if done.returncode:
+            check(False, f"torse {' '.join(map(str, arguments))}: exit code {done.returncode}\n{done.stderr}")
+
+    for design in designs:
+        name, before = design.stem, failures
+        file = lambda ending: folder / f"{name}.{ending}"
+        run("inspect", design)
+        for ending in FORMATS:
+            run("export", design, "--to", file(ending))
+        for ending in PATTERNS:
+            exported = file(ending).read_bytes()
+            run("unroll", design, "--to", file(ending))
+            check(file(ending).read_bytes() == exported, f"torse {name}: unroll and export write the same {ending}")
+            run("fold", design, "--pattern", file(ending))
+        for one, other in (("step", "stp"), ("igs", "iges")):
+            # The file name stands in neither.
+            check(file(one).read_bytes() == file(other).read_bytes(), f"torse {name}: {one} and {other} are the same")
+        for ending in PICTURES:
+            run("draw", design, "--to", file(f"picture.{ending}"))
+        for form in ("csv", "json"):
+            run("eval", design, "--grid", "8x2", "--format", form, to=file(f"values.{form}"))
+        check(failures == before, f"torse {name}: inspect, unroll, fold, export to {len(FORMATS)} formats, draw, eval")
+
+
+def built():
+    """The command, built."""
+    build = ["cargo", "build", "-q", "-p", "torse", "--message-format", "json-render-diagnostics"]
+    lines = subprocess.run(build, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    programs = [json.loads(line).get("executable") for line in lines]
+    return next(program for program in programs if program and Path(program).stem == "torse")
+
+
 def check_folder(folder):
     manifest = json.loads((folder / "manifest.json").read_text())
     kinds = {
         "drawings": [check_dxf, check_svg],
         "patterns": [check_pattern],
-        "outlines": [check_outline],
+        "outlines": [check_outline, check_outline_svg],
         "meshes": [check_mesh, check_glb],
         "models": [check_model],
     }
@@ -330,20 +442,34 @@ def check_folder(folder):
                 one(folder, entry)
 
 
+def check_all(folder, torse):
+    library, commands = folder / "library", folder / "command"
+    designs = sorted((ROOT / "designs").glob("*.toml"))
+    for kept, arguments in (
+        (library, ["torse-exchange", "--example", "files", "--", library]),
+        (commands, ["torse-designs", "--example", "expected", "--", "designs", commands]),
+    ):
+        kept.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["cargo", "run", "-q", "-p", *map(str, arguments)], cwd=ROOT, check=True)
+    check_folder(library)
+    written_by_the_command(torse, designs, commands)
+    for design in designs:
+        check_pictures(commands, design.stem)
+        check_values(commands, design.stem)
+    check_folder(commands)
+
+
 def main():
-    with tempfile.TemporaryDirectory() as temporary:
-        if len(sys.argv) > 1:
-            check_folder(Path(sys.argv[1]).resolve())
-        else:
-            root = Path(__file__).resolve().parents[2]
-            folders = [Path(temporary).resolve() / name for name in ("library", "designs")]
-            run = ["cargo", "run", "-q", "-p"]
-            library = ["torse-exchange", "--example", "files", "--", str(folders[0])]
-            designs = ["torse-designs", "--example", "formats", "--", "designs", str(folders[1])]
-            for arguments in (library, designs):
-                subprocess.run([*run, *arguments], cwd=root, check=True)
-            for folder in folders:
-                check_folder(folder)
+    arguments = argparse.ArgumentParser(description="Independent readers open what torse writes.")
+    arguments.add_argument("--files", type=Path, help="a folder for the files, which are thrown away otherwise")
+    arguments.add_argument("--torse", help="the command; built here otherwise")
+    given = arguments.parse_args()
+    torse = given.torse or built()
+    if given.files:
+        check_all(given.files.resolve(), torse)
+    else:
+        with tempfile.TemporaryDirectory() as temporary:
+            check_all(Path(temporary).resolve(), torse)
     print(f"{failures} failed")
     return 1 if failures else 0
 

@@ -225,7 +225,7 @@ impl Unroll {
 impl Fold {
     /// Folds the pattern and compares.
     pub fn run(&self) -> Result<Exit, Failure> {
-        ending(&self.pattern, &["dxf"])?;
+        ending(&self.pattern, PATTERNS)?;
         let report = fold_back(&design(&self.design)?, &self.pattern)?;
         print(&match self.format {
             Format::Text => report.text(),

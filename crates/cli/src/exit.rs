@@ -156,7 +156,7 @@ pub enum Failure {
         source: PlateError,
     },
     /// A design file, or what was asked of it.
-    #[error("{0}")]
+    #[error(transparent)]
     #[diagnostic(transparent)]
     Design(#[from] DesignFailure),
     /// The proof assistant is not there.
@@ -182,8 +182,8 @@ pub enum Failure {
 
 /// A failure of a design, with what would help.
 #[derive(Debug, Error)]
-#[error("{0}")]
-pub struct DesignFailure(#[source] pub Box<DesignError>);
+#[error(transparent)]
+pub struct DesignFailure(pub Box<DesignError>);
 
 impl Diagnostic for DesignFailure {
     fn help<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {

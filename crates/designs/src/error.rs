@@ -19,7 +19,7 @@ pub enum DesignError {
         reason: String,
     },
     /// The file is wrong.
-    #[error("{} mistakes in the design", mistakes.len())]
+    #[error("{} mistake{} in the design", mistakes.len(), if mistakes.len() == 1 { "" } else { "s" })]
     Wrong {
         /// All of it, in the order of the file.
         mistakes: Vec<DerivationError>,
@@ -53,20 +53,20 @@ pub enum DesignError {
         range: &'static str,
     },
     /// A patch has no value where one is asked for.
-    #[error("patch `{patch}`: {source}")]
+    #[error("patch `{patch}`: {reason}")]
     Patch {
         /// The patch.
         patch: String,
         /// Why.
-        source: GeometryError,
+        reason: GeometryError,
     },
     /// A piece cannot be unrolled: the design misses what is demanded of it.
-    #[error("`{piece}` cannot be unrolled: {source}")]
+    #[error("`{piece}` cannot be unrolled: {reason}")]
     Unroll {
         /// The chain or the patch.
         piece: String,
         /// Why.
-        source: PatternError,
+        reason: PatternError,
     },
     /// There is nothing to unroll.
     #[error("`{design}` has surfaces only, and only patches are unrolled")]
@@ -131,7 +131,7 @@ impl DesignError {
         match self {
             Self::Format { known, .. } => Some(format!("the endings are .{}", known.join(", ."))),
             Self::NoSuch { known, .. } => Some(format!("there are `{}`", known.join("`, `"))),
-            Self::Unroll { source, .. } => match source {
+            Self::Unroll { reason, .. } => match reason {
                 PatternError::NotDevelopable { strain, .. } => Some(format!(
                     "`--allow-strain {:.1e}` flattens it all the same and marks the file",
                     1.05 * strain

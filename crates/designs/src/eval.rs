@@ -91,9 +91,9 @@ pub fn eval(design: &Design, only: Option<&str>, at: &At) -> Result<Vec<Row>, De
             .find(|flat| index.is_some_and(|i| flat.piece.patches.contains(&i)));
         let flat = piece.and_then(|piece| Some((&piece.flat, position(&piece.flat, patch)?)));
         for [u, v] in &places {
-            let failed = |source: GeometryError| DesignError::Patch {
+            let failed = |reason: GeometryError| DesignError::Patch {
                 patch: patch.name.clone(),
-                source,
+                reason,
             };
             let partials = patch.sheet.partials(u, v, 1).map_err(failed)?;
             let principal = patch.sheet.principal(*u, *v).ok();
@@ -117,9 +117,9 @@ pub fn eval(design: &Design, only: Option<&str>, at: &At) -> Result<Vec<Row>, De
             .iter()
             .flat_map(|p| places.iter().map(move |at| (p, at)))
         {
-            let failed = |source: GeometryError| DesignError::Patch {
+            let failed = |reason: GeometryError| DesignError::Patch {
                 patch: surface.name.clone(),
-                source,
+                reason,
             };
             let partials = part.partials(u, v, 1).map_err(failed)?;
             let principal = part.forms(u, v).and_then(|forms| forms.principal()).ok();

@@ -131,9 +131,9 @@ pub fn mesh(design: &Design) -> Result<Mesh, DesignError> {
         let mut shape = Mesh::default();
         for part in &surface.parts {
             let [rows, columns] =
-                steps(part, limits.surface).map_err(|source| DesignError::Patch {
+                steps(part, limits.surface).map_err(|reason| DesignError::Patch {
                     patch: surface.name.clone(),
-                    source,
+                    reason,
                 })?;
             shape.append(&Mesh::of(part, rows, columns)?)?;
         }
@@ -194,9 +194,9 @@ fn surface(design: &Design, piece: &Piece) -> Result<Mesh, DesignError> {
     for patch in &patches {
         if let Some(before) = before {
             let turned =
-                joint_of(before, patch).map_err(|source: GeometryError| DesignError::Patch {
+                joint_of(before, patch).map_err(|reason: GeometryError| DesignError::Patch {
                     patch: patch.name.clone(),
-                    source,
+                    reason,
                 })?;
             over = over != turned;
         }

@@ -51,5 +51,5 @@ pub use design::{
     Chain, Design, Ends, Layout, Mark, Material, Patch, Piece, Smoothness, Tolerances, View,
 };
 pub use error::{DesignError, Ending};
-pub use file::{MOST_BYTES, MOST_CONTROLS, MOST_THINGS, keys, load, read};
+pub use file::{MOST_BYTES, MOST_CONTROLS, MOST_LINE, MOST_THINGS, keys, load, read};
 pub use unit::Unit;

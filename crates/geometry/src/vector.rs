@@ -1,6 +1,7 @@
 //! Points and vectors as plain arrays over any scalar.
 
 use crate::coordinate::Coordinate;
+use crate::error::{GeometryError, Result};
 use torse_algebra::Scalar;
 
 /// `a + b`.
@@ -85,4 +86,19 @@ pub(crate) fn combine<S: Scalar, const D: usize>(
     let mut terms = weights.iter().zip(points).map(|(w, p)| scale(w, p));
     let first = terms.next()?;
     Some(terms.fold(first, |sum, term| add(&sum, &term)))
+}
+
+/// `sum_i row[i] * points[i]`; refuses a row that has not one basis function for each control point, as a family of
+/// somebody else may give it: the points that are left out would count as zero.
+#[inline(always)]
+pub(crate) fn blended<S: Scalar, const D: usize>(row: &[S], points: &[[S; D]]) -> Result<[S; D]> {
+    match combine(row, points) {
+        Some(sum) if row.len() == points.len() => Ok(sum),
+        _ => Err(GeometryError::LengthMismatch {
+            what: "basis functions",
+            index: 0,
+            expected: points.len(),
+            given: row.len(),
+        }),
+    }
 }

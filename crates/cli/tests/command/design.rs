@@ -1,7 +1,8 @@
 //! `inspect`, `unroll`, `fold`, `export`, `eval`, `draw` on the real binary.
 
-use crate::support::torse_in;
+use crate::support::{measured_in, torse_in};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 /// A folder with one file `part.toml` of this text.
 fn folder(text: &str) -> tempfile::TempDir {
@@ -80,7 +81,10 @@ fn what_is_not_developable_is_not_unrolled_and_nothing_is_written() {
     let folder = folder(TWISTED);
     let refused = run(folder.path(), &["unroll", "part.toml", "--to", "part.dxf"]);
     assert_eq!(refused.code, 1);
-    assert!(refused.error.contains("not developable") && refused.error.contains("--allow-strain"));
+    assert!(refused.error.contains("--allow-strain"));
+    // Once, not once for each that passes it on.
+    let said = refused.error.matches("not developable").count();
+    assert_eq!(said, 1, "{}", refused.error);
     assert_eq!(files(folder.path()), ["part.toml"]);
     let allowed = [
         "unroll",
@@ -114,6 +118,17 @@ fn a_pattern_folds_back_to_its_design() {
         folded
             .output
             .starts_with("cone: 33 rulings of the file fold to within")
+    );
+    // The same from SVG.
+    let unrolled = ["unroll", "part.toml", "--to", "part.svg", "--rulings", "33"];
+    assert_eq!(run(folder.path(), &unrolled).code, 0);
+    let from_svg = ["fold", "part.toml", "--pattern", "part.svg"];
+    let from_svg = run(folder.path(), &from_svg);
+    assert_eq!(
+        (from_svg.code, &from_svg.output),
+        (0, &folded.output),
+        "{}",
+        from_svg.error
     );
     // The pattern of another part.
     std::fs::write(folder.path().join("other.toml"), CONE.replace("60", "70")).unwrap();
@@ -184,7 +199,7 @@ fn unknown_formats_and_names_are_mistakes_of_the_command_line() {
             "NaN",
         ],
         &["draw", "part.toml", "--to", "part.bmp"],
-        &["fold", "part.toml", "--pattern", "part.svg"],
+        &["fold", "part.toml", "--pattern", "part.step"],
         &["eval", "part.toml", "--at", "0.5"],
         &["eval", "part.toml", "--at", "2,0"],
         &["eval", "part.toml", "--grid", "99999999x99999999"],
@@ -248,6 +263,109 @@ fn a_target_that_cannot_be_written_ends_with_five() {
     );
 }
 
+/// A run on a hostile file: it ends in seconds and in little memory, with a message that people can read.
+#[track_caller]
+fn refused(folder: &Path, arguments: &[&str], code: i32) {
+    let started = Instant::now();
+    let (ran, kilobytes) = measured_in(folder, arguments);
+    let (took, name) = (started.elapsed(), arguments.join(" "));
+    assert_eq!(ran.code, Some(code), "{name}: {}{}", ran.out, ran.err);
+    let said = ran.err.len();
+    assert!(said > 0 && said < 250_000, "{name}: {said} bytes");
+    assert!(ran.out.is_empty(), "{name}: {}", ran.out);
+    assert!(took < Duration::from_secs(60), "{name}: {took:?}");
+    assert!(kilobytes < 1_000_000, "{name}: {kilobytes} kB");
+}
+
+#[test]
+fn hostile_designs_are_refused_with_a_message_and_nothing_is_written() {
+    let folder = folder(CONE);
+    let many: String = (0..20_000).map(|k| format!("[points.p{k}]\n")).collect();
+    let mistakes: String = (0..20_000).map(|k| format!("p{k} = 1\n")).collect();
+    let designs: [(&str, Vec<u8>); 10] = [
+        ("empty.toml", Vec::new()),
+        ("bytes.toml", vec![0xff, 0xfe, 0x00, 0x7f]),
+        ("zeros.toml", vec![0; 100_000]),
+        (
+            "nested.toml",
+            format!("x = {}", "[".repeat(50_000)).into_bytes(),
+        ),
+        ("tower.toml", b"[let]\na = \"9^9^9^9^9\"\n".to_vec()),
+        ("circle.toml", b"[let]\na = \"b\"\nb = \"a\"\n".to_vec()),
+        ("many.toml", many.into_bytes()),
+        (
+            "mistakes.toml",
+            format!("[points]\n{mistakes}").into_bytes(),
+        ),
+        (
+            "long.toml",
+            [CONE.as_bytes(), &vec![b'#'; 5_000_000]].concat(),
+        ),
+        (
+            "nan.toml",
+            CONE.replace("120", "nan")
+                .replace("0.5", "inf")
+                .into_bytes(),
+        ),
+    ];
+    for (name, bytes) in &designs {
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+        for arguments in [
+            ["inspect", name].as_slice(),
+            &["unroll", name, "--to", "x.dxf"],
+            &["export", name, "--to", "x.step"],
+            &["draw", name, "--to", "x.png"],
+        ] {
+            refused(folder.path(), arguments, 4);
+        }
+    }
+    // More than there is room for.
+    let grid = ["eval", "part.toml", "--grid", "999999999x999999999"];
+    refused(folder.path(), &grid, 2);
+    let rulings = [
+        "unroll",
+        "part.toml",
+        "--to",
+        "x.dxf",
+        "--rulings",
+        "999999999",
+    ];
+    refused(folder.path(), &rulings, 2);
+    assert_eq!(files(folder.path()).len(), 1 + designs.len());
+}
+
+#[test]
+fn hostile_patterns_are_refused_with_a_message() {
+    let folder = folder(CONE);
+    let unrolled = |name: &str| {
+        let done = run(folder.path(), &["unroll", "part.toml", "--to", name]);
+        assert_eq!(done.code, 0, "{}", done.error);
+        std::fs::read_to_string(folder.path().join(name)).unwrap()
+    };
+    let (dxf, svg) = (unrolled("part.dxf"), unrolled("part.svg"));
+    let half = |text: &str| text.as_bytes()[..text.len() / 2].to_vec();
+    let infinite = |text: &str| text.replace("67", "1e999").into_bytes();
+    let deep = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\">{}",
+        "<g>".repeat(100_000)
+    );
+    let entity = "<!DOCTYPE svg [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><svg>&b;</svg>";
+    let patterns: [(&str, Vec<u8>); 8] = [
+        ("half.dxf", half(&dxf)),
+        ("half.svg", half(&svg)),
+        ("infinite.dxf", infinite(&dxf)),
+        ("infinite.svg", infinite(&svg)),
+        ("zeros.dxf", vec![0; 100_000]),
+        ("bytes.svg", vec![0xff; 1000]),
+        ("deep.svg", deep.into_bytes()),
+        ("entity.svg", entity.as_bytes().to_vec()),
+    ];
+    for (name, bytes) in &patterns {
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+        refused(folder.path(), &["fold", "part.toml", "--pattern", name], 4);
+    }
+}
+
 #[test]
 fn values_are_printed_for_people_and_programs() {
     let folder = folder(CONE);
@@ -280,8 +398,8 @@ fn the_commands_of_the_tutorial_do_what_it_says() {
     .collect();
     let text = std::fs::read_to_string(path).unwrap();
     let folder = tempfile::tempdir().unwrap();
-    let (mut designs, mut commands) = (0, 0);
-    let mut last = String::new();
+    let (mut designs, mut commands, mut outputs) = (0, 0, 0);
+    let (mut last, mut printed) = (String::new(), String::new());
     for block in text.split("```").skip(1).step_by(2) {
         let (kind, body) = block.split_once('\n').unwrap();
         if kind == "toml" {
@@ -290,22 +408,31 @@ fn the_commands_of_the_tutorial_do_what_it_says() {
             designs += 1;
             continue;
         }
+        if kind == "text" {
+            assert_eq!(body, printed);
+            outputs += 1;
+            continue;
+        }
         assert_eq!(kind, "sh");
+        printed.clear();
         for line in body.lines() {
             let arguments: Vec<&str> = line.strip_prefix("torse ").unwrap().split(' ').collect();
             let done = run(folder.path(), &arguments);
             assert_eq!(done.code, 0, "{line}\n{}{}", done.output, done.error);
+            printed += &done.output;
             commands += 1;
         }
     }
-    assert_eq!((designs, commands), (2, 9));
+    assert_eq!((designs, commands, outputs), (2, 9, 5));
     // What it says about G2.
     std::fs::write(
         folder.path().join("hopper.toml"),
         last.replace("\"G1\"", "\"G2\""),
     )
     .unwrap();
-    assert_eq!(run(folder.path(), &["inspect", "hopper.toml"]).code, 1);
+    let refused = run(folder.path(), &["inspect", "hopper.toml"]);
+    let missed = refused.output.lines().last().unwrap();
+    assert!(refused.code == 1 && missed.starts_with("missed: ") && text.contains(missed));
     let page = std::fs::read_to_string(folder.path().join("hopper.html")).unwrap();
     assert!(!page.contains("http://www.w3.org/1999/xlink") && !page.contains("src=\"http"));
 }

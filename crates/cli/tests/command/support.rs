@@ -44,7 +44,16 @@ pub fn torse_in<S: AsRef<OsStr>>(folder: &Path, arguments: &[S]) -> Ran {
 /// Runs `torse COMMAND.. --derivations FOLDER`, and the most kilobytes that it held at a time, where the system tells.
 pub fn measured(folder: &Path, command: &[&str]) -> (Ran, u64) {
     let mut torse = Command::new(env!("CARGO_BIN_EXE_torse"));
-    torse.args(command).arg("--derivations").arg(folder);
+    watched(torse.args(command).arg("--derivations").arg(folder))
+}
+
+/// Runs `torse` with these arguments in this folder, measured like [`measured`].
+pub fn measured_in(folder: &Path, arguments: &[&str]) -> (Ran, u64) {
+    let mut torse = Command::new(env!("CARGO_BIN_EXE_torse"));
+    watched(torse.args(arguments).current_dir(folder))
+}
+
+fn watched(torse: &mut Command) -> (Ran, u64) {
     let child = torse
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

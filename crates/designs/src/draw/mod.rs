@@ -21,9 +21,9 @@ fn samples(patch: &Patch, along: usize, across: usize) -> Result<Vec<Point>, Des
     let mut points = Vec::with_capacity((along + 1) * (across + 1));
     for i in 0..=along {
         let ends = patch.sheet.ruling(share(i, along));
-        let [p, q] = ends.map_err(|source| DesignError::Patch {
+        let [p, q] = ends.map_err(|reason| DesignError::Patch {
             patch: patch.name.clone(),
-            source,
+            reason,
         })?;
         for j in 0..=across {
             points.push(torse_geometry::vector::lerp(&p, &q, &share(j, across)));
@@ -43,9 +43,9 @@ fn grid(
         #[allow(clippy::cast_precision_loss)]
         (0..=count).map(|k| k as f64 / count as f64).collect()
     };
-    let failed = |source| DesignError::Patch {
+    let failed = |reason| DesignError::Patch {
         patch: surface.name.clone(),
-        source,
+        reason,
     };
     let grid = GridEvaluator::new(part, &steps(along), &steps(across)).map_err(failed)?;
     let mut points = vec![[0.0; 3]; grid.len()];

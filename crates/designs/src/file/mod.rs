@@ -30,12 +30,16 @@ pub use torse_language::derivation::Source;
 
 /// The largest file that is read, in bytes.
 pub const MOST_BYTES: usize = 1 << 20;
+/// The longest line that is read, in bytes: mistakes are shown with the line they are in.
+pub const MOST_LINE: usize = 1 << 16;
 /// The most things of one kind in a file.
 pub const MOST_THINGS: usize = 512;
 /// The most control elements of a curve or a family.
 pub const MOST_CONTROLS: usize = 24;
 /// The most mistakes that are told of one file.
 const MOST_MISTAKES: usize = 100;
+/// So many bytes of the file are shown with them, and the line of the first in any case.
+const MOST_SHOWN: usize = 1 << 15;
 
 /// What patches are made of.
 #[derive(Default)]
@@ -77,10 +81,18 @@ pub fn load(path: &Path) -> Result<Design, DesignError> {
     read(&shown, &text)
 }
 
+/// The line of a text in which a byte is.
+fn line_at(text: &str, byte: usize) -> &str {
+    let starts = |line: &str| line.as_ptr().addr() - text.as_ptr().addr();
+    let line = text.lines().take_while(|line| starts(line) <= byte).last();
+    line.unwrap_or_default()
+}
+
 /// Reads the text of a design file with this name.
 ///
 /// # Errors
-/// [`DesignError::Wrong`] with everything that is wrong, in the order of the file.
+/// [`DesignError::Wrong`] with everything that is wrong, in the order of the file; [`DesignError::Unreadable`] for lines
+/// longer than [`MOST_LINE`].
 ///
 /// ```
 /// use torse_designs::{DesignError, read};
@@ -108,6 +120,12 @@ pub fn load(path: &Path) -> Result<Design, DesignError> {
 /// # Ok::<(), DesignError>(())
 /// ```
 pub fn read(name: &str, text: &str) -> Result<Design, DesignError> {
+    if let Some(line) = text.lines().position(|line| line.len() > MOST_LINE) {
+        return Err(DesignError::Unreadable {
+            path: name.to_owned(),
+            reason: format!("line {} is longer than {MOST_LINE} bytes", line + 1),
+        });
+    }
     let source = Arc::new(Source {
         name: name.to_owned(),
         text: text.to_owned(),
@@ -128,8 +146,13 @@ pub fn read(name: &str, text: &str) -> Result<Design, DesignError> {
     match design {
         Some(design) if mistakes.is_empty() => Ok(design),
         _ => {
-            let mistakes = mistakes.into_iter().map(|(_, error)| error);
-            let mistakes = mistakes.take(MOST_MISTAKES).collect();
+            let mut shown = 0;
+            let told = mistakes.into_iter().take_while(|(start, _)| {
+                let first = shown == 0;
+                shown += 1 + line_at(text, *start).len();
+                first || shown <= MOST_SHOWN
+            });
+            let mistakes = told.map(|(_, error)| error).take(MOST_MISTAKES).collect();
             Err(DesignError::Wrong { mistakes })
         }
     }

@@ -49,9 +49,9 @@ pub fn joints(design: &Design, missed: &mut Vec<String>) -> Result<Vec<JointRepo
     let mut reports = Vec::new();
     for chain in &design.chains {
         for [first, second] in pairs(design, chain) {
-            let seam = seam(first, second).map_err(|source| DesignError::Patch {
+            let seam = seam(first, second).map_err(|reason| DesignError::Patch {
                 patch: second.name.clone(),
-                source,
+                reason,
             })?;
             let report = report(design, chain, [first, second], &seam);
             if let Some(reason) = objection(design, chain, &report) {

@@ -165,9 +165,9 @@ pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignE
     let mut missed = Vec::new();
     let mut patches = Vec::new();
     for patch in &design.patches {
-        let report = measured(design, patch, budget).map_err(|source| DesignError::Patch {
+        let report = measured(design, patch, budget).map_err(|reason| DesignError::Patch {
             patch: patch.name.clone(),
-            source,
+            reason,
         })?;
         judge(design, &report, &mut missed);
         patches.push(report);
@@ -175,7 +175,7 @@ pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignE
     let joints = joints(design, &mut missed)?;
     let failed = |name: &String| {
         let patch = name.clone();
-        move |source| DesignError::Patch { patch, source }
+        move |reason| DesignError::Patch { patch, reason }
     };
     let measured = design.surfaces.iter();
     let surfaces = measured.map(|s| surface::surface(s).map_err(failed(&s.name)));

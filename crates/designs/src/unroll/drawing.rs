@@ -1,5 +1,6 @@
 //! The drawing of the pieces: patterns, marks, lettering, notes.
 
+use super::lettering::{self, Drawn, Line};
 use super::{FlatPiece, position};
 use crate::design::{Design, Mark, Patch};
 use crate::error::DesignError;
@@ -8,8 +9,6 @@ use torse_geometry::pattern::{FlatPattern, PatternError, Place};
 
 /// The height of the letters of a name, as a share of the size of its piece.
 const LETTERS: f64 = 0.025;
-/// The width of a letter as a share of its height, about.
-const WIDE: f64 = 0.66;
 /// How far from the sheet the edge of regression is still shown, as a share of its size.
 const REACH: f64 = 0.25;
 
@@ -32,47 +31,51 @@ pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignE
         let size = (high[0] - low[0]).max(high[1] - low[1]);
         drawing.note(&format!("piece {}", piece.name))?;
         drawing.add_pattern(flat, REACH * size)?;
-        name(&mut drawing, &piece.name, flat, size)?;
+        let before = (drawing.paths().len(), drawing.texts().len());
         for index in &piece.patches {
             if let Some(patch) = design.patches.get(*index) {
                 marks(&mut drawing, design, patch, flat)?;
             }
         }
+        name(&mut drawing, before, &piece.name, flat, size)?;
     }
     Ok(drawing)
 }
 
-/// The name of a piece along a ruling behind its middle, where marks are rarely; a strained pattern says so beside it.
+/// The name of a piece, clear of the rulings and of the paths and texts since these; a strained pattern says so beside it.
 fn name(
     drawing: &mut Drawing,
+    (paths, texts): (usize, usize),
     name: &str,
     flat: &FlatPattern,
     size: f64,
 ) -> Result<(), DesignError> {
-    let Some(ruling) = flat.rulings().get(5 * flat.rulings().len() / 8) else {
-        return Ok(());
-    };
-    let [mut from, mut to] = ruling.ends;
-    // Not upside down.
-    if to[0] < from[0] {
-        (from, to) = (to, from);
-    }
-    let at = |share: f64| [0, 1].map(|i| from[i] + share * (to[i] - from[i]));
-    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
     let content = if flat.is_strained() {
         format!("{name} (strained up to {:.1e})", flat.strain())
     } else {
         name.to_owned()
     };
-    let count = f64::from(u32::try_from(content.chars().count()).unwrap_or(u32::MAX));
-    let height = (LETTERS * size).min(0.8 * length / (WIDE * count));
-    drawing.text(Text {
-        layer: Layer::Marks,
-        at: at(0.1),
-        height,
-        angle: (to[1] - from[1]).atan2(to[0] - from[0]),
-        content,
-    })?;
+    let marks = drawing.paths().iter().skip(paths);
+    let texts = drawing.texts().iter().skip(texts);
+    let drawn: Vec<Drawn> = marks
+        .map(|path| path.polygon(0.02))
+        .chain(texts.map(|text| {
+            let (at, height, angle) = (text.at, text.height, text.angle);
+            lettering::frame(&Line { at, height, angle }, text.content.chars().count())
+        }))
+        .collect();
+    let rulings: Vec<_> = flat.rulings().iter().map(|ruling| ruling.ends).collect();
+    let letters = content.chars().count();
+    let wished = LETTERS * size;
+    if let Some(line) = lettering::place(&rulings, letters, wished, &drawn) {
+        drawing.text(Text {
+            layer: Layer::Marks,
+            at: line.at,
+            height: line.height,
+            angle: line.angle,
+            content,
+        })?;
+    }
     Ok(())
 }
 

@@ -1,6 +1,7 @@
 //! Flat patterns of designs: every piece that is cut, with what is marked on it.
 
 mod drawing;
+mod lettering;
 mod summary;
 
 pub use drawing::drawing;
@@ -88,9 +89,9 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
     }
     let mut flats = Vec::with_capacity(pieces.len());
     for piece in &pieces {
-        let failed = |source| DesignError::Unroll {
+        let failed = |reason| DesignError::Unroll {
             piece: piece.name.clone(),
-            source,
+            reason,
         };
         flats.push(flattened(design, piece, strain, rulings).map_err(failed)?);
     }
@@ -99,9 +100,9 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
         let size = bounds.fold(0.0_f64, |size, [low, high]| {
             size.max(high[0] - low[0]).max(high[1] - low[1])
         });
-        flats = side_by_side(&flats, 0.05 * size).map_err(|source| DesignError::Unroll {
+        flats = side_by_side(&flats, 0.05 * size).map_err(|reason| DesignError::Unroll {
             piece: design.name.clone(),
-            source,
+            reason,
         })?;
     }
     let pieces = pieces.into_iter().zip(flats);

@@ -88,7 +88,7 @@ fn what_is_not_developable_is_refused_unless_strain_is_allowed() {
     assert!(report.missed[0].starts_with("strip is not developable: the tangent plane turns by"));
     let error = unroll(&design, &Demand::default()).unwrap_err();
     let DesignError::Unroll {
-        source: PatternError::NotDevelopable { strain, .. },
+        reason: PatternError::NotDevelopable { strain, .. },
         ..
     } = &error
     else {
@@ -137,7 +137,7 @@ fn an_edge_of_regression_inside_is_told_and_refused() {
         matches!(
             error,
             DesignError::Unroll {
-                source: PatternError::Regression { .. },
+                reason: PatternError::Regression { .. },
                 ..
             }
         ),
@@ -168,7 +168,7 @@ fn an_outline_that_crosses_itself_is_refused() {
         matches!(
             error,
             DesignError::Unroll {
-                source: PatternError::CrossesItself { .. },
+                reason: PatternError::CrossesItself { .. },
                 ..
             }
         ),

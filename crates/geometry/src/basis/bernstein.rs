@@ -2,6 +2,7 @@
 
 use super::Basis;
 use crate::coordinate::Coordinate;
+use crate::error::Result;
 use torse_algebra::{ExactError, Jet};
 
 /// The Bernstein basis: seeds `(1-x)^2, 2x(1-x), x^2`.
@@ -26,7 +27,7 @@ impl<S: Coordinate> Basis<S> for Bernstein {
     }
 
     #[inline(always)]
-    fn seed_slopes(&self, x: &S) -> Result<[S; 3], ExactError> {
+    fn seed_slopes(&self, x: &S) -> Result<[S; 3]> {
         let (up, down) = (x.clone() + x.clone(), x.one() - x.clone());
         let down = down.clone() + down;
         Ok([-down.clone(), down - up.clone(), up])

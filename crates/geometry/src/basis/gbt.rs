@@ -111,7 +111,7 @@ impl<S: Coordinate> Basis<S> for Gbt<S> {
     }
 
     #[inline(always)]
-    fn seed_slopes(&self, x: &S) -> Result<[S; 3], ExactError> {
+    fn seed_slopes(&self, x: &S) -> Result<[S; 3]> {
         let (s, c) = x.turn()?;
         Ok(self.slopes_of_turn(s, c, &x.half_pi()?))
     }
@@ -122,7 +122,7 @@ impl<S: Coordinate> Basis<S> for Gbt<S> {
         xs: &[S],
         columns: [&mut [S]; 3],
         slopes: [&mut [S]; 3],
-    ) -> Result<(), ExactError> {
+    ) -> Result<()> {
         let ([first, second, third], [d0, d1, d2]) = (columns, slopes);
         S::turns(xs, first, third)?;
         let Some(half_pi) = xs.first().map(S::half_pi).transpose()? else {

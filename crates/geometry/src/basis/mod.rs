@@ -101,19 +101,19 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug + Send + Sync {
     /// The seeds and their first derivatives at all `xs`, one column for each, as far as the columns reach.
     ///
     /// # Errors
-    /// As [`Basis::seeds`].
+    /// As [`Basis::seed_slopes`].
     #[inline(always)]
     fn seed_and_slope_columns(
         &self,
         xs: &[S],
         columns: [&mut [S]; 3],
         slopes: [&mut [S]; 3],
-    ) -> Result<(), ExactError> {
+    ) -> Result<()> {
         let [first, second, third] = slopes;
         for (((x, d0), d1), d2) in xs.iter().zip(first).zip(second).zip(third) {
             [*d0, *d1, *d2] = self.seed_slopes(x)?;
         }
-        self.seed_columns(xs, columns)
+        Ok(self.seed_columns(xs, columns)?)
     }
 
     /// The Taylor series of the seeds at `x` to this order.
@@ -151,16 +151,23 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug + Send + Sync {
     /// As [`Basis::row`].
     fn row_into(&self, x: &S, row: &mut [S]) -> Result<()> {
         check_parameter(x)?;
-        blend(row, x, || self.seeds(x))
+        blend(row, x, || Ok(self.seeds(x)?))
     }
 
     /// The first derivatives of the seeds at `x`.
     ///
     /// # Errors
-    /// As [`Basis::seeds`].
-    fn seed_slopes(&self, x: &S) -> Result<[S; 3], ExactError> {
-        let slope = |g: Jet<S>| g.coefficients().get(1).cloned().unwrap_or_else(|| x.zero());
-        Ok(self.seed_jets(x, 1)?.map(slope))
+    /// [`GeometryError::Exact`] from the seeds, [`GeometryError::LengthMismatch`] where their series are shorter than asked
+    /// for.
+    fn seed_slopes(&self, x: &S) -> Result<[S; 3]> {
+        let [first, second, third] = seed_series(self, x, 1)?;
+        let slope = |g: Jet<S>| {
+            g.coefficients()
+                .get(1)
+                .cloned()
+                .ok_or_else(|| short(0, 2, 1))
+        };
+        Ok([slope(first)?, slope(second)?, slope(third)?])
     }
 
     /// The basis functions and their first derivatives at `x` into the caller's buffers of equal length:
@@ -242,45 +249,67 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug + Send + Sync {
                     linear(x.clone(), x.one()),
                 ]
             }
-            _ => self
-                .seed_jets(x, order)?
+            _ => seed_series(self, x, order)?
                 .iter()
                 .map(|g| g.coefficients().to_vec())
                 .collect(),
         };
-        let mut rows: Vec<Vec<S>> = (0..=order)
-            .map(|n| {
-                seeds
-                    .iter()
-                    .filter_map(|series| series.get(n).cloned())
-                    .collect()
-            })
-            .collect();
+        // None is shorter than the order.
+        let coefficients = |n: usize| seeds.iter().filter_map(|g| g.get(n).cloned()).collect();
+        let mut rows: Vec<Vec<S>> = (0..=order).map(coefficients).collect();
         for _ in 3..=degree {
             // Row n needs the old row n-1: keep it while walking up.
             let mut below: Option<Vec<S>> = None;
             for row in &mut rows {
                 let old = std::mem::take(row);
-                let entry = |list: &[S], i: usize| list.get(i).cloned().unwrap_or_else(|| x.zero());
-                let shifted = |list: &[S], i: usize| match i.checked_sub(1) {
-                    Some(j) => entry(list, j),
-                    None => x.zero(),
-                };
-                *row = (0..=old.len())
-                    .map(|i| {
-                        let blend =
-                            one_minus_x.clone() * entry(&old, i) + x.clone() * shifted(&old, i);
-                        match &below {
-                            Some(b) => blend + shifted(b, i) - entry(b, i),
-                            None => blend,
-                        }
-                    })
-                    .collect();
+                *row = one_degree_more(&old, below.as_deref(), x);
                 below = Some(old);
             }
         }
         Ok(rows)
     }
+}
+
+/// The series of the seeds; refuses those that end before `order`, as a family of somebody else may give them: what is not
+/// known would count as zero.
+fn seed_series<S: Coordinate>(basis: &impl Basis<S>, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
+    let jets = basis.seed_jets(x, order)?;
+    for (index, jet) in jets.iter().enumerate() {
+        if jet.order() < order {
+            return Err(short(index, order + 1, jet.order() + 1));
+        }
+    }
+    Ok(jets)
+}
+
+fn short(index: usize, expected: usize, given: usize) -> GeometryError {
+    GeometryError::LengthMismatch {
+        what: "Taylor coefficients of a seed",
+        index,
+        expected,
+        given,
+    }
+}
+
+/// The n-th Taylor coefficients of the basis of one degree more, `c[n]` from `c[n]` and `c[n-1]` of this degree (the
+/// recursion of the module's page); beyond the ends of a row there is no function.
+fn one_degree_more<S: Coordinate>(row: &[S], below: Option<&[S]>, x: &S) -> Vec<S> {
+    let (one_minus_x, zero) = (x.one() - x.clone(), x.zero());
+    let blend = neighbours(row, &zero)
+        .map(|(before, here)| one_minus_x.clone() * here.clone() + x.clone() * before.clone());
+    match below {
+        Some(below) => blend
+            .zip(neighbours(below, &zero))
+            .map(|(sum, (before, here))| sum + before.clone() - here.clone())
+            .collect(),
+        None => blend.collect(),
+    }
+}
+
+/// The pairs of neighbours of a list that has a zero at either end.
+fn neighbours<'a, S>(list: &'a [S], zero: &'a S) -> impl Iterator<Item = (&'a S, &'a S)> {
+    let end = || std::iter::once(zero);
+    end().chain(list).zip(list.iter().chain(end()))
 }
 
 /// The basis functions at `x` of the degree of the row, from the seeds: linear ones in degree one, where every
@@ -289,7 +318,7 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug + Send + Sync {
 pub(crate) fn blend<S: Coordinate>(
     row: &mut [S],
     x: &S,
-    seeds: impl FnOnce() -> Result<[S; 3], ExactError>,
+    seeds: impl FnOnce() -> Result<[S; 3]>,
 ) -> Result<()> {
     match row {
         [] | [_] => return check_degree(0),
@@ -308,7 +337,7 @@ pub(crate) fn blend<S: Coordinate>(
 pub(crate) fn blend_with_slopes<S: Coordinate>(
     [row, slope]: [&mut [S]; 2],
     x: &S,
-    seeds: impl FnOnce() -> Result<[[S; 3]; 2], ExactError>,
+    seeds: impl FnOnce() -> Result<[[S; 3]; 2]>,
 ) -> Result<()> {
     let degree = row.len().saturating_sub(1);
     let ([first, second, third, ..], [first_slope, second_slope, third_slope, ..]) =

@@ -68,14 +68,14 @@ impl<S: Coordinate> Basis<S> for Shape<S> {
         xs: &[S],
         columns: [&mut [S]; 3],
         slopes: [&mut [S]; 3],
-    ) -> Result<(), ExactError> {
+    ) -> Result<()> {
         match self {
             Self::Bernstein => Bernstein.seed_and_slope_columns(xs, columns, slopes),
             Self::Gbt(basis) => basis.seed_and_slope_columns(xs, columns, slopes),
         }
     }
 
-    fn seed_slopes(&self, x: &S) -> Result<[S; 3], ExactError> {
+    fn seed_slopes(&self, x: &S) -> Result<[S; 3]> {
         match self {
             Self::Bernstein => Bernstein.seed_slopes(x),
             Self::Gbt(basis) => basis.seed_slopes(x),

@@ -11,7 +11,7 @@ use crate::coordinate::check_finite;
 use crate::curve::Curve;
 use crate::error::Result;
 use crate::planes::{Plane, PlaneFamily, Ruling, ruling_of};
-use crate::vector::combine;
+use crate::vector::blended;
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
@@ -93,7 +93,6 @@ impl<B: Basis<f64>, const D: usize> WithSimd for Job<'_, Curve<B, f64, D>, [f64;
 impl<B: Basis<f64>, const D: usize> Job<'_, Curve<B, f64, D>, [f64; D]> {
     #[inline(always)]
     fn run<V: Simd>(self, simd: V, points: &[[Lanes<V>; D]], row: &mut [Lanes<V>]) -> Result<()> {
-        let zero = Lanes::all(simd, 0.0);
         let (mut seeds, mut sums) = ([[0.0; BLOCK]; 3], [[0.0; BLOCK]; D]);
         let (whole, last) = blocks(self.xs);
         for (block, out) in whole.iter().chain(&last).zip(self.out.chunks_mut(BLOCK)) {
@@ -111,7 +110,7 @@ impl<B: Basis<f64>, const D: usize> Job<'_, Curve<B, f64, D>, [f64; D]> {
                     #[inline(always)]
                     || Ok(three(simd, &seeds, i)),
                 )?;
-                let point = combine(row, points).unwrap_or([zero; D]);
+                let point = blended(row, points)?;
                 for (sum, coordinate) in sums.iter_mut().zip(point) {
                     coordinate.store(sum, i);
                 }
@@ -154,7 +153,6 @@ impl<B: Basis<f64>> Job<'_, PlaneFamily<B, f64>, Ruling<f64>> {
         points: &[Plane<Lanes<V>>],
         [row, slope]: [&mut [Lanes<V>]; 2],
     ) -> Result<()> {
-        let zero = Lanes::all(simd, 0.0);
         let (curve, exponent) = self.of.unit_curve();
         let (mut seeds, mut slopes) = ([[0.0; BLOCK]; 3], [[0.0; BLOCK]; 3]);
         let mut columns = [[0.0; BLOCK]; 9];
@@ -176,8 +174,8 @@ impl<B: Basis<f64>> Job<'_, PlaneFamily<B, f64>, Ruling<f64>> {
                     #[inline(always)]
                     || Ok([three(simd, &seeds, i), three(simd, &slopes, i)]),
                 )?;
-                let plane = combine(row, points).unwrap_or([zero; 4]);
-                let change = combine(slope, points).unwrap_or([zero; 4]);
+                let plane = blended(row, points)?;
+                let change = blended(slope, points)?;
                 let ruling = ruling_of(&plane, &change)?.of_planes_times_two_to(exponent);
                 for (column, coordinate) in columns.iter_mut().zip(ruling.coordinates()) {
                     coordinate.store(column, i);

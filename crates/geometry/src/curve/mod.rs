@@ -2,12 +2,15 @@
 
 mod affine;
 mod conic;
+mod least;
 mod measure;
 mod rational;
 mod space;
+mod split;
 
 pub use affine::Affine;
 pub use conic::{ellipse_arc, parabola_arc};
+pub(crate) use least::least;
 pub(crate) use measure::integrate;
 pub use measure::{arc_length, curvature, torsion};
 pub use rational::RationalCurve;
@@ -17,7 +20,7 @@ pub(crate) use space::{first_two, too_short};
 use crate::basis::{Basis, Gbt};
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result};
-use crate::vector::{add, combine, scale, sub};
+use crate::vector::{add, blended, combine, scale, sub};
 use torse_algebra::Jet;
 
 /// A curve `G(x) = sum_i g[i,k](x) R[i]`, `x` in [0, 1] (gbt-developable eq. (2.2), gbt-surfaces eq. (3)).
@@ -93,8 +96,7 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
     /// # Errors
     /// [`GeometryError::Exact`] where the basis is not a number of this kind at `x`.
     pub fn point(&self, x: &S) -> Result<[S; D]> {
-        let row = self.basis.row(self.degree(), x)?;
-        Ok(self.combined(&row, x))
+        blended(&self.basis.row(self.degree(), x)?, &self.points)
     }
 
     /// The derivatives `[G(x), G'(x), .., G^(order)(x)]`.
@@ -103,7 +105,7 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
     /// As [`Curve::point`].
     pub fn derivatives(&self, x: &S, order: usize) -> Result<Vec<[S; D]>> {
         let rows = self.basis.derivative_rows(self.degree(), x, order)?;
-        Ok(rows.iter().map(|row| self.combined(row, x)).collect())
+        self.blended_all(&rows, order)
     }
 
     /// The derivatives `[G(0), G'(0), .., G^(order)(0)]` at the start.
@@ -159,17 +161,21 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
             None => self.series(x, order)?,
             Some((centre, rest)) => self.series_about(&centre, &rest, x, order)?,
         };
+        let (value, rest) = points.split_first().ok_or(GeometryError::TooFew {
+            what: "Taylor coefficients",
+            needed: 1,
+            given: 0,
+        })?;
         Ok(std::array::from_fn(|axis| {
-            let mut list = points.iter().map(|p| p[axis].clone());
-            let value = list.next().unwrap_or_else(|| x.zero());
-            Jet::from_coefficients(value, list)
+            let rest = rest.iter().map(|point| point[axis].clone());
+            Jet::from_coefficients(value[axis].clone(), rest)
         }))
     }
 
     /// The Taylor coefficients at `x`.
     fn series(&self, x: &S, order: usize) -> Result<Vec<[S; D]>> {
         let rows = self.basis.series_rows(self.degree(), x, order)?;
-        Ok(rows.iter().map(|row| self.combined(row, x)).collect())
+        self.blended_all(&rows, order)
     }
 
     /// The Taylor coefficients at the points `x = centre + rest` from those at the centre: with `n = DEPTH`,
@@ -181,17 +187,16 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
         let deepest = order.saturating_add(DEPTH);
         let (at, over) = (self.series(centre, deepest)?, self.series(x, deepest)?);
         let binomial = |k: usize, i: usize| (1..=i).fold(1, |c: usize, n| c * (k + n) / n);
-        let entry = |list: &[[S; D]], k: usize, i: usize| -> [S; D] {
-            let zero = || std::array::from_fn(|_| x.zero());
-            let point = list.get(k + i).cloned().unwrap_or_else(zero);
-            scale(&x.natural(binomial(k, i)), &point)
-        };
-        let coefficient = |k: usize| {
-            (0..DEPTH).rev().fold(entry(&over, k, DEPTH), |sum, i| {
-                add(&entry(&at, k, i), &scale(rest, &sum))
+        // The coefficients k .. k + DEPTH of both, each with its binomial.
+        let coefficients = at.windows(DEPTH).zip(over.iter().skip(DEPTH)).enumerate();
+        let coefficient = |(k, (near, last)): (usize, (&[[S; D]], &[S; D]))| {
+            let weighted = |i, point| scale(&x.natural(binomial(k, i)), point);
+            let terms = near.iter().enumerate().rev();
+            terms.fold(weighted(DEPTH, last), |sum, (i, point)| {
+                add(&weighted(i, point), &scale(rest, &sum))
             })
         };
-        Ok((0..=order).map(coefficient).collect())
+        Ok(coefficients.map(coefficient).collect())
     }
 
     /// The same curve traversed backwards: `x -> G(1 - x)`.
@@ -222,8 +227,16 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
         }
     }
 
-    fn combined(&self, row: &[S], x: &S) -> [S; D] {
-        combine(row, &self.points).unwrap_or_else(|| std::array::from_fn(|_| x.zero()))
+    /// One point for each order of derivatives; refuses to have fewer.
+    fn blended_all(&self, rows: &[Vec<S>], order: usize) -> Result<Vec<[S; D]>> {
+        if rows.len() <= order {
+            return Err(GeometryError::TooFew {
+                what: "rows of basis functions",
+                needed: order.saturating_add(1),
+                given: rows.len(),
+            });
+        }
+        rows.iter().map(|row| blended(row, &self.points)).collect()
     }
 }
 

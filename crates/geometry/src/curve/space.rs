@@ -4,7 +4,7 @@ use super::{Curve, RationalCurve};
 use crate::basis::Basis;
 use crate::coordinate::Coordinate;
 use crate::error::{GeometryError, Result};
-use crate::vector::combine;
+use crate::vector::blended;
 use torse_algebra::Jet;
 
 /// A curve in space (or in another dimension), known by its Taylor series.
@@ -51,8 +51,10 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> SpaceCurve<S, D> for Curve<B, S
         let mut row = vec![x.zero(); self.degree() + 1];
         let mut slope = row.clone();
         self.basis().row_and_slope_into(x, &mut row, &mut slope)?;
-        let zero = || std::array::from_fn(|_| x.zero());
-        Ok([row, slope].map(|row| combine(&row, self.points()).unwrap_or_else(zero)))
+        Ok([
+            blended(&row, self.points())?,
+            blended(&slope, self.points())?,
+        ])
     }
 }
 
@@ -64,11 +66,16 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> SpaceCurve<S, D> for RationalCu
 
 /// Value and first derivative; refuses series that are shorter, as a curve of somebody else may give them.
 pub(crate) fn first_two<S: Coordinate, const D: usize>(jets: &[Jet<S>; D]) -> Result<[[S; D]; 2]> {
-    if jets.iter().any(|jet| jet.order() == 0) {
+    let mut short = false;
+    let slopes = jets.each_ref().map(|jet| {
+        let slope = jet.coefficients().get(1);
+        short |= slope.is_none();
+        slope.unwrap_or(jet.value()).clone()
+    });
+    if short {
         return Err(too_short(jets));
     }
-    let at = |n: usize| jets.each_ref().map(|jet| jet.coefficients()[n].clone());
-    Ok([at(0), at(1)])
+    Ok([jets.each_ref().map(|jet| jet.value().clone()), slopes])
 }
 
 pub(crate) fn too_short<S, const D: usize>(jets: &[Jet<S>; D]) -> GeometryError {

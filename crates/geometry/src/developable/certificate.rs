@@ -14,6 +14,7 @@ use super::resolve::resolved;
 use crate::error::{GeometryError, Place, Result};
 use crate::surface::Rails;
 use rayon::prelude::*;
+use std::fmt;
 
 /// The worst value of a quantity and where it is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,6 +86,60 @@ impl Certificate {
     #[must_use]
     pub fn is_developable_within(&self, angle: f64) -> bool {
         self.twist.value <= angle
+    }
+}
+
+/// For people: what decides whether the patch can be made, with places.
+///
+/// ```
+/// use torse_geometry::{RuledSurface, curve::ellipse_arc, developable::certify};
+/// let ring = |r: f64, z: f64| ellipse_arc(&[0.0, 0.0, z], &[r, 0.0, z], &[0.0, r, z]);
+/// let cone = certify(&RuledSurface::new(ring(3.0, 0.0)?, ring(1.0, 4.0)?), 32)?;
+/// let said = cone.to_string();
+/// assert!(said.starts_with("tangent planes turn by at most ") && said.contains("; regular; "));
+/// assert!(said.contains(" from the edge of regression at x = "));
+/// # Ok::<(), torse_geometry::GeometryError>(())
+/// ```
+impl fmt::Display for Certificate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let degrees = self.twist.value.to_degrees();
+        write!(
+            f,
+            "tangent planes turn by at most {degrees:.3e} degrees along a ruling (at x = {}); ",
+            self.twist.x
+        )?;
+        match self.singularity {
+            None => write!(f, "regular; ")?,
+            Some(reason) => write!(f, "not regular: {reason}; ")?,
+        }
+        match self.clearance {
+            None => write!(f, "no ruling meets its neighbours"),
+            Some(Worst { value, x, .. }) => {
+                write!(f, "{value:.6e} from the edge of regression at x = {x}")
+            }
+        }
+    }
+}
+
+impl fmt::Display for Singularity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NormalVanishes(Worst { x, v, .. }) => {
+                write!(f, "the normal vanishes at x = {x}, v = {v}")
+            }
+            Self::NormalTurns(Worst { x, .. }) => {
+                write!(
+                    f,
+                    "the normals at the ends of the ruling at x = {x} oppose each other"
+                )
+            }
+            Self::Unresolved { from, to } => {
+                write!(
+                    f,
+                    "the patch does not go on between x = {from} and x = {to}"
+                )
+            }
+        }
     }
 }
 

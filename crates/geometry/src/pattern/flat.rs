@@ -195,43 +195,69 @@ impl FlatPattern {
 const SHARE: usize = 128;
 
 fn rulings(pieces: &[Piece]) -> Vec<FlatRuling> {
-    let shared = |xs: &[f64], f: &(dyn Fn(&[f64]) -> Vec<[f64; 3]> + Sync)| {
-        xs.par_chunks(SHARE).flat_map_iter(f).collect::<Vec<_>>()
-    };
     // The facets between the rulings, as the viewer sees them.
-    let seen = |piece: &Piece| shared(&piece.halfway(), &|xs| piece.seen(xs));
+    let seen = |piece: &Piece| -> Vec<[f64; 3]> {
+        let xs = piece.halfway();
+        let mut normals = vec![[0.0; 3]; xs.len()];
+        let shares = xs.par_chunks(SHARE).zip(normals.par_chunks_mut(SHARE));
+        shares.for_each(|(xs, normals)| {
+            for (slot, normal) in normals.iter_mut().zip(piece.seen(xs)) {
+                *slot = normal;
+            }
+        });
+        normals
+    };
     let facets: Vec<Vec<[f64; 3]>> = pieces.iter().map(seen).collect();
     let mut list = Vec::new();
-    let mut before: Option<[f64; 3]> = None;
     for (index, piece) in pieces.iter().enumerate() {
-        let stations = piece.stations();
-        let here = facets.get(index).into_iter().flatten();
+        let here = facets.get(index).map_or(&[][..], Vec::as_slice);
         let next = facets.get(index + 1).and_then(|next| next.first());
-        let after = here.chain(next).copied().map(Some).chain([None]);
-        let all: Vec<At> = stations
-            .par_chunks(SHARE)
-            .flat_map_iter(|xs| piece.development.at_each(xs))
-            .collect();
-        // The first ruling of a later piece is the last one of the piece before.
-        let skip = usize::from(index > 0);
-        for ((x, at), after) in stations.into_iter().zip(all).zip(after).skip(skip) {
-            let bend = match (&before, &after) {
-                (Some(m), Some(n)) => fold_angle(m, n, &piece.axis(&at)),
+        let ruling = |number: usize, x: f64, at: &At| {
+            let before = number.checked_sub(1).and_then(|k| here.get(k));
+            let bend = match (before, here.get(number).or(next)) {
+                (Some(m), Some(n)) => fold_angle(m, n, &piece.axis(at)),
                 _ => 0.0,
             };
-            before = after;
-            list.push(FlatRuling {
+            FlatRuling {
                 piece: index,
                 x,
                 ends: at.rails.map(|p| piece.placement.point(p)),
                 bend,
                 radius: at.radius(),
                 regression: at.regression().map(|p| piece.placement.point(p)),
-            });
-        }
+            }
+        };
+        // The first ruling of a later piece is the last one of the piece before.
+        let first = usize::from(index > 0);
+        let stations = piece.stations();
+        let stations = stations.get(first..).unwrap_or_default();
+        let start = list.len();
+        list.resize(start + stations.len(), BLANK);
+        let room = list.get_mut(start..).unwrap_or_default();
+        let shares = stations
+            .par_chunks(SHARE)
+            .zip(room.par_chunks_mut(SHARE))
+            .enumerate();
+        shares.for_each(|(share, (xs, slots))| {
+            let numbers = first + share * SHARE..;
+            let each = numbers.zip(xs).zip(piece.development.at_each(xs));
+            for (slot, ((number, x), at)) in slots.iter_mut().zip(each) {
+                *slot = ruling(number, *x, &at);
+            }
+        });
     }
     list
 }
+
+/// What stands in the place of a ruling until it is known.
+const BLANK: FlatRuling = FlatRuling {
+    piece: 0,
+    x: 0.0,
+    ends: [[0.0; 2]; 2],
+    bend: 0.0,
+    radius: f64::INFINITY,
+    regression: None,
+};
 
 /// Angles below this are rounding of the normals: the sheet is flat there.
 const FLAT: f64 = 1e-13;

@@ -22,7 +22,7 @@ use crate::coordinate::{Coordinate, check_finite, is_zero};
 use crate::curve::Curve;
 use crate::dual::Dual;
 use crate::error::{GeometryError, Place, Result};
-use crate::vector::{add, combine, cross, dot, scale, sub, times_two_to};
+use crate::vector::{add, blended, cross, dot, scale, sub, times_two_to};
 use std::cmp::Ordering;
 use torse_algebra::{ExactError, Jet, Scalar};
 
@@ -260,9 +260,7 @@ impl<S: Coordinate, B: Basis<S>> PlaneFamily<B, S> {
         let basis = self.planes.basis();
         basis.row_and_slope_into(x, &mut row, &mut slope)?;
         let points = self.unit.points();
-        let (Some(plane), Some(slope)) = (combine(&row, points), combine(&slope, points)) else {
-            return Err(no_ruling(x));
-        };
+        let (plane, slope) = (blended(&row, points)?, blended(&slope, points)?);
         let ruling = ruling_of(&plane, &slope).map_err(|_| no_ruling(x))?;
         finite("ruling", ruling.coordinates(), x)?;
         Ok(ruling)

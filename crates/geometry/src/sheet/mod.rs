@@ -11,6 +11,7 @@
 //! | you want | take |
 //! |---|---|
 //! | a space curve | [`Rail::bezier`], [`Rail::gbt`], [`Rail::hermite`], [`Rail::weighted`] |
+//! | its box, its point nearest to another, its parts | [`Rail::bounding_box`], [`Rail::nearest`], [`Rail::split`] |
 //! | a developable between two free curves | [`Sheet::between`] |
 //! | the envelope of planes | [`Planes`], [`Sheet::envelope`], [`Sheet::tangent`] |
 //! | a Hermite patch between two planes | [`Sheet::cone`] |
@@ -92,6 +93,7 @@
 //! ```
 
 mod inspect;
+mod nearest;
 mod planes;
 mod rail;
 mod surface;
@@ -101,6 +103,7 @@ pub use crate::developable::{
     Certificate, EnclosedCertificate, Gap, Reason, Regularity as Proof, Singularity, Worst,
 };
 pub use inspect::{Inspection, Seam};
+pub use nearest::Nearest;
 pub use planes::{Joint, Planes};
 pub use rail::{Rail, RailCurve};
 pub use surface::{Budget, Connected, Construction, Cut, Sheet};

@@ -22,7 +22,7 @@ use torse_algebra::Jet;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rail<S = f64> {
-    curve: RailCurve<S>,
+    pub(super) curve: RailCurve<S>,
 }
 
 /// The curve of the generic layer that a rail is.

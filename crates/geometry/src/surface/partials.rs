@@ -26,6 +26,19 @@ impl<S: Coordinate> Partials<S> {
         }
     }
 
+    /// Fills the table from `entry(i, j)`, or gives its first error.
+    pub(crate) fn try_from_fn(
+        order: usize,
+        entry: impl Fn(usize, usize) -> Result<[S; 3]>,
+    ) -> Result<Self> {
+        let row = |i: usize| (0..=order - i).map(|j| entry(i, j)).collect();
+        Ok(Self {
+            point: entry(0, 0)?,
+            order,
+            table: (0..=order).map(row).collect::<Result<_>>()?,
+        })
+    }
+
     /// The highest total order.
     #[must_use]
     pub fn order(&self) -> usize {

@@ -5,7 +5,7 @@ use crate::basis::Basis;
 use crate::coordinate::{Coordinate, check_finite};
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
-use crate::vector::{combine, lerp};
+use crate::vector::{blended, lerp};
 
 /// The surface `T(u, v) = sum_k sum_l Q[k][l] f[k,m](u) f[l,n](v)` (gbt-surfaces eq. (7)), with its own
 /// basis family in each direction.
@@ -98,11 +98,11 @@ impl<S: Coordinate, U: Basis<S>, V: Basis<S>> TensorSurface<U, V, S> {
     }
 
     /// The control points of the curve `T(u, .)`.
-    pub(crate) fn combined(&self, row: &[S]) -> Vec<[S; 3]> {
+    pub(crate) fn combined(&self, row: &[S]) -> Result<Vec<[S; 3]>> {
         (0..self.columns)
-            .filter_map(|l| {
+            .map(|l| {
                 let column: Vec<[S; 3]> = self.rows().filter_map(|r| r.get(l).cloned()).collect();
-                combine(row, &column)
+                blended(row, &column)
             })
             .collect()
     }
@@ -184,20 +184,21 @@ impl<S: Coordinate, U: Basis<S>, V: Basis<S>> Surface<S> for TensorSurface<U, V,
         let (m, n) = self.degrees();
         let by_u = self.u.derivative_rows(m, u, order)?;
         let by_v = self.v.derivative_rows(n, v, order)?;
-        let curves: Vec<Vec<[S; 3]>> = by_u.iter().map(|row| self.combined(row)).collect();
-        Ok(Partials::from_fn(order, |i, j| {
-            let entry = curves
-                .get(i)
-                .zip(by_v.get(j))
-                .and_then(|(c, row)| combine(row, c));
-            entry.unwrap_or_else(|| std::array::from_fn(|_| u.zero()))
-        }))
+        let curves = by_u.iter().map(|row| self.combined(row));
+        let curves: Vec<Vec<[S; 3]>> = curves.collect::<Result<_>>()?;
+        Partials::try_from_fn(order, |i, j| match curves.get(i).zip(by_v.get(j)) {
+            Some((points, row)) => blended(row, points),
+            None => Err(GeometryError::TooFew {
+                what: "rows of basis functions",
+                needed: i.max(j) + 1,
+                given: curves.len().min(by_v.len()),
+            }),
+        })
     }
 
     fn point(&self, u: &S, v: &S) -> Result<[S; 3]> {
         let (m, n) = self.degrees();
-        let curve = self.combined(&self.u.row(m, u)?);
-        let point = combine(&self.v.row(n, v)?, &curve);
-        Ok(point.unwrap_or_else(|| std::array::from_fn(|_| u.zero())))
+        let curve = self.combined(&self.u.row(m, u)?)?;
+        blended(&self.v.row(n, v)?, &curve)
     }
 }

@@ -1,6 +1,7 @@
 //! Nothing that comes in makes the library panic or hang.
 
 use proptest::prelude::*;
+use torse_algebra::{ExactError, Jet};
 use torse_geometry::developable::certify;
 use torse_geometry::pattern::{PatternError, unroll};
 use torse_geometry::{
@@ -115,4 +116,93 @@ fn impossible_degrees_and_orders_are_refused_before_memory_is_asked_for() {
     ));
     let patch = EnvelopingPatch::new(family, Bounds::Range([0.0, 1.0])).unwrap();
     assert!(refused(patch.partials(&0.5, &0.5, usize::MAX).map(drop)));
+}
+
+/// A family whose series end before the first derivative.
+#[derive(Debug, Clone)]
+struct ShortSeries;
+
+impl Basis<f64> for ShortSeries {
+    fn seeds(&self, x: &f64) -> Result<[f64; 3], ExactError> {
+        Bernstein.seeds(x)
+    }
+
+    fn seed_jets(&self, x: &f64, _order: usize) -> Result<[Jet<f64>; 3], ExactError> {
+        Bernstein.seed_jets(x, 0)
+    }
+
+    fn reversed(&self) -> Self {
+        Self
+    }
+}
+
+/// A family that loses the last of its functions, and the last of their derivatives.
+#[derive(Debug, Clone)]
+struct ShortRows;
+
+impl Basis<f64> for ShortRows {
+    fn seeds(&self, x: &f64) -> Result<[f64; 3], ExactError> {
+        Bernstein.seeds(x)
+    }
+
+    fn seed_jets(&self, x: &f64, order: usize) -> Result<[Jet<f64>; 3], ExactError> {
+        Bernstein.seed_jets(x, order)
+    }
+
+    fn reversed(&self) -> Self {
+        Self
+    }
+
+    fn row(&self, degree: usize, x: &f64) -> Result<Vec<f64>, GeometryError> {
+        Bernstein.row(degree - 1, x)
+    }
+
+    fn series_rows(
+        &self,
+        degree: usize,
+        x: &f64,
+        order: usize,
+    ) -> Result<Vec<Vec<f64>>, GeometryError> {
+        Bernstein.series_rows(degree, x, order.saturating_sub(1))
+    }
+}
+
+#[test]
+fn what_a_family_of_somebody_else_does_not_know_is_refused_and_not_zero() {
+    let control = || {
+        vec![
+            [0.0, 1.0, 2.0],
+            [1.0, 3.0, 0.0],
+            [2.0, 5.0, 1.0],
+            [4.0, 0.0, 1.0],
+        ]
+    };
+    let mismatch = |result: Result<(), GeometryError>| {
+        let error = result.unwrap_err();
+        assert!(
+            matches!(
+                error,
+                GeometryError::LengthMismatch { .. } | GeometryError::TooFew { .. }
+            ),
+            "{error}"
+        );
+    };
+    let series = Curve::new(ShortSeries, control()).unwrap();
+    assert!(series.point(&0.3).is_ok());
+    mismatch(series.derivatives(&0.3, 1).map(drop));
+    mismatch(series.jet(&0.3, 1).map(drop));
+    mismatch(ShortSeries.seed_slopes(&0.3).map(drop));
+    let rows = Curve::new(ShortRows, control()).unwrap();
+    mismatch(rows.point(&0.3).map(drop));
+    mismatch(rows.derivatives(&0.3, 2).map(drop));
+    let net = || vec![control(), control(), control()];
+    let surface = TensorSurface::new(ShortRows, Bernstein, net()).unwrap();
+    mismatch(surface.point(&0.3, &0.3).map(drop));
+    mismatch(surface.partials(&0.3, &0.3, 2).map(drop));
+    let surface = TensorSurface::new(Bernstein, ShortSeries, net()).unwrap();
+    mismatch(surface.partials(&0.3, &0.3, 1).map(drop));
+    let plane = |k: f64| [k, 1.0 - k * k, 0.5, 3.0];
+    let planes = [0.0, 0.5, 1.0, 2.0].map(plane).to_vec();
+    let family = PlaneFamily::new(ShortSeries, planes).unwrap();
+    mismatch(family.ruling(&0.3).map(drop));
 }

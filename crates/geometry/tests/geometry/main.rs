@@ -12,6 +12,7 @@ mod connections;
 mod constructions;
 mod developables;
 mod enclosures;
+mod extremes;
 mod hostile;
 mod identities;
 mod joins;

@@ -1,14 +1,16 @@
-//! Every worked design in every format, with what an independent reader should find in it, as `manifest.json`:
+//! What independent readers should find in the files that the command writes of each design, as `manifest.json`: areas,
+//! volumes, proved distances, points of the surface and of the exact outline, all from the library and none from a file.
 //!
 //! ```text
-//! cargo run -p torse-designs --example formats -- designs target/files
-//! python3 tests/exchange/check.py target/files
+//! cargo run -p torse-designs --example expected -- designs target/files
 //! ```
+//!
+//! `tests/exchange/check.py` runs it, runs the command beside it, and compares.
 
 use serde_json::{Value, json};
 use std::error::Error;
-use std::path::{Path, PathBuf};
-use torse_designs::export::{bytes, mesh, model};
+use std::path::PathBuf;
+use torse_designs::export::{mesh, model};
 use torse_designs::inspect::inspect;
 use torse_designs::unroll::{Demand, Summary, unroll};
 use torse_designs::{Design, load};
@@ -22,7 +24,7 @@ type Outcome<T> = Result<T, Box<dyn Error>>;
 fn main() -> Outcome<()> {
     let mut arguments = std::env::args().skip(1).map(PathBuf::from);
     let (Some(from), Some(to)) = (arguments.next(), arguments.next()) else {
-        return Err("name the folder of the designs and one for the files".into());
+        return Err("name the folder of the designs and one for the manifest".into());
     };
     std::fs::create_dir_all(&to)?;
     let mut paths: Vec<PathBuf> = std::fs::read_dir(from)?
@@ -33,9 +35,9 @@ fn main() -> Outcome<()> {
     let (mut models, mut meshes, mut outlines) = (Vec::new(), Vec::new(), Vec::new());
     for path in paths {
         let design = load(&path)?;
-        models.push(surfaces(&design, &to)?);
-        meshes.push(triangles(&design, &to)?);
-        outlines.push(cuts(&design, &to)?);
+        models.push(surfaces(&design)?);
+        meshes.push(triangles(&design)?);
+        outlines.push(cuts(&design)?);
     }
     let manifest = json!({ "models": models, "meshes": meshes, "outlines": outlines });
     let text = serde_json::to_string_pretty(&manifest)?;
@@ -43,14 +45,12 @@ fn main() -> Outcome<()> {
     Ok(())
 }
 
-fn write(design: &Design, folder: &Path, ending: &str) -> Outcome<String> {
-    let name = format!("{}.{ending}", design.name);
-    let made = bytes(design, ending, &Demand::default())?;
-    write_file(&folder.join(&name), &made)?;
-    Ok(name)
+/// The name of the file of this kind.
+fn file(design: &Design, ending: &str) -> String {
+    format!("{}.{ending}", design.name)
 }
 
-fn surfaces(design: &Design, folder: &Path) -> Outcome<Value> {
+fn surfaces(design: &Design) -> Outcome<Value> {
     let model = model(design)?;
     let mut points = Vec::new();
     for patch in &design.patches {
@@ -88,8 +88,8 @@ fn surfaces(design: &Design, folder: &Path) -> Outcome<Value> {
         border += 4.0 * (norm(&sub(&b, &a)) + norm(&sub(&c, &a)));
     }
     Ok(json!({
-        "step": write(design, folder, "step")?,
-        "iges": write(design, folder, "igs")?,
+        "step": file(design, "step"),
+        "iges": file(design, "igs"),
         "faces": faces,
         "area": area,
         "area_within": border * model.error(),
@@ -99,11 +99,8 @@ fn surfaces(design: &Design, folder: &Path) -> Outcome<Value> {
     }))
 }
 
-fn triangles(design: &Design, folder: &Path) -> Outcome<Value> {
-    let mut files = Vec::new();
-    for ending in ["stl", "obj", "ply", "3mf", "glb"] {
-        files.push(write(design, folder, ending)?);
-    }
+fn triangles(design: &Design) -> Outcome<Value> {
+    let files = ["stl", "obj", "ply", "3mf", "glb"].map(|ending| file(design, ending));
     let mesh = mesh(design)?;
     Ok(json!({
         "files": files,
@@ -115,7 +112,7 @@ fn triangles(design: &Design, folder: &Path) -> Outcome<Value> {
 }
 
 /// The outlines with points of the exact development.
-fn cuts(design: &Design, folder: &Path) -> Outcome<Value> {
+fn cuts(design: &Design) -> Outcome<Value> {
     let pieces = unroll(design, &Demand::default())?;
     let summary = Summary::of(design, &pieces);
     let mut list = Vec::new();
@@ -140,7 +137,6 @@ fn cuts(design: &Design, folder: &Path) -> Outcome<Value> {
             "points": points,
         }));
     }
-    Ok(
-        json!({ "dxf": write(design, folder, "dxf")?, "svg": write(design, folder, "svg")?, "pieces": list }),
-    )
+    let (dxf, svg) = (file(design, "dxf"), file(design, "svg"));
+    Ok(json!({ "dxf": dxf, "svg": svg, "pieces": list }))
 }

@@ -1,0 +1,212 @@
+//! The box around a rail, and its point nearest to another: enclosed, not sampled.
+
+use super::{Point, Rail, RailCurve};
+use crate::basis::{Bernstein, Shape};
+use crate::coordinate::Coordinate;
+use crate::curve::{Curve, RationalCurve, least};
+use crate::error::{GeometryError, Place, Result};
+use crate::scalars::{Over, exact, exact_ball};
+use torse_algebra::{Ball, Jet, Rational};
+
+/// The point of a rail nearest to another point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest {
+    /// Its parameter.
+    pub x: f64,
+    /// The point.
+    pub point: Point,
+    /// The least distance, within the accuracy asked for.
+    pub distance: f64,
+}
+
+/// Bits of the balls, of a rail of size one: squares of distances are known to 1e-37.
+const BITS: usize = 128;
+/// The finest accuracy as a share of the size: bounds are rounded to f64.
+const ROUNDING: f64 = 4e-15;
+
+impl Rail {
+    /// The least and the greatest corner of a box with sides along the axes: the rail does not leave it, and no side can
+    /// be moved inwards by more than `accuracy` (a length; not below 4e-15 of the size of the rail).
+    ///
+    /// # Errors
+    /// [`GeometryError::OutOfRange`] unless the accuracy is positive, [`GeometryError::NotConverged`] where enclosures do
+    /// not come so close.
+    ///
+    /// ```
+    /// use torse_geometry::prelude::*;
+    /// let arch = Rail::bezier(&[[0.0, 0.0, 1.0], [1.0, 2.0, 1.0], [2.0, 0.0, 1.0]])?;
+    /// let [low, high] = arch.bounding_box(1e-9)?;
+    /// // Lower than its control points.
+    /// assert!((high[1] - 1.0).abs() < 1e-9 && low[1].abs() < 1e-9 && (high[0] - 2.0).abs() < 1e-9);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn bounding_box(&self, accuracy: f64) -> Result<[Point; 2]> {
+        check_accuracy(accuracy)?;
+        let Some((units, scaled)) = self.about([0.0; 3])? else {
+            return Ok([[0.0; 3]; 2]);
+        };
+        let within = accuracy.times_two_to(-units).max(ROUNDING);
+        let close = |low: f64, high: f64| high - low <= within;
+        let side = |axis: usize, sign: f64| -> Result<f64> {
+            let coordinate = |jets: &[Jet<Ball>; 3]| {
+                let jet = jets[axis].clone();
+                if sign < 0.0 { -jet } else { jet }
+            };
+            let least = least(&scaled, BITS, coordinate, close)?;
+            // Plus zero: no negative zero.
+            back(sign * least.low, units).map(|value| value + 0.0)
+        };
+        let corner =
+            |sign: f64| -> Result<Point> { Ok([side(0, sign)?, side(1, sign)?, side(2, sign)?]) };
+        Ok([corner(1.0)?, corner(-1.0)?])
+    }
+
+    /// The point of the rail nearest to `point`, one of them where there are several: no other is nearer by more than
+    /// `accuracy` (a length; not below 4e-15 of the greatest distance).
+    ///
+    /// # Errors
+    /// [`GeometryError::NotFinite`], and as [`Rail::bounding_box`].
+    ///
+    /// ```
+    /// use torse_geometry::prelude::*;
+    /// let arc = Rail::ellipse_arc([0.0; 3], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0])?;
+    /// let nearest = arc.nearest([3.0, 3.0, 1.0], 1e-9)?;
+    /// assert!((nearest.x - 0.5).abs() < 1e-4);
+    /// assert!((nearest.distance - (18.0_f64.sqrt() - 2.0).hypot(1.0)).abs() < 1e-9);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn nearest(&self, point: Point, accuracy: f64) -> Result<Nearest> {
+        check_accuracy(accuracy)?;
+        crate::coordinate::check_finite("point", &point)?;
+        let at = |x: f64, distance: f64| {
+            let point = self.point(x)?;
+            Ok(Nearest { x, point, distance })
+        };
+        let Some((units, scaled)) = self.about(point)? else {
+            return at(0.0, 0.0);
+        };
+        let within = accuracy.times_two_to(-units).max(ROUNDING);
+        let square = |jets: &[Jet<Ball>; 3]| {
+            let [x, y, z] = jets.each_ref().map(|jet| jet.clone() * jet.clone());
+            x + y + z
+        };
+        let close = |low: f64, high: f64| high.max(0.0).sqrt() - low.max(0.0).sqrt() <= within;
+        let found = least(&scaled, BITS, square, close)?;
+        at(found.x, back(found.high.max(0.0).sqrt(), units)?)
+    }
+
+    /// The parts on `[0, x]` and `[x, 1]` of a Bezier curve, weighted or not, each with a parameter of its own in [0, 1].
+    ///
+    /// # Errors
+    /// [`GeometryError::OutOfRange`] unless `0 < x < 1`; [`GeometryError::Degenerate`] for a curve with shape parameters,
+    /// whose parts have no control points (a patch over it is trimmed by [`Sheet::part`](super::Sheet::part)).
+    ///
+    /// ```
+    /// use torse_geometry::prelude::*;
+    /// let rail = Rail::bezier(&[[0.0; 3], [1.0, 2.0, 0.0], [3.0, 2.0, 1.0], [4.0, 0.0, 1.0]])?;
+    /// let [first, second] = rail.split(0.25)?;
+    /// assert_eq!(first.point(1.0)?, second.point(0.0)?);
+    /// let length = first.length(1e-9)? + second.length(1e-9)?;
+    /// assert!((length - rail.length(1e-9)?).abs() < 1e-8);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn split(&self, x: f64) -> Result<[Self; 2]> {
+        if !(x > 0.0 && x < 1.0) {
+            return Err(GeometryError::OutOfRange {
+                name: "parameter of a split",
+                value: x,
+                range: "(0, 1)",
+            });
+        }
+        match self.curve() {
+            RailCurve::Plain(curve) if *curve.basis() == Shape::Bernstein => {
+                let curve = curve.clone().with_basis(|_| Bernstein);
+                Ok(curve.split(&x)?.map(Self::from))
+            }
+            RailCurve::Weighted(curve) if *curve.basis() == Shape::Bernstein => {
+                let curve = curve.clone().with_basis(|_| Bernstein);
+                Ok(curve.split(&x)?.map(Self::from))
+            }
+            _ => Err(GeometryError::Degenerate {
+                what: "a part of a curve with shape parameters has no control points",
+                at: Place::Parameter(x),
+            }),
+        }
+    }
+
+    /// The rail seen from a point, in units of a power of two in which it is about as large as one, and that power;
+    /// exact, on balls. `None` of a rail that never leaves the point.
+    fn about(&self, origin: Point) -> Result<Option<(i32, Rail<Ball>)>> {
+        let origin = origin.map(exact);
+        let ball = |x: &f64| exact_ball(*x, BITS);
+        let over = |shape: &Shape<f64>| shape.over(&ball);
+        let control: Vec<_> = match self.curve() {
+            RailCurve::Plain(curve) => curve.points().iter().map(|p| (p, 1.0)).collect(),
+            RailCurve::Weighted(curve) => curve.homogeneous().map(|(p, w)| (p, *w)).collect(),
+        };
+        // Of a weighted curve the homogeneous points, and weights that are near one as well.
+        let heaviest = control.iter().fold(0.0_f64, |m, (_, w)| m.max(*w));
+        let weights = heaviest.exponent().unwrap_or(0);
+        let seen: Vec<_> = control
+            .iter()
+            .map(|(p, w)| {
+                let w = exact(*w).times_two_to(-weights);
+                let from = |axis: usize| {
+                    exact(p[axis]).times_two_to(-weights) - w.clone() * origin[axis].clone()
+                };
+                ([from(0), from(1), from(2)], w)
+            })
+            .collect();
+        let size = seen.iter().flat_map(|(p, _)| p);
+        // Far from one, where a quotient would leave the range of f64 on its way to it.
+        let up = |c: &Rational| c.times_two_to(500).approximate().abs();
+        let size = size.fold(0.0_f64, |m, c| {
+            m.max(c.approximate().abs())
+                .max(up(c).min(1.0).times_two_to(-500))
+        });
+        let Some(units) = size.min(f64::MAX).exponent() else {
+            return Ok(None);
+        };
+        let points = seen.iter().map(|(p, _)| {
+            p.each_ref()
+                .map(|c| Ball::from_rational(&c.times_two_to(-units), BITS))
+        });
+        let curve = match self.curve() {
+            RailCurve::Plain(curve) => {
+                RailCurve::Plain(Curve::new(over(curve.basis())?, points.collect())?)
+            }
+            RailCurve::Weighted(curve) => {
+                let weights = seen.iter().map(|(_, w)| Ball::from_rational(w, BITS));
+                RailCurve::Weighted(RationalCurve::from_homogeneous(
+                    over(curve.basis())?,
+                    points.collect(),
+                    weights.collect(),
+                )?)
+            }
+        };
+        Ok(Some((units, Rail { curve })))
+    }
+}
+
+fn check_accuracy(accuracy: f64) -> Result<()> {
+    if accuracy > 0.0 {
+        return Ok(());
+    }
+    Err(GeometryError::OutOfRange {
+        name: "accuracy",
+        value: accuracy,
+        range: "(0, infinity)",
+    })
+}
+
+/// A length in the units of the rail.
+fn back(length: f64, units: i32) -> Result<f64> {
+    let value = length.times_two_to(units);
+    if value.is_finite() {
+        return Ok(value);
+    }
+    Err(GeometryError::NoValue {
+        what: "length",
+        at: Place::Whole,
+    })
+}
