@@ -189,6 +189,8 @@ pub fn integer(n: i64) -> Rational {
 /// ```
 /// use torse_numbers::rational::{ratio, to_f64};
 /// assert_eq!(ratio(1, 4).map(|q| to_f64(&q)), Some(0.25));
+/// let least = ratio(1, 2).map(|half| to_f64(&half.pow(1022)));
+/// assert_eq!(least, Some(f64::MIN_POSITIVE));
 /// ```
 #[must_use]
 pub fn to_f64(q: &Rational) -> f64 {
@@ -206,7 +208,10 @@ pub fn to_f64(q: &Rational) -> f64 {
     } else {
         magnitude / (q.denom().clone() << amount)
     };
-    let value = ToPrimitive::to_f64(&quotient).unwrap_or(f64::INFINITY)
-        * f64::powi(2.0, i32::try_from(-shift).unwrap_or(i32::MAX));
+    // In two steps: the power of two may be too small for a double where the product is not.
+    let exponent = i32::try_from((-shift).clamp(-2200, 2200)).unwrap_or(0);
+    let (first, second) = (exponent / 2, exponent - exponent / 2);
+    let leading = ToPrimitive::to_f64(&quotient).unwrap_or(f64::INFINITY);
+    let value = leading * f64::powi(2.0, first) * f64::powi(2.0, second);
     if q.is_negative() { -value } else { value }
 }
