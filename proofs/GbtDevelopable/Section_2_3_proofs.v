@@ -54,11 +54,3 @@ Import GbtDevelopable.Section_2_3.sec_2_3_concl_2_control_polygon.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g loop to_leg2] in no; refuting (no (1)). Qed.
 End sec_2_3_concl_2_control_polygon.
-
-Module sec_2_3_concl_2_quadratic.
-Import GbtDevelopable.Section_2_3.sec_2_3_concl_2_quadratic.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g]; ordered. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), (1 / 3); met)]. Qed.
-End sec_2_3_concl_2_quadratic.
