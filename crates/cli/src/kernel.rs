@@ -13,17 +13,17 @@ use torse_rocq::folder::{Folder, UNPROVED};
 pub struct Proofs {
     /// The folder of proofs; what its accepted.json says counts while statements, proofs and library are the same
     #[arg(long = "proofs", value_name = "DIR", default_value = "proofs")]
-    folder: PathBuf,
+    proofs: PathBuf,
 }
 
 impl Proofs {
     /// The ids of the claims of a run all of whose theorems were accepted as they are written now. A claim with one theorem
     /// that has no proof is not among them.
     pub fn accepted(&self, papers: &[Paper], run: &Run) -> BTreeSet<String> {
-        let Some(accepted) = Accepted::read(&self.folder) else {
+        let Some(accepted) = Accepted::read(&self.proofs) else {
             return BTreeSet::new();
         };
-        let folder = Folder::new(&findings(papers, run), &unproved(&self.folder));
+        let folder = Folder::new(&findings(papers, run), &unproved(&self.proofs));
         let mut fresh: BTreeMap<&str, bool> = BTreeMap::new();
         for theorem in &folder.theorems {
             *fresh.entry(&theorem.id).or_insert(true) &= accepted.has(theorem);

@@ -1,0 +1,80 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From Bezier Require Part_C.
+Open Scope R_scope.
+
+Module join_C0.
+Import Bezier.Part_C.join_C0.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement B S_ C_]; prepared; unknown (R_ 0%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance B S_ C_]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
+End join_C0.
+
+Module join_C1.
+Import Bezier.Part_C.join_C1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement B S_ C_ S__ C__]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance B S_ C_ S__ C__]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
+End join_C1.
+
+Module join_C1_slip.
+Import Bezier.Part_C.join_C1_slip.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement B S_ C_ S__ C__] in no; refuting (no ((3))%Z ((4))%Z (fun i0 => if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (7/4) else 0)). Qed.
+End join_C1_slip.
+
+Module join_C1_slip_corrected.
+Import Bezier.Part_C.join_C1_slip_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement B S_ C_ S__ C__]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance B S_ C_ S__ C__]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
+End join_C1_slip_corrected.
+
+Module join_C2.
+Import Bezier.Part_C.join_C2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance B S_ C_ S__ C__ d1 d2]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
+End join_C2.
+
+Module join_C2_slip.
+Import Bezier.Part_C.join_C2_slip.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (4) else 0)). Qed.
+End join_C2_slip.
+
+Module join_C2_slip_corrected.
+Import Bezier.Part_C.join_C2_slip_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance B S_ C_ S__ C__ d1 d2]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
+End join_C2_slip_corrected.
+
+Module join_C2_sufficient.
+Import Bezier.Part_C.join_C2_sufficient.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement d1 d2 B S_ C_ S__ C__]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance d1 d2 B S_ C_ S__ C__]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
+End join_C2_sufficient.
+
+Module trigonometric_C1.
+Import Bezier.Part_C.trigonometric_C1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement T G F G_ F_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance T G F G_ F_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1)), ((-1)), ((-1)), ((-1)); met)]. Qed.
+End trigonometric_C1.
+
+Module trigonometric_C1_inside.
+Import Bezier.Part_C.trigonometric_C1_inside.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement T G F G_ F_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance T G F G_ F_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1)), ((-1)), ((-1)), ((-1)); met)]. Qed.
+End trigonometric_C1_inside.

@@ -1,0 +1,70 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From Bezier Require Part_README.
+Open Scope R_scope.
+
+Module language_calculus.
+Import Bezier.Part_README.language_calculus.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement E_]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance E_]; first [(exists (1 / 3), (3); met) | (exists (1 / 3), (0); met)]. Qed.
+End language_calculus.
+
+Module language_matrices.
+Import Bezier.Part_README.language_matrices.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (10); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (0); met)]. Qed.
+End language_matrices.
+
+Module language_decimals.
+Import Bezier.Part_README.language_decimals.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; ordered. Qed.
+End language_decimals.
+
+Module language_divisor.
+Import Bezier.Part_README.language_divisor.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met)]. Qed.
+End language_divisor.
+
+Module language_order.
+Import Bezier.Part_README.language_order.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; ordered. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
+End language_order.
+
+Module language_order_false.
+Import Bezier.Part_README.language_order_false.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no (0)). Qed.
+End language_order_false.
+
+Module language_assumed.
+Import Bezier.Part_README.language_assumed.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met)]. Qed.
+End language_assumed.
+
+Module language_declared.
+Import Bezier.Part_README.language_declared.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (6); met) | (exists (6); met)]. Qed.
+End language_declared.
+
+Module language_decimals_false.
+Import Bezier.Part_README.language_decimals_false.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no ). Qed.
+End language_decimals_false.

@@ -1,0 +1,20 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtDevelopable Require Part_Abstract.
+Open Scope R_scope.
+
+Module abs_conics_points.
+Import GbtDevelopable.Part_Abstract.abs_conics_points.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement points]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance points]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 3); met)]. Qed.
+End abs_conics_points.
+
+Module abs_4d_factor.
+Import GbtDevelopable.Part_Abstract.abs_4d_factor.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement normal direction moment foot midpoint]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal direction moment foot midpoint]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (1); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (1); met)]. Qed.
+End abs_4d_factor.

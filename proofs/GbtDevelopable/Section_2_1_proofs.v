@@ -1,0 +1,142 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtDevelopable Require Section_2_1.
+Open Scope R_scope.
+
+Module def_1_g0.
+Import GbtDevelopable.Section_2_1.def_1_g0.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End def_1_g0.
+
+Module def_1_g1.
+Import GbtDevelopable.Section_2_1.def_1_g1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End def_1_g1.
+
+Module def_1_g2.
+Import GbtDevelopable.Section_2_1.def_1_g2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End def_1_g2.
+
+Module def_1_range.
+Import GbtDevelopable.Section_2_1.def_1_range.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; ordered. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End def_1_range.
+
+Module eq_2_1.
+Import GbtDevelopable.Section_2_1.eq_2_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g]; first [(exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_2_1.
+
+Module def_1_zero.
+Import GbtDevelopable.Section_2_1.def_1_zero.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g]; first [(exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End def_1_zero.
+
+Module thm_1_1_k2_functions.
+Import GbtDevelopable.Section_2_1.thm_1_1_k2_functions.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g] in no; refuting (no (1) (1) (1/2)). Qed.
+End thm_1_1_k2_functions.
+
+Module thm_1_1_k2_substitution.
+Import GbtDevelopable.Section_2_1.thm_1_1_k2_substitution.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g first last]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g first last]; first [(exists (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1 / 3), (1 / 3); met)]. Qed.
+End thm_1_1_k2_substitution.
+
+Module thm_1_1_k3plus_functions.
+Import GbtDevelopable.Section_2_1.thm_1_1_k3plus_functions.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g] in no; refuting (no ((3))%Z (1) (1) (1/2)). Qed.
+End thm_1_1_k3plus_functions.
+
+Module thm_1_1_k3plus_substitution.
+Import GbtDevelopable.Section_2_1.thm_1_1_k3plus_substitution.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g seed0] in no; refuting (no (1) (1) (1) (0)). Qed.
+End thm_1_1_k3plus_substitution.
+
+Module thm_1_1_degeneration.
+Import GbtDevelopable.Section_2_1.thm_1_1_degeneration.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g f0 s f2 c]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g f0 s f2 c]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End thm_1_1_degeneration.
+
+Module thm_1_1_degeneration_only.
+Import GbtDevelopable.Section_2_1.thm_1_1_degeneration_only.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g at0 at1 middle]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g at0 at1 middle]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_1_1_degeneration_only.
+
+Module thm_1_3.
+Import GbtDevelopable.Section_2_1.thm_1_3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End thm_1_3.
+
+Module thm_1_4.
+Import GbtDevelopable.Section_2_1.thm_1_4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End thm_1_4.
+
+Module thm_1_5_quadratic.
+Import GbtDevelopable.Section_2_1.thm_1_5_quadratic.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_1_5_quadratic.
+
+Module thm_1_6_a.
+Import GbtDevelopable.Section_2_1.thm_1_6_a.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_1_6_a.
+
+Module thm_1_6_b.
+Import GbtDevelopable.Section_2_1.thm_1_6_b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_1_6_b.
+
+Module thm_1_6_d.
+Import GbtDevelopable.Section_2_1.thm_1_6_d.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g G]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g G]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_1_6_d.

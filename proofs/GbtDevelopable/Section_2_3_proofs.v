@@ -1,0 +1,56 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtDevelopable Require Section_2_3.
+Open Scope R_scope.
+
+Module sec_2_3_local_part_of_a_curve.
+Import GbtDevelopable.Section_2_3.sec_2_3_local_part_of_a_curve.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g G] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else 0) ((-1) / 3) ((-1) / 3) (1/2)). Qed.
+End sec_2_3_local_part_of_a_curve.
+
+Module sec_2_3_local_part_of_a_composite.
+Import GbtDevelopable.Section_2_3.sec_2_3_local_part_of_a_composite.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H1 H2]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H1 H2]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End sec_2_3_local_part_of_a_composite.
+
+Module eq_2_3.
+Import GbtDevelopable.Section_2_3.eq_2_3.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g G] in no; refuting (no ((3))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) ((-1) / 3) ((-1) / 3) (1/2)). Qed.
+End eq_2_3.
+
+Module eq_2_4.
+Import GbtDevelopable.Section_2_3.eq_2_4.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g G] in no; refuting (no ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) ((-1) / 3) ((-1) / 3) (1/2)). Qed.
+End eq_2_4.
+
+Module sec_2_3_dir_mu_single.
+Import GbtDevelopable.Section_2_3.sec_2_3_dir_mu_single.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g quadratic quadratic_ cubic change]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g quadratic quadratic_ cubic change]; first [(exists (fun _ => 2), (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End sec_2_3_dir_mu_single.
+
+Module sec_2_3_range.
+Import GbtDevelopable.Section_2_3.sec_2_3_range.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no (-1) ((-1) / 3)). Qed.
+End sec_2_3_range.
+
+Module sec_2_3_concl_2_boundary_of_the_hull.
+Import GbtDevelopable.Section_2_3.sec_2_3_concl_2_boundary_of_the_hull.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g zigzag to_hull] in no; refuting (no ((-1) / 3)). Qed.
+End sec_2_3_concl_2_boundary_of_the_hull.
+
+Module sec_2_3_concl_2_control_polygon.
+Import GbtDevelopable.Section_2_3.sec_2_3_concl_2_control_polygon.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g loop to_leg2] in no; refuting (no (1)). Qed.
+End sec_2_3_concl_2_control_polygon.

@@ -1,0 +1,44 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtDevelopable Require Section_3_1.
+Open Scope R_scope.
+
+Module sec_3_1_space.
+Import GbtDevelopable.Section_3_1.sec_3_1_space.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement normal direction moment foot midpoint]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal direction moment foot midpoint]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (1), (1); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (1), (1); met)]. Qed.
+End sec_3_1_space.
+
+Module eq_3_1.
+Import GbtDevelopable.Section_3_1.eq_3_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_3_1.
+
+Module eq_3_2.
+Import GbtDevelopable.Section_3_1.eq_3_2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g HT]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g HT]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_3_2.
+
+Module eq_3_3.
+Import GbtDevelopable.Section_3_1.eq_3_3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g HT]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g HT]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_3_3.
+
+Module eq_3_4.
+Import GbtDevelopable.Section_3_1.eq_3_4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g HT]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g HT]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_3_4.

@@ -1,0 +1,94 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtDevelopable Require Section_3_2.
+Open Scope R_scope.
+
+Module eq_3_5.
+Import GbtDevelopable.Section_3_2.eq_3_5.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g HT normal W F]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g HT normal W F]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), (7), (8), (9), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_3_5.
+
+Module eq_3_6.
+Import GbtDevelopable.Section_3_2.eq_3_6.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g HT normal W F]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g HT normal W F]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), (7), (8), (9), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_3_6.
+
+Module sec_3_2_phi.
+Import GbtDevelopable.Section_3_2.sec_3_2_phi.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a a' phi]; identity. Qed.
+End sec_3_2_phi.
+
+Module sec_3_2_theta.
+Import GbtDevelopable.Section_3_2.sec_3_2_theta.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a W a' phi theta]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a W a' phi theta]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10), (11), (12); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
+End sec_3_2_theta.
+
+Module sec_3_2_phi_exp.
+Import GbtDevelopable.Section_3_2.sec_3_2_phi_exp.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a a' phi]; identity. Qed.
+End sec_3_2_phi_exp.
+
+Module sec_3_2_psi_vec.
+Import GbtDevelopable.Section_3_2.sec_3_2_psi_vec.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a a' phi theta psi]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a a' phi theta psi]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
+End sec_3_2_psi_vec.
+
+Module sec_3_2_psi_nearest.
+Import GbtDevelopable.Section_3_2.sec_3_2_psi_nearest.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a a' phi theta psi]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a a' phi theta psi]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
+End sec_3_2_psi_nearest.
+
+Module sec_3_2_psi_x.
+Import GbtDevelopable.Section_3_2.sec_3_2_psi_x.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a a' phi theta]; identity. Qed.
+End sec_3_2_psi_x.
+
+Module sec_3_2_psi_y.
+Import GbtDevelopable.Section_3_2.sec_3_2_psi_y.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a a' phi theta]; identity. Qed.
+End sec_3_2_psi_y.
+
+Module sec_3_2_psi_z.
+Import GbtDevelopable.Section_3_2.sec_3_2_psi_z.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement a a' phi theta] in no; refuting (no (1) (1) (1) (1) (1) (0) (1) (1)). Qed.
+End sec_3_2_psi_z.
+
+Module sec_3_2_psi_z_corrected.
+Import GbtDevelopable.Section_3_2.sec_3_2_psi_z_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a a' phi theta]; identity. Qed.
+End sec_3_2_psi_z_corrected.
+
+Module sec_3_2_psi_den.
+Import GbtDevelopable.Section_3_2.sec_3_2_psi_den.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a a' phi]; identity. Qed.
+End sec_3_2_psi_den.
+
+Module eq_3_7.
+Import GbtDevelopable.Section_3_2.eq_3_7.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a a' phi W normal direction theta psi moment foot]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a a' phi W normal direction theta psi moment foot]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10), (11), (12), (13); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
+End eq_3_7.

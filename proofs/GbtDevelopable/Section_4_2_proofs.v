@@ -1,0 +1,34 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtDevelopable Require Section_4_2.
+Open Scope R_scope.
+
+Module sec_4_2_Q1_lengths.
+Import GbtDevelopable.Section_4_2.sec_4_2_Q1_lengths.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement E3_0 E3_1 E3_2 E3_3 normal]; identity. Qed.
+End sec_4_2_Q1_lengths.
+
+Module sec_4_2_Q2.
+Import GbtDevelopable.Section_4_2.sec_4_2_Q2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement normal E3_2 midpoint]; ordered. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal E3_2 midpoint]; first [(met) | (met)]. Qed.
+End sec_4_2_Q2.
+
+Module sec_4_2_quadrants.
+Import GbtDevelopable.Section_4_2.sec_4_2_quadrants.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement E3_0 normal E3_1 E3_2 E3_3 midpoint]; ordered. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance E3_0 normal E3_1 E3_2 E3_3 midpoint]; first [(met) | (met)]. Qed.
+End sec_4_2_quadrants.
+
+Module sec_4_2_distances.
+Import GbtDevelopable.Section_4_2.sec_4_2_distances.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement E3_0 normal E3_1 E3_2 E3_3 distance2]; ordered. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance E3_0 normal E3_1 E3_2 E3_3 distance2]; first [(met) | (met)]. Qed.
+End sec_4_2_distances.

@@ -1,0 +1,770 @@
+(* Statements of gbt-developable, Section 5 3. Nothing is proved here. *)
+From Torse Require Import Defs.
+Open Scope R_scope.
+
+Module thm_4_consts.
+(* gbt-developable/thm-4.consts, Sect. 5.3, Theorem 4, line after (5.16)
+   printed: c = (2(k−2) + π(1+ν_1))/(2(l−2) + π(1+μ_2)), c_k = 4(k−2)(k−3+π(1+ν_1)), c_l = 4(l−2)(l−3+π(1+μ_2))
+   read as: Compared with the constants that (5.12) and (5.16) are stated with, and c_k, c_l with the factors of (5.15).
+   stated: c == (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2)) and ck == 4*(k - 2)*(k - 3 + pi*(1 + nu1)) and cl == 4*(l - 2)*(l - 3 + pi*(1 + mu2)) and 4*H2''(0) == cl*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) *)
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P2 : Z -> R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= 1 <= l)%Z ->
+  (0 <= 2 <= l)%Z ->
+  c k l mu2 nu1 = (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)) /\ ck k nu1 = 4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)) /\ cl l mu2 = 4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)) /\ 4 * (let x := 0%Z in Derive_n (fun x_ => H2 P2 l mu2 nu2 x_) 2 (IZR x)) = cl l mu2 * (P2 0%Z - 2 * P2 1%Z + P2 2%Z) + 2 * PI ^ 2 * mu2 * (P2 0%Z - P2 1%Z) - PI ^ 2 * (1 - nu2) * (P2 1%Z - P2 2%Z).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P2 : Z -> R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= 1 <= l)%Z /\
+  (0 <= 2 <= l)%Z.
+End thm_4_consts.
+
+Module thm_4_a.
+(* gbt-developable/thm-4.a, Sect. 5.3, Theorem 4, eq. (5.16), first line
+   printed: Q_{0,2} = Q_{k,1}
+   stated: P2[0] == P1[k] *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  P2 0%Z = P1 k.
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z.
+End thm_4_a.
+
+Module thm_4_b.
+(* gbt-developable/thm-4.b, Sect. 5.3, Theorem 4, eq. (5.16), second line
+   printed: Q_{1,2} = Q_{k,1} + c γ (Q_{k,1} − Q_{k−1,1})
+   stated: P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (0 <= 1 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\
+  (0 <= 1 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z.
+End thm_4_b.
+
+Module thm_4_c.
+(* gbt-developable/thm-4.c, Sect. 5.3, Theorem 4, eq. (5.16), third line
+   printed: Q_{2,2} = Q_{k,1} + c γ (Q_{k,1} − Q_{k−1,1}) + 1/(c_l + π²(1−ν_2)) [c_k γ² (Q_{k,1} − 2 Q_{k−1,1} + Q_{k−2,1}) − π² γ² (1−μ_1) × (Q_{k−1,1} − Q_{k−2,1}) + (γ (2π² ν_1 γ + c c_l + 2 c π² μ_2) + λ (k − 2 + π/2 (1+ν_1))) (Q_{k,1} − Q_{k−1,1})]
+   stated: P2[2] == P1[k] + c*gamma*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*gamma^2*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*gamma^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (gamma*(2*pi^2*nu1*gamma + c*cl + 2*c*pi^2*mu2) + lambda*(k - 2 + pi/2*(1 + nu1)))*(P1[k] - P1[k-1])) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) ->
+  (0 <= 2 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  P2 2%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
+End thm_4_c.
+
+Module thm_4_c_corrected.
+(* gbt-developable/thm-4.c (corrected), Sect. 5.3, Theorem 4, eq. (5.16), third line
+   printed: Q_{2,2} = Q_{k,1} + c γ (Q_{k,1} − Q_{k−1,1}) + 1/(c_l + π²(1−ν_2)) [c_k γ² (Q_{k,1} − 2 Q_{k−1,1} + Q_{k−2,1}) − π² γ² (1−μ_1) × (Q_{k−1,1} − Q_{k−2,1}) + (γ (2π² ν_1 γ + c c_l + 2 c π² μ_2) + λ (k − 2 + π/2 (1+ν_1))) (Q_{k,1} − Q_{k−1,1})]
+   stated: P2[2] == P1[k] + c*gamma*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*gamma^2*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*gamma^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (gamma*(2*pi^2*nu1*gamma + c*cl + 2*c*pi^2*mu2) + 4*(lambda*(k - 2 + pi/2*(1 + nu1))))*(P1[k] - P1[k-1])) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) ->
+  (0 <= 2 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
+  P2 2%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + 4 * (lambda * (IZR k - 2 + PI / 2 * (1 + nu1)))) * (P1 k - P1 (k - 1)%Z)).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) /\
+  (0 <= 2 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
+  (0 <= k - 2 <= k)%Z /\
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
+End thm_4_c_corrected.
+
+Module thm_4_c_true.
+(* gbt-developable/thm-4.c.true, Sect. 5.3, Theorem 4, eq. (5.16), third line
+   printed: The third line of (5.16) with 4λ in place of λ.
+   stated: P2[2] == P1[k] + c*gamma*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*gamma^2*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*gamma^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (gamma*(2*pi^2*nu1*gamma + c*cl + 2*c*pi^2*mu2) + 4*lambda*(k - 2 + pi/2*(1 + nu1)))*(P1[k] - P1[k-1])) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) ->
+  (0 <= 2 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
+  P2 2%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + 4 * lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) /\
+  (0 <= 2 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
+  (0 <= k - 2 <= k)%Z /\
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
+End thm_4_c_true.
+
+Module eq_5_17.
+(* gbt-developable/eq-5.17, Sect. 5.3, eq. (5.17)
+   printed: Q_{0,2} = H_2(0, μ_2, ν_2) = H_1(1, μ_1, ν_1) = Q_{k,1};  H'_2(0, μ_2, ν_2) = γ H'_1(1, μ_1, ν_1), γ > 0;  H''_2(0, μ_2, ν_2) = γ² H''_1(1, μ_1, ν_1) + λ H'_1(1, μ_1, ν_1), where γ > 0 and λ are constants
+   read as: The outer equations of the first line, and (5.17) with 'expressions (3.11) and (3.12)' put in, as the proof does.
+   stated: H2(0) == P2[0] and H1(1) == P1[k] and 2*(H2'(0) - gamma*H1'(1)) == (2*(l - 2) + pi*(1 + mu2))*(P2[1] - P2[0]) - gamma*(2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) and 4*(H2''(0) - gamma^2*H1''(1) - lambda*H1'(1)) == cl*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) - gamma^2*(ck*(P1[k-2] - 2*P1[k-1] + P1[k]) + pi^2*(1 - mu1)*(P1[k-2] - P1[k-1]) - 2*pi^2*nu1*(P1[k-1] - P1[k])) - 2*lambda*(2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= 2 <= l)%Z ->
+  (0 <= k - 2 <= k)%Z ->
+  H2 P2 l mu2 nu2 0%Z = P2 0%Z /\ H1 P1 k mu1 nu1 1%Z = P1 k /\ 2 * ((let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) - gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_))) = (2 * (IZR l - 2) + PI * (1 + mu2)) * (P2 1%Z - P2 0%Z) - gamma * (2 * (IZR k - 2) + PI * (1 + nu1)) * (P1 k - P1 (k - 1)%Z) /\ 4 * ((let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) - gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) - lambda * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____))) = cl l mu2 * (P2 0%Z - 2 * P2 1%Z + P2 2%Z) + 2 * PI ^ 2 * mu2 * (P2 0%Z - P2 1%Z) - PI ^ 2 * (1 - nu2) * (P2 1%Z - P2 2%Z) - gamma ^ 2 * (ck k nu1 * (P1 (k - 2)%Z - 2 * P1 (k - 1)%Z + P1 k) + PI ^ 2 * (1 - mu1) * (P1 (k - 2)%Z - P1 (k - 1)%Z) - 2 * PI ^ 2 * nu1 * (P1 (k - 1)%Z - P1 k)) - 2 * lambda * (2 * (IZR k - 2) + PI * (1 + nu1)) * (P1 k - P1 (k - 1)%Z).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  (0 <= 1 <= l)%Z /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= 2 <= l)%Z /\
+  (0 <= k - 2 <= k)%Z.
+End eq_5_17.
+
+Module thm_4_sufficient.
+(* gbt-developable/thm-4.sufficient, Sect. 5.3, Theorem 4 ('sufficient')
+   printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
+   read as: λ is a constant that (5.17) leaves open: (5.16) as printed gives (5.17) with λ/4 in place of λ. The common generator, the line of Q_{k-1,1} and Q_{k,1}, is there.
+   stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and H2''(0) == gamma^2*H1''(1) + lambda/4*H1'(1) and P1[k-1] == H2(0) - H2'(0)/(gamma*(k - 2 + pi/2*(1 + nu1))) *)
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
+  P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  P2 0%Z = P1 k ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) ->
+  (0 <= 2 <= l)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  P2 2%Z = beta P1 gamma k l lambda mu1 mu2 nu1 nu2 ->
+  gamma * (IZR k - 2 + PI / 2 * (1 + nu1)) <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + nu1) <> 0 ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\ (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\ (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda / 4 * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) /\ P1 (k - 1)%Z = H2 P2 l mu2 nu2 0%Z - (let x_____ := 0%Z in Derive_n (fun x______ => H2_ P2 l mu2 nu2 x______) 1 (IZR x_____)) / (gamma * (IZR k - 2 + PI / 2 * (1 + nu1))).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  P2 0%Z = P1 k /\
+  (0 <= 1 <= l)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) /\
+  (0 <= 2 <= l)%Z /\
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
+  (0 <= k - 2 <= k)%Z /\
+  P2 2%Z = beta P1 gamma k l lambda mu1 mu2 nu1 nu2 /\
+  gamma * (IZR k - 2 + PI / 2 * (1 + nu1)) <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + nu1) <> 0 /\
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
+End thm_4_sufficient.
+
+Module thm_4_necessary_families.
+(* gbt-developable/thm-4.necessary.families, Sect. 5.3, Theorem 4 ('necessary')
+   printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
+   read as: G2 beta continuity is (5.17). The constant λ of (5.16) is four times that of (5.17).
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) and P2[2] == at(beta, lambda, 4*lambda) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (lambda : R) : R :=
+  P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= 2 <= l)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) /\ P2 2%Z = beta P1 gamma k l mu1 mu2 nu1 nu2 (4 * lambda).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  (0 <= 1 <= l)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= 2 <= l)%Z /\
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
+  (0 <= k - 2 <= k)%Z /\
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
+End thm_4_necessary_families.
+
+Module thm_4_necessary_surfaces.
+(* gbt-developable/thm-4.necessary.surfaces, Sect. 5.3, Theorem 4 ('necessary')
+   printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
+   read as: G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. The first two lines of (5.16) are stated; a factor rho of all coordinates is enough to refute.
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  1 <= rho <= 2 ->
+  H2 P2 l mu2 nu2 0%Z = rho * H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = rho * gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = rho * (gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____))) ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z).
+End thm_4_necessary_surfaces.
+
+Module thm_4_true_necessary.
+(* gbt-developable/thm-4.true.necessary, Sect. 5.3, Theorem 4
+   printed: Two surfaces with the same tangent plane, generator, characteristic point and curvature: what this asks of the control planes, with the constants ρ, γ, s, u and v.
+   stated: P2[0] == rho*P1[k] and P2[1] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] and P2[2] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] + 1/(cl + pi^2*(1 - nu2))*(rho*gamma^2*(ck*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + 2*pi^2*nu1*(P1[k] - P1[k-1])) + 4*v*kappa1*(P1[k] - P1[k-1]) + 4*u*P1[k] + (cl + 2*pi^2*mu2)*(rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k])) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition kappa2 (l : Z) (mu2 : R) : R :=
+  IZR l - 2 + PI / 2 * (1 + mu2).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition kappa1 (k : Z) (nu1 : R) : R :=
+  IZR k - 2 + PI / 2 * (1 + nu1).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R) (u : R) (v : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = rho * H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = rho * gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) + s * H1 P1 k mu1 nu1 1%Z ->
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = rho * gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + v * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) + u * H1 P1 k mu1 nu1 1%Z ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  kappa2 l mu2 <> 0 ->
+  (0 <= 2 <= l)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
+  P2 0%Z = rho * P1 k /\ P2 1%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k /\ P2 2%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (rho * gamma ^ 2 * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + 2 * PI ^ 2 * nu1 * (P1 k - P1 (k - 1)%Z)) + 4 * v * kappa1 k nu1 * (P1 k - P1 (k - 1)%Z) + 4 * u * P1 k + (cl l mu2 + 2 * PI ^ 2 * mu2) * (rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k)).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R) (u : R) (v : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0%Z = rho * H1 P1 k mu1 nu1 1%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = rho * gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) + s * H1 P1 k mu1 nu1 1%Z /\
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = rho * gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + v * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) + u * H1 P1 k mu1 nu1 1%Z /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  (0 <= 1 <= l)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  kappa2 l mu2 <> 0 /\
+  (0 <= 2 <= l)%Z /\
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
+  (0 <= k - 2 <= k)%Z /\
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
+End thm_4_true_necessary.
+
+Module thm_4_true_sufficient.
+(* gbt-developable/thm-4.true.sufficient, Sect. 5.3, Theorem 4
+   printed: Control planes with constants ρ, γ, s, u and v: the families agree up to the second derivative, a change of speed and a factor.
+   stated: H2(0) == rho*H1(1) and H2'(0) == rho*gamma*H1'(1) + s*H1(1) and H2''(0) == rho*gamma^2*H1''(1) + v*H1'(1) + u*H1(1) *)
+Definition kappa2 (l : Z) (mu2 : R) : R :=
+  IZR l - 2 + PI / 2 * (1 + mu2).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition kappa1 (k : Z) (nu1 : R) : R :=
+  IZR k - 2 + PI / 2 * (1 + nu1).
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R) (u : R) (v : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  P2 0%Z = rho * P1 k ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  kappa2 l mu2 <> 0 ->
+  P2 1%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k ->
+  (0 <= 2 <= l)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  P2 2%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (rho * gamma ^ 2 * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + 2 * PI ^ 2 * nu1 * (P1 k - P1 (k - 1)%Z)) + 4 * v * kappa1 k nu1 * (P1 k - P1 (k - 1)%Z) + 4 * u * P1 k + (cl l mu2 + 2 * PI ^ 2 * mu2) * (rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k)) ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
+  H2 P2 l mu2 nu2 0%Z = rho * H1 P1 k mu1 nu1 1%Z /\ (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = rho * gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) + s * H1 P1 k mu1 nu1 1%Z /\ (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = rho * gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + v * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) + u * H1 P1 k mu1 nu1 1%Z.
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R) (u : R) (v : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  P2 0%Z = rho * P1 k /\
+  (0 <= 1 <= l)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  kappa2 l mu2 <> 0 /\
+  P2 1%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k /\
+  (0 <= 2 <= l)%Z /\
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
+  (0 <= k - 2 <= k)%Z /\
+  P2 2%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (rho * gamma ^ 2 * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + 2 * PI ^ 2 * nu1 * (P1 k - P1 (k - 1)%Z)) + 4 * v * kappa1 k nu1 * (P1 k - P1 (k - 1)%Z) + 4 * u * P1 k + (cl l mu2 + 2 * PI ^ 2 * mu2) * (rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k)) /\
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
+End thm_4_true_sufficient.
+
+Module thm_4_true_sheets.
+(* gbt-developable/thm-4.true.sheets, Sect. 5.3, Theorem 4
+   printed: Two surfaces of a G2 join continue each other: there is no cusp.
+   stated: dot(normal(d), JA'(0)) == e1 and e2 == rho*gamma^2*e1 *)
+Definition P (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
+  vadd (vadd h (vscale e d)) (vscale (e ^ 2 / 2) dd).
+Definition normal (P_ : list R) : list R :=
+  [entry P_ 1; entry P_ 2; entry P_ 3].
+Definition direction (P_ : list R) (D_ : list R) : list R :=
+  cross (normal P_) (normal D_).
+Definition P__ (d : list R) (dd : list R) (h : list R) (e : Z) : list R :=
+  vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) dd).
+Definition moment (P_ : list R) (D_ : list R) : list R :=
+  vsub (vscale (entry D_ 4) (normal P_)) (vscale (entry P_ 4) (normal D_)).
+Definition foot (P_ : list R) (D_ : list R) : list R :=
+  vdiv (cross (direction P_ D_) (moment P_ D_)) (dot (direction P_ D_) (direction P_ D_)).
+Definition JA (d : list R) (dd : list R) (h : list R) (x1 : R) (e : R) : list R :=
+  vadd (vscale x1 (direction (P d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 e))) (foot (P d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 e)).
+Definition JA_ (d : list R) (dd : list R) (h : list R) (x1 : R) (e : Z) : list R :=
+  vadd (vscale x1 (direction (P__ d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 (IZR e)))) (foot (P__ d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 (IZR e))).
+Definition e1 (d : list R) (dd : list R) (h : list R) (x1 : R) : R :=
+  entry dd 4 - dot (normal dd) (JA_ d dd h x1 0%Z).
+Definition e2 (d : list R) (dd : list R) (dd2 : list R) (h : list R) (x1 : R) : R :=
+  entry dd2 4 - dot (normal dd2) (JA_ d dd h x1 0%Z).
+Definition statement : Prop :=
+forall (d'1 d'2 d'3 d'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (rho : R) (u : R) (v : R) (x1 : R),
+  let d := [d'1; d'2; d'3; d'4] in
+  let dd := [dd'1; dd'2; dd'3; dd'4] in
+  let dd2 := [dd2'1; dd2'2; dd2'3; dd2'4] in
+  let h := [h'1; h'2; h'3; h'4] in
+  0 < gamma ->
+  dd2 = vadd (vadd (vscale (rho * gamma ^ 2) dd) (vscale v d)) (vscale u h) ->
+  locally (IZR 0%Z) (fun e => dot (direction (P d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 e)) (direction (P d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 e)) <> 0) ->
+  dot (direction (P__ d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P d dd h e__) 1 (IZR e_))) (direction (P__ d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P d dd h e__) 1 (IZR e_))) <> 0 ->
+  dot (direction (P__ d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P d dd h e____) 1 (IZR e___))) (direction (P__ d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P d dd h e____) 1 (IZR e___))) <> 0 ->
+  dot (direction (P__ d dd h 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => P d dd h e______) 1 (IZR e_____))) (direction (P__ d dd h 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => P d dd h e______) 1 (IZR e_____))) <> 0 ->
+  entry d 1 ^ 2 * entry h 2 ^ 2 + entry d 1 ^ 2 * entry h 3 ^ 2 - 2 * entry d 1 * entry d 2 * entry h 1 * entry h 2 - 2 * entry d 1 * entry d 3 * entry h 1 * entry h 3 + entry d 2 ^ 2 * entry h 1 ^ 2 + entry d 2 ^ 2 * entry h 3 ^ 2 - 2 * entry d 2 * entry d 3 * entry h 2 * entry h 3 + entry d 3 ^ 2 * entry h 1 ^ 2 + entry d 3 ^ 2 * entry h 2 ^ 2 <> 0 ->
+  dot (normal d) (let e______ := 0%Z in vDerive 3 (fun e_______ => JA d dd h x1 e_______) 1 (IZR e______)) = e1 d dd h x1 /\ e2 d dd dd2 h x1 = rho * gamma ^ 2 * e1 d dd h x1.
+Definition instance : Prop :=
+exists (d'1 d'2 d'3 d'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (rho : R) (u : R) (v : R) (x1 : R),
+  let d := [d'1; d'2; d'3; d'4] in
+  let dd := [dd'1; dd'2; dd'3; dd'4] in
+  let dd2 := [dd2'1; dd2'2; dd2'3; dd2'4] in
+  let h := [h'1; h'2; h'3; h'4] in
+  0 < gamma /\
+  dd2 = vadd (vadd (vscale (rho * gamma ^ 2) dd) (vscale v d)) (vscale u h) /\
+  locally (IZR 0%Z) (fun e => dot (direction (P d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 e)) (direction (P d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 e)) <> 0) /\
+  dot (direction (P__ d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P d dd h e__) 1 (IZR e_))) (direction (P__ d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P d dd h e__) 1 (IZR e_))) <> 0 /\
+  dot (direction (P__ d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P d dd h e____) 1 (IZR e___))) (direction (P__ d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P d dd h e____) 1 (IZR e___))) <> 0 /\
+  dot (direction (P__ d dd h 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => P d dd h e______) 1 (IZR e_____))) (direction (P__ d dd h 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => P d dd h e______) 1 (IZR e_____))) <> 0 /\
+  entry d 1 ^ 2 * entry h 2 ^ 2 + entry d 1 ^ 2 * entry h 3 ^ 2 - 2 * entry d 1 * entry d 2 * entry h 1 * entry h 2 - 2 * entry d 1 * entry d 3 * entry h 1 * entry h 3 + entry d 2 ^ 2 * entry h 1 ^ 2 + entry d 2 ^ 2 * entry h 3 ^ 2 - 2 * entry d 2 * entry d 3 * entry h 2 * entry h 3 + entry d 3 ^ 2 * entry h 1 ^ 2 + entry d 3 ^ 2 * entry h 2 ^ 2 <> 0.
+End thm_4_true_sheets.
+
+Module thm_4_true_curvature.
+(* gbt-developable/thm-4.true.curvature, Sect. 5.3, Theorem 4
+   printed: Two surfaces with the same tangent plane, generator and characteristic point: when their curvatures agree.
+   stated: e2 == w*e1 and dot(direction(h2, d2), direction(h2, d2)) == (rho^2*gamma)^2*dot(direction(h, d), direction(h, d)) and dot(normal(h2), normal(h2)) == rho^2*dot(normal(h), normal(h)) *)
+Definition P (d : list R) (dd : list R) (h : list R) (e : Z) : list R :=
+  vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) dd).
+Definition P_ (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
+  vadd (vadd h (vscale e d)) (vscale (e ^ 2 / 2) dd).
+Definition normal (P__ : list R) : list R :=
+  [entry P__ 1; entry P__ 2; entry P__ 3].
+Definition direction (P__ : list R) (D_ : list R) : list R :=
+  cross (normal P__) (normal D_).
+Definition moment (P__ : list R) (D_ : list R) : list R :=
+  vsub (vscale (entry D_ 4) (normal P__)) (vscale (entry P__ 4) (normal D_)).
+Definition foot (P__ : list R) (D_ : list R) : list R :=
+  vdiv (cross (direction P__ D_) (moment P__ D_)) (dot (direction P__ D_) (direction P__ D_)).
+Definition JA (d : list R) (dd : list R) (h : list R) (x1 : R) (e : Z) : list R :=
+  vadd (vscale x1 (direction (P d dd h e) (vDerive 4 (fun e_ => P_ d dd h e_) 1 (IZR e)))) (foot (P d dd h e) (vDerive 4 (fun e_ => P_ d dd h e_) 1 (IZR e))).
+Definition e2 (d : list R) (dd : list R) (dd2 : list R) (h : list R) (x1 : R) : R :=
+  entry dd2 4 - dot (normal dd2) (JA d dd h x1 0%Z).
+Definition e1 (d : list R) (dd : list R) (h : list R) (x1 : R) : R :=
+  entry dd 4 - dot (normal dd) (JA d dd h x1 0%Z).
+Definition statement : Prop :=
+forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R) (rho : R) (s : R) (u : R) (v : R) (w : R) (x1 : R),
+  let d := [d'1; d'2; d'3; d'4] in
+  let d2 := [d2'1; d2'2; d2'3; d2'4] in
+  let dd := [dd'1; dd'2; dd'3; dd'4] in
+  let dd2 := [dd2'1; dd2'2; dd2'3; dd2'4] in
+  let h := [h'1; h'2; h'3; h'4] in
+  let h2 := [h2'1; h2'2; h2'3; h2'4] in
+  0 < gamma ->
+  h2 = vscale rho h ->
+  d2 = vadd (vscale (rho * gamma) d) (vscale s h) ->
+  dd2 = vadd (vadd (vscale w dd) (vscale v d)) (vscale u h) ->
+  dot (direction (P d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P_ d dd h e__) 1 (IZR e_))) (direction (P d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P_ d dd h e__) 1 (IZR e_))) <> 0 ->
+  dot (direction (P d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P_ d dd h e____) 1 (IZR e___))) (direction (P d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P_ d dd h e____) 1 (IZR e___))) <> 0 ->
+  entry d 1 ^ 2 * entry h 2 ^ 2 + entry d 1 ^ 2 * entry h 3 ^ 2 - 2 * entry d 1 * entry d 2 * entry h 1 * entry h 2 - 2 * entry d 1 * entry d 3 * entry h 1 * entry h 3 + entry d 2 ^ 2 * entry h 1 ^ 2 + entry d 2 ^ 2 * entry h 3 ^ 2 - 2 * entry d 2 * entry d 3 * entry h 2 * entry h 3 + entry d 3 ^ 2 * entry h 1 ^ 2 + entry d 3 ^ 2 * entry h 2 ^ 2 <> 0 ->
+  e2 d dd dd2 h x1 = w * e1 d dd h x1 /\ dot (direction h2 d2) (direction h2 d2) = (rho ^ 2 * gamma) ^ 2 * dot (direction h d) (direction h d) /\ dot (normal h2) (normal h2) = rho ^ 2 * dot (normal h) (normal h).
+Definition instance : Prop :=
+exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R) (rho : R) (s : R) (u : R) (v : R) (w : R) (x1 : R),
+  let d := [d'1; d'2; d'3; d'4] in
+  let d2 := [d2'1; d2'2; d2'3; d2'4] in
+  let dd := [dd'1; dd'2; dd'3; dd'4] in
+  let dd2 := [dd2'1; dd2'2; dd2'3; dd2'4] in
+  let h := [h'1; h'2; h'3; h'4] in
+  let h2 := [h2'1; h2'2; h2'3; h2'4] in
+  0 < gamma /\
+  h2 = vscale rho h /\
+  d2 = vadd (vscale (rho * gamma) d) (vscale s h) /\
+  dd2 = vadd (vadd (vscale w dd) (vscale v d)) (vscale u h) /\
+  dot (direction (P d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P_ d dd h e__) 1 (IZR e_))) (direction (P d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P_ d dd h e__) 1 (IZR e_))) <> 0 /\
+  dot (direction (P d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P_ d dd h e____) 1 (IZR e___))) (direction (P d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P_ d dd h e____) 1 (IZR e___))) <> 0 /\
+  entry d 1 ^ 2 * entry h 2 ^ 2 + entry d 1 ^ 2 * entry h 3 ^ 2 - 2 * entry d 1 * entry d 2 * entry h 1 * entry h 2 - 2 * entry d 1 * entry d 3 * entry h 1 * entry h 3 + entry d 2 ^ 2 * entry h 1 ^ 2 + entry d 2 ^ 2 * entry h 3 ^ 2 - 2 * entry d 2 * entry d 3 * entry h 2 * entry h 3 + entry d 3 ^ 2 * entry h 1 ^ 2 + entry d 3 ^ 2 * entry h 2 ^ 2 <> 0.
+End thm_4_true_curvature.

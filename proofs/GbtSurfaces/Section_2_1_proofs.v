@@ -1,0 +1,80 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtSurfaces Require Section_2_1.
+Open Scope R_scope.
+
+Module eq_1_f0.
+Import GbtSurfaces.Section_2_1.eq_1_f0.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_1_f0.
+
+Module eq_1_f1.
+Import GbtSurfaces.Section_2_1.eq_1_f1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_1_f1.
+
+Module eq_1_f2.
+Import GbtSurfaces.Section_2_1.eq_1_f2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_1_f2.
+
+Module eq_2_zero_literal.
+Import GbtSurfaces.Section_2_1.eq_2_zero_literal.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((3))%Z ((2))%Z ((-1) / 3) (1) (1/2)). Qed.
+End eq_2_zero_literal.
+
+Module eq_2_zero_n_is_the_order.
+Import GbtSurfaces.Section_2_1.eq_2_zero_n_is_the_order.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_2_zero_n_is_the_order.
+
+Module thm_1_1_as_functions.
+Import GbtSurfaces.Section_2_1.thm_1_1_as_functions.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no (1) (1) (1/2)). Qed.
+End thm_1_1_as_functions.
+
+Module thm_1_1_true.
+Import GbtSurfaces.Section_2_1.thm_1_1_true.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (1), (- 1), (1 / 3); met) | (exists (1), (- 1), (1 / 3); met)]. Qed.
+End thm_1_1_true.
+
+Module thm_1_3.
+Import GbtSurfaces.Section_2_1.thm_1_3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End thm_1_3.
+
+Module thm_1_4.
+Import GbtSurfaces.Section_2_1.thm_1_4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End thm_1_4.
+
+Module thm_1_5_d1_1_values.
+Import GbtSurfaces.Section_2_1.thm_1_5_d1_1_values.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_1_5_d1_1_values.

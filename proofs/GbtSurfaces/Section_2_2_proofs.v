@@ -1,0 +1,56 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtSurfaces Require Section_2_2.
+Open Scope R_scope.
+
+Module sec_2_2_symmetry_as_for_B_zier_curves.
+Import GbtSurfaces.Section_2_2.sec_2_2_symmetry_as_for_B_zier_curves.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f F] in no; refuting (no ((3))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (1) (0) (1/2)). Qed.
+End sec_2_2_symmetry_as_for_B_zier_curves.
+
+Module sec_2_2_interpolation.
+Import GbtSurfaces.Section_2_2.sec_2_2_interpolation.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End sec_2_2_interpolation.
+
+Module thm_2_1.
+Import GbtSurfaces.Section_2_2.thm_2_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F1 F]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F1 F]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_1.
+
+Module eq_4_Q11.
+Import GbtSurfaces.Section_2_2.eq_4_Q11.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F1 F F1_ F_]; prepared; unknown (Q1 0%Z); unknown (Q1 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F1 F F1_ F_]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_4_Q11.
+
+Module eq_5_Q12.
+Import GbtSurfaces.Section_2_2.eq_5_Q12.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f F1 F F1_ F_ a1 a2 a3] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (2*(16 + 3*PI)/(8 + PI)) else 0) (1) (1) (1) (0)). Qed.
+End eq_5_Q12.
+
+Module eq_6_Q11.
+Import GbtSurfaces.Section_2_2.eq_6_Q11.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F1 F F1_ F_ a]; prepared; unknown (Q1 0%Z); unknown (Q1 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F1 F F1_ F_ a]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_6_Q11.
+
+Module thm_2_c1.
+Import GbtSurfaces.Section_2_2.thm_2_c1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b1]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b1]; first [(exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_c1.

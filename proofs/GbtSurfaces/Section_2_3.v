@@ -1,0 +1,245 @@
+(* Statements of gbt-surfaces, Section 2 3. Nothing is proved here. *)
+From Torse Require Import Defs.
+Open Scope R_scope.
+
+Module eq_7.
+(* gbt-surfaces/eq-7, Sect. 2.3, Definition 3, eq. (7)
+   printed: T_{m,n}(z,z_1,μ,ν,μ_1,ν_1) = sum_{k=0}^{m} sum_{l=0}^{n} Q_{k,l} f_{k,m}(z) f_{l,n}(z_1), z, z_1 ∈ [0,1]
+   read as: The formula: a curve of curves. The weights of the control points sum to one, so the surface does not depend on the origin.
+   stated: sum(k, 0, m, sum(l, 0, n, G[k,l]*f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1))) == T(z, z1) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k => f z mu nu k m * G k l)).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (0 <= k <= m)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) ->
+  sum 0%Z m (fun k => sum 0%Z n (fun l => G k l * f z mu nu k m * f z1 mu1 nu1 l n)) = T G m mu mu1 n nu nu1 z z1 /\ sum 0%Z m (fun k => f z mu nu k m * sum 0%Z n (fun l => f z1 mu1 nu1 l n)) = 1.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1 /\
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (0 <= k <= m)%Z) /\
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z).
+End eq_7.
+
+Module sec_2_3_features_a.
+(* gbt-surfaces/sec-2.3.features.a, Sect. 2.3, sentence after eq. (7)
+   printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
+   read as: Convex hull and affine invariance: nonnegative weights that sum to one.
+   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall i k : Z, (2 <= k)%Z -> 0 <= f z mu nu i k) /\ sum 0%Z m (fun k_ => f z mu nu k_ m * sum 0%Z n (fun l => f z1 mu1 nu1 l n)) = 1.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End sec_2_3_features_a.
+
+Module sec_2_3_features_b.
+(* gbt-surfaces/sec-2.3.features.b, Sect. 2.3, sentence after eq. (7)
+   printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
+   read as: End points: the surface interpolates the corners of its net.
+   stated: T(0, 0) == G[0,0] and T(1, 0) == G[m,0] and T(0, 1) == G[0,n] and T(1, 1) == G[m,n] *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
+  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) ->
+  (0 <= 0 <= m)%Z ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  (0 <= n <= n)%Z ->
+  T G m mu mu1 n nu nu1 0%Z 0%Z = G 0%Z 0%Z /\ T G m mu mu1 n nu nu1 1%Z 0%Z = G m 0%Z /\ T G m mu mu1 n nu nu1 0%Z 1%Z = G 0%Z n /\ T G m mu mu1 n nu nu1 1%Z 1%Z = G m n.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) /\
+  (0 <= 0 <= m)%Z /\
+  (0 <= 0 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  (0 <= n <= n)%Z.
+End sec_2_3_features_b.
+
+Module sec_2_3_features_c.
+(* gbt-surfaces/sec-2.3.features.c, Sect. 2.3, sentence after eq. (7)
+   printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
+   read as: The tangents change with the shape parameters.
+   stated: not D(Tz0(0), mu) == 0 *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition Tz0 (G : Z -> Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (mu : R) (z1 : Z) : R :=
+  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * (let z := 0%Z in Derive_n (fun z_ => sum 0%Z m (fun k => f z_ mu nu k m * G k l)) 1 (IZR z))).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  ~ (forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) ->
+  Derive_n (fun mu_ => Tz0 G m mu1 n nu nu1 mu_ 0%Z) 1 mu = 0).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1.
+End sec_2_3_features_c.
+
+Module sec_2_3_features_d.
+(* gbt-surfaces/sec-2.3.features.d, Sect. 2.3, sentence after eq. (7)
+   printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
+   read as: Symmetry: the net in reverse order, with the parameters of its direction exchanged, gives the same surface, run through backwards.
+   stated: sum(l, 0, n, f[l,n](z1, mu1, nu1)*sum(k, 0, m, f[k,m](z, nu, mu)*G[m-k,l])) == T(1 - z, z1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k => f z mu nu k m * G k l)).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) ->
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k => f z nu mu k m * G (m - k)%Z l)) = T G m mu mu1 n nu nu1 (1 - z) z1.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1 /\
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z) /\
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z).
+End sec_2_3_features_d.
+
+Module sec_2_3_classical_the_features_of_Sect__2_2.
+(* gbt-surfaces/sec-2.3.classical.the features of Sect. 2.2, Sect. 2.3, paragraph after eq. (7)
+   printed: The tensor product GBT-Bézier surfaces shares all the properties with classical tensor product Bézier surfaces except for the shape adjustable property which is superior to the properties of classical tensor product Bézier surfaces.
+   read as: The properties are those that Sect. 2.2 lists for curves: convex hull, affine invariance, interpolation of the corners.
+   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and T(0, 0) == G[0,0] and T(1, 0) == G[m,0] and T(0, 1) == G[0,n] and T(1, 1) == G[m,n] *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
+  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) ->
+  (0 <= 0 <= m)%Z ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  (0 <= n <= n)%Z ->
+  (forall i k : Z, (2 <= k)%Z -> 0 <= f z mu nu i k) /\ sum 0%Z m (fun k_ => f z mu nu k_ m * sum 0%Z n (fun l => f z1 mu1 nu1 l n)) = 1 /\ T G m mu mu1 n nu nu1 0%Z 0%Z = G 0%Z 0%Z /\ T G m mu mu1 n nu nu1 1%Z 0%Z = G m 0%Z /\ T G m mu mu1 n nu nu1 0%Z 1%Z = G 0%Z n /\ T G m mu mu1 n nu nu1 1%Z 1%Z = G m n.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1 /\
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) /\
+  (0 <= 0 <= m)%Z /\
+  (0 <= 0 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  (0 <= n <= n)%Z.
+End sec_2_3_classical_the_features_of_Sect__2_2.
+
+Module sec_2_3_classical_every_property.
+(* gbt-surfaces/sec-2.3.classical.every property, Sect. 2.3, paragraph after eq. (7)
+   printed: The tensor product GBT-Bézier surfaces shares all the properties with classical tensor product Bézier surfaces except for the shape adjustable property which is superior to the properties of classical tensor product Bézier surfaces.
+   read as: A Bézier surface over an evenly spaced net of a plane has the parameters as coordinates (linear precision).
+   stated: sum(l, 0, n, f[l,n](z1, mu1, nu1)*sum(k, 0, m, f[k,m](z, mu, nu)*[k/m, l/n])) == [z, z1] *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> IZR m <> 0) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> IZR n <> 0) ->
+  vsum 2 0%Z n (fun l => vscale (f z1 mu1 nu1 l n) (vsum 2 0%Z m (fun k => vscale (f z mu nu k m) [IZR k / IZR m; IZR l / IZR n]))) = [z; z1].
+End sec_2_3_classical_every_property.

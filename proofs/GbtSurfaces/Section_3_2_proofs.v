@@ -1,0 +1,146 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtSurfaces Require Section_3_2.
+Open Scope R_scope.
+
+Module eq_14.
+Import GbtSurfaces.Section_3_2.eq_14.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N0 N1 bilinear]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
+End eq_14.
+
+Module sec_3_2_segments.
+Import GbtSurfaces.Section_3_2.sec_3_2_segments.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N0 N0_ N1 N1_ bilinear bilinear_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N0 N0_ N1 N1_ bilinear bilinear_]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
+End sec_3_2_segments.
+
+Module sec_3_2_linear.
+Import GbtSurfaces.Section_3_2.sec_3_2_linear.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N0 N1 bilinear N0_ N1_ bilinear_ bilinear__]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N0 N1 bilinear N0_ N1_ bilinear_ bilinear__]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
+End sec_3_2_linear.
+
+Module prop_3_2_a.
+Import GbtSurfaces.Section_3_2.prop_3_2_a.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N0 N1 bilinear]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0); met)]. Qed.
+End prop_3_2_a.
+
+Module prop_3_2_b.
+Import GbtSurfaces.Section_3_2.prop_3_2_b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N0 N0_ N1 N1_ bilinear bilinear_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N0 N0_ N1 N1_ bilinear bilinear_]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
+End prop_3_2_b.
+
+Module prop_3_2_c.
+Import GbtSurfaces.Section_3_2.prop_3_2_c.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N0 N1 bilinear]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
+End prop_3_2_c.
+
+Module eq_15.
+Import GbtSurfaces.Section_3_2.eq_15.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N0 N1 bilinear b product]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N0 N1 bilinear b product]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
+End eq_15.
+
+Module sec_3_2_fixed.
+Import GbtSurfaces.Section_3_2.sec_3_2_fixed.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b product product_ N0 N1 bilinear]; prepared; unknown (G 0%Z 0%Z); unknown (G 1%Z 0%Z); unknown (G 0%Z 1%Z); unknown (G 1%Z 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b product product_ N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), 5, 6, 7, 8, (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), 0, 0, 0, 0, (1 / 3), (1 / 3); met)]. Qed.
+End sec_3_2_fixed.
+
+Module ex_3_2_division_z_lines.
+Import GbtSurfaces.Section_3_2.ex_3_2_division_z_lines.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q00 Q30 Q10 Q20 Q03 Q33 Q13 Q23]; identity. Qed.
+End ex_3_2_division_z_lines.
+
+Module ex_3_2_division_Q0l.
+Import GbtSurfaces.Section_3_2.ex_3_2_division_Q0l.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q00 Q03 Q01 Q02]; identity. Qed.
+End ex_3_2_division_Q0l.
+
+Module ex_3_2_division_Q3l.
+Import GbtSurfaces.Section_3_2.ex_3_2_division_Q3l.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement Q30 Q33] in no; refuting (no ). Qed.
+End ex_3_2_division_Q3l.
+
+Module ex_3_2_division_Q3l_corrected.
+Import GbtSurfaces.Section_3_2.ex_3_2_division_Q3l_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q30 Q33]; identity. Qed.
+End ex_3_2_division_Q3l_corrected.
+
+Module ex_3_2_equal_parts_a.
+Import GbtSurfaces.Section_3_2.ex_3_2_equal_parts_a.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q10 Q00 Q20 Q30]; identity. Qed.
+End ex_3_2_equal_parts_a.
+
+Module ex_3_2_equal_parts_b.
+Import GbtSurfaces.Section_3_2.ex_3_2_equal_parts_b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q13 Q03 Q23 Q33]; identity. Qed.
+End ex_3_2_equal_parts_b.
+
+Module ex_3_2_equal_parts_c.
+Import GbtSurfaces.Section_3_2.ex_3_2_equal_parts_c.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q01 Q00 Q02 Q03]; identity. Qed.
+End ex_3_2_equal_parts_c.
+
+Module ex_3_2_equal_parts_d.
+Import GbtSurfaces.Section_3_2.ex_3_2_equal_parts_d.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement Q30 Q33] in no; refuting (no ). Qed.
+End ex_3_2_equal_parts_d.
+
+Module ex_3_2_equal_parts_d_corrected.
+Import GbtSurfaces.Section_3_2.ex_3_2_equal_parts_d_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q30 Q33]; identity. Qed.
+End ex_3_2_equal_parts_d_corrected.
+
+Module ex_3_2_interior.
+Import GbtSurfaces.Section_3_2.ex_3_2_interior.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q10 Q01 Q20 Q02]; identity. Qed.
+End ex_3_2_interior.
+
+Module ex_3_2_equation.
+Import GbtSurfaces.Section_3_2.ex_3_2_equation.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement Q00 Q10 Q20 Q30 Q01 Q11 Q21 Q31 Q02 Q12 Q22 Q03 Q13 Q23 Q33 f row_ sixteen b four] in no; refuting (no (1) (1) (1) (1) (1/3) (1/2)). Qed.
+End ex_3_2_equation.
+
+Module ex_3_2_sixteen.
+Import GbtSurfaces.Section_3_2.ex_3_2_sixteen.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+End ex_3_2_sixteen.
+
+Module ex_3_2_coplanar.
+Import GbtSurfaces.Section_3_2.ex_3_2_coplanar.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q00 Q10 Q20 Q30 Q03 Q13 Q23 Q33 Q01 Q02 Q31]; identity. Qed.
+End ex_3_2_coplanar.

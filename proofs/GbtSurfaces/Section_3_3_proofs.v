@@ -1,0 +1,176 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtSurfaces Require Section_3_3.
+Open Scope R_scope.
+
+Module sec_3_3_generatrix.
+Import GbtSurfaces.Section_3_3.sec_3_3_generatrix.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f L0 L1 S_ S__]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f L0 L1 S_ S__]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End sec_3_3_generatrix.
+
+Module eq_17_0.
+Import GbtSurfaces.Section_3_3.eq_17_0.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f L0 L0_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f L0 L0_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_17_0.
+
+Module eq_17_1.
+Import GbtSurfaces.Section_3_3.eq_17_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f L1 L1_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f L1 L1_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_17_1.
+
+Module sec_3_3_condition_2_as_printed.
+Import GbtSurfaces.Section_3_3.sec_3_3_condition_2_as_printed.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement b f printed_ L0 L1] in no; refuting (no ((2))%Z (fun i0 => 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2)). Qed.
+End sec_3_3_condition_2_as_printed.
+
+Module sec_3_3_condition_2_with_f_l.
+Import GbtSurfaces.Section_3_3.sec_3_3_condition_2_with_f_l.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f with_own L0 L1]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f with_own L0 L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End sec_3_3_condition_2_with_f_l.
+
+Module eq_18.
+Import GbtSurfaces.Section_3_3.eq_18.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement b f printed_ L0 L1 S_] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
+End eq_18.
+
+Module eq_18_corrected.
+Import GbtSurfaces.Section_3_3.eq_18_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f L0 L1 S_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f L0 L1 S_]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_18_corrected.
+
+Module eq_18_necessary.
+Import GbtSurfaces.Section_3_3.eq_18_necessary.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f printed_ L1]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f printed_ L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_18_necessary.
+
+Module eq_18_tensor_with_f_l.
+Import GbtSurfaces.Section_3_3.eq_18_tensor_with_f_l.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement b f with_own tensor] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
+End eq_18_tensor_with_f_l.
+
+Module prop_3_3_a.
+Import GbtSurfaces.Section_3_3.prop_3_3_a.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f L0 L1 S_ S__]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f L0 L1 S_ S__]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End prop_3_3_a.
+
+Module prop_3_4_a_with_f_l.
+Import GbtSurfaces.Section_3_3.prop_3_4_a_with_f_l.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement b f with_own tensor] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
+End prop_3_4_a_with_f_l.
+
+Module alg_3_as_printed.
+Import GbtSurfaces.Section_3_3.alg_3_as_printed.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement b f printed_ L0 L1] in no; refuting (no ((2))%Z (fun i0 => 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2)). Qed.
+End alg_3_as_printed.
+
+Module alg_3_as_printed_corrected.
+Import GbtSurfaces.Section_3_3.alg_3_as_printed_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f L0 L1]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f L0 L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End alg_3_as_printed_corrected.
+
+Module alg_3_with_f_l.
+Import GbtSurfaces.Section_3_3.alg_3_with_f_l.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f with_own L0 L1]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f with_own L0 L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End alg_3_with_f_l.
+
+Module ex_3_3_curves.
+Import GbtSurfaces.Section_3_3.ex_3_3_curves.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement b f own4] in no; refuting (no (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else if (Z.eqb i0 (4))%bool then (1) else 0) (fun i0 => 0) (1) (1) (1) (0) (1/2)). Qed.
+End ex_3_3_curves.
+
+Module ex_3_3_curves_corrected.
+Import GbtSurfaces.Section_3_3.ex_3_3_curves_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f own4]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f own4]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End ex_3_3_curves_corrected.
+
+Module eq_19_literal.
+Import GbtSurfaces.Section_3_3.eq_19_literal.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else if (Z.eqb i0 (4))%bool then (1) else 0) (1) (1) (1/2)). Qed.
+End eq_19_literal.
+
+Module eq_19_m_is_4.
+Import GbtSurfaces.Section_3_3.eq_19_m_is_4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f own4 own4_]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f own4 own4_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_19_m_is_4.
+
+Module eq_19_tensor_as_printed.
+Import GbtSurfaces.Section_3_3.eq_19_tensor_as_printed.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement b f own4 tensor4] in no; refuting (no (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else if (Z.eqb i0 (4))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else if (Z.eqb i0 (4))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
+End eq_19_tensor_as_printed.
+
+Module eq_19_tensor_with_f_l.
+Import GbtSurfaces.Section_3_3.eq_19_tensor_with_f_l.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f own4 with_own]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f own4 with_own]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_19_tensor_with_f_l.
+
+Module ex_3_3_gl_0.
+Import GbtSurfaces.Section_3_3.ex_3_3_gl_0.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no (0) (0) (0) (0) (0) (1) (1) (1) (1/2)). Qed.
+End ex_3_3_gl_0.
+
+Module ex_3_3_gl_0_corrected.
+Import GbtSurfaces.Section_3_3.ex_3_3_gl_0_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists 2, 3, 4, 5, 6, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists 0, 0, 0, 0, 0, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End ex_3_3_gl_0_corrected.
+
+Module ex_3_3_gl_1.
+Import GbtSurfaces.Section_3_3.ex_3_3_gl_1.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no (0) (1) (0) (0) (0) (0) (1) (1) (1/2)). Qed.
+End ex_3_3_gl_1.
+
+Module ex_3_3_gl_1_corrected.
+Import GbtSurfaces.Section_3_3.ex_3_3_gl_1_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists 2, 3, 4, 5, 6, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists 0, 0, 0, 0, 0, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End ex_3_3_gl_1_corrected.

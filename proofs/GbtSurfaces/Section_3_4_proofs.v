@@ -1,0 +1,148 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From GbtSurfaces Require Section_3_4.
+Open Scope R_scope.
+
+Module eq_20_trajectory.
+Import GbtSurfaces.Section_3_4.eq_20_trajectory.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z (fun i0 i1 => if (Z.eqb i0 (0) && Z.eqb i1 (1))%bool then (0) else if (Z.eqb i0 (1) && Z.eqb i1 (0))%bool then (0) else if (Z.eqb i0 (1) && Z.eqb i1 (1))%bool then (0) else if (Z.eqb i0 (1) && Z.eqb i1 (2))%bool then (0) else if (Z.eqb i0 (2) && Z.eqb i1 (1))%bool then (1) else 0) (1) (1) (1/2)). Qed.
+End eq_20_trajectory.
+
+Module eq_20_trajectory_corrected.
+Import GbtSurfaces.Section_3_4.eq_20_trajectory_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_20_trajectory_corrected.
+
+Module eq_21.
+Import GbtSurfaces.Section_3_4.eq_21.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FX FZ FU FV]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_21.
+
+Module prop_3_5.
+Import GbtSurfaces.Section_3_4.prop_3_5.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement swung turn]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (1), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met)]. Qed.
+End prop_3_5.
+
+Module prop_3_6_1.
+Import GbtSurfaces.Section_3_4.prop_3_6_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement swung]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance swung]; first [(exists (1), (3), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met)]. Qed.
+End prop_3_6_1.
+
+Module prop_3_6_2.
+Import GbtSurfaces.Section_3_4.prop_3_6_2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement swung turn]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (1), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met)]. Qed.
+End prop_3_6_2.
+
+Module thm_4_elements.
+Import GbtSurfaces.Section_3_4.thm_4_elements.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement net] in no; refuting (no ((0))%Z ((1))%Z ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else 0) (1)). Qed.
+End thm_4_elements.
+
+Module thm_4_elements_corrected.
+Import GbtSurfaces.Section_3_4.thm_4_elements_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement net]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance net]; first [(exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 6), (fun _ => 7), (fun _ => 8), (fun _ => 9), (1); met) | (exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1); met)]. Qed.
+End thm_4_elements_corrected.
+
+Module thm_4_unity.
+Import GbtSurfaces.Section_3_4.thm_4_unity.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End thm_4_unity.
+
+Module eq_25_2_a.
+Import GbtSurfaces.Section_3_4.eq_25_2_a.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (1) (1/2)). Qed.
+End eq_25_2_a.
+
+Module eq_25_2_b.
+Import GbtSurfaces.Section_3_4.eq_25_2_b.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (1) (1/2)). Qed.
+End eq_25_2_b.
+
+Module eq_25_4_a.
+Import GbtSurfaces.Section_3_4.eq_25_4_a.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (1) (1) (1/2) (1/2)). Qed.
+End eq_25_4_a.
+
+Module eq_25_4_b.
+Import GbtSurfaces.Section_3_4.eq_25_4_b.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (1) (1) (1/2) (1/2)). Qed.
+End eq_25_4_b.
+
+Module eq_25_4_b_corrected.
+Import GbtSurfaces.Section_3_4.eq_25_4_b_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_25_4_b_corrected.
+
+Module sec_3_4_closed.
+Import GbtSurfaces.Section_3_4.sec_3_4_closed.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement swung gapz gapz1]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance swung gapz gapz1]; first [(exists (1), (3), (4), (5), (6), (7), (8), (9), (10), (11), (12), (13), (14); met) | (exists (1), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
+End sec_3_4_closed.
+
+Module sec_3_4_revolution.
+Import GbtSurfaces.Section_3_4.sec_3_4_revolution.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement swung turn]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (3), (4), (5); met) | (exists (1), (0), (0), (0); met)]. Qed.
+End sec_3_4_revolution.
+
+Module sec_3_4_revolution_not_tensor_quarter.
+Import GbtSurfaces.Section_3_4.sec_3_4_revolution_not_tensor_quarter.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f swung]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f swung]; first [(exists (1), (3), (4), (1 / 3); met) | (exists (1), (0), (0), (1 / 3); met)]. Qed.
+End sec_3_4_revolution_not_tensor_quarter.
+
+Module eq_26.
+Import GbtSurfaces.Section_3_4.eq_26.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement profile trajectory]; identity. Qed.
+End eq_26.
+
+Module ex_3_4_scaling.
+Import GbtSurfaces.Section_3_4.ex_3_4_scaling.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement swung]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance swung]; first [(exists (1), (1), (4), (5), (6), (7); met) | (exists (1), (1), (0), (0), (0), (0); met)]. Qed.
+End ex_3_4_scaling.
+
+Module fig_16_lambda_between_the_surfaces.
+Import GbtSurfaces.Section_3_4.fig_16_lambda_between_the_surfaces.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f FX2 FX] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else 0) (1) (2) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1)). Qed.
+End fig_16_lambda_between_the_surfaces.

@@ -1,0 +1,504 @@
+(* Statements of gbt-surfaces, Section 3 5. Nothing is proved here. *)
+From Torse Require Import Defs.
+Open Scope R_scope.
+
+Module eq_27.
+(* gbt-surfaces/eq-27, Sect. 3.5, eq. (27)
+   printed: F_m(z;μ,ν) = sum_{k=0}^{m} f_{k,m}(z) Q_{k,m}, 0 ≤ z ≤ 1; F_n(z_1;μ_1,ν_1) = sum_{l=0}^{n} f_{l,n}(z_1) Q_{l,n}, 0 ≤ z_1 ≤ 1
+   read as: The formulas, and the ends of the curves. The points of the two curves are kept apart.
+   stated: section(z) == sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) and section(0) == A[0] and section(1) == A[m] and trajectory(z1) == sum(l, 0, n, f[l,n](z1, mu1, nu1)*B[l]) and trajectory(0) == B[0] and trajectory(1) == B[n] *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * A k).
+Definition section_ (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * A k).
+Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
+Definition trajectory_ (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : Z) : R :=
+  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * B l).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  section A m mu nu z = sum 0%Z m (fun k => f z mu nu k m * A k) /\ section_ A m mu nu 0%Z = A 0%Z /\ section_ A m mu nu 1%Z = A m /\ trajectory B mu1 n nu1 z1 = sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l) /\ trajectory_ B mu1 n nu1 0%Z = B 0%Z /\ trajectory_ B mu1 n nu1 1%Z = B n.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End eq_27.
+
+Module sec_3_5_categories.
+(* gbt-surfaces/sec-3.5.categories, Sect. 3.5, two bullet items
+   printed: M(z_1) is an identity matrix, which for all z_1 and F_m(z) is just translated by F_n(z_1). / M(z_1) is not an identity matrix.
+   read as: The first case, for a point p of the section and a point q of the trajectory.
+   stated: q + identity(3)*p == q + p *)
+Definition statement : Prop :=
+forall (p'1 p'2 p'3 : R) (q'1 q'2 q'3 : R),
+  let p := [p'1; p'2; p'3] in
+  let q := [q'1; q'2; q'3] in
+  vadd q (mvec (identity 3) p) = vadd q p.
+End sec_3_5_categories.
+
+Module sec_3_5_not_expressible_sine.
+(* gbt-surfaces/sec-3.5.not-expressible.sine, Sect. 3.5, paragraph after eq. (28)
+   printed: With both shape parameters -1 the cubic of (0, 0), (1, 0), (0, 1), (1, 1) is the graph of sin^2(π/2 x).
+   stated: f[1,3](z, -1, -1) + f[3,3](z, -1, -1) == z and f[2,3](z, -1, -1) + f[3,3](z, -1, -1) == sin(pi/2*z)^2 *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition statement : Prop :=
+forall (z : R),
+  0 <= z <= 1 ->
+  f z (- 1) (- 1) 1%Z 3%Z + f z (- 1) (- 1) 3%Z 3%Z = z /\ f z (- 1) (- 1) 2%Z 3%Z + f z (- 1) (- 1) 3%Z 3%Z = sin (PI / 2 * z) ^ 2.
+Definition instance : Prop :=
+exists (z : R),
+  0 <= z <= 1.
+End sec_3_5_not_expressible_sine.
+
+Module eq_29.
+(* gbt-surfaces/eq-29, Sect. 3.5, eq. (29)
+   printed: T_swept(z,z_1;μ,ν,μ_1,ν_1) = F_n(z_1) + F_m(z)
+   read as: (28) with the identity matrix.
+   stated: moved(identity(3)) == sum(l, 0, n, f[l,n](z1, mu1, nu1)*B3[l]) + sum(k, 0, m, f[k,m](z, mu, nu)*A3[k]) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition moved (A3 : Z -> list R) (B3 : Z -> list R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) (M : list (list R)) : list R :=
+  vadd (vsum 3 0%Z n (fun l => vscale (f z1 mu1 nu1 l n) (B3 l))) (mvec M (vsum 3 0%Z m (fun k => vscale (f z mu nu k m) (A3 k)))).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A3'1 A3'2 A3'3 : Z -> R) (B3'1 B3'2 B3'3 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  let A3 := fun i0 => [A3'1 i0; A3'2 i0; A3'3 i0] in
+  let B3 := fun i0 => [B3'1 i0; B3'2 i0; B3'3 i0] in
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  moved A3 B3 m mu mu1 n nu nu1 z z1 (identity 3) = vadd (vsum 3 0%Z n (fun l => vscale (f z1 mu1 nu1 l n) (B3 l))) (vsum 3 0%Z m (fun k => vscale (f z mu nu k m) (A3 k))).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A3'1 A3'2 A3'3 : Z -> R) (B3'1 B3'2 B3'3 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  let A3 := fun i0 => [A3'1 i0; A3'2 i0; A3'3 i0] in
+  let B3 := fun i0 => [B3'1 i0; B3'2 i0; B3'3 i0] in
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End eq_29.
+
+Module eq_30.
+(* gbt-surfaces/eq-30, Sect. 3.5, Theorem 5, eq. (30)
+   printed: T_swept(z,z_1,μ,ν,μ_1,ν_1) = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Qhat_{k,l}, z, z_1 ∈ [0,1], Qhat_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n)
+   stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) == T(z, z1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
+Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * A k).
+Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  trajectory B mu1 n nu1 z1 + section A m mu nu z.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * (A k + B l))) = T A B m mu mu1 n nu nu1 z z1.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End eq_30.
+
+Module eq_31_2.
+(* gbt-surfaces/eq-31.2, Sect. 3.5, proof of Theorem 5, eq. (31), second line
+   printed: F_n(z_1) + F_m(z) = sum_{l=0}^{n} Q_{l,n} f_{l,n}(z_1) + sum_{k=0}^{m} Q_{k,m} f_{k,m}(z)
+   stated: T(z, z1) == sum(l, 0, n, B[l]*f[l,n](z1, mu1, nu1)) + sum(k, 0, m, A[k]*f[k,m](z, mu, nu)) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
+Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * A k).
+Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  trajectory B mu1 n nu1 z1 + section A m mu nu z.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  T A B m mu mu1 n nu nu1 z z1 = sum 0%Z n (fun l => B l * f z1 mu1 nu1 l n) + sum 0%Z m (fun k => A k * f z mu nu k m).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End eq_31_2.
+
+Module eq_31_3.
+(* gbt-surfaces/eq-31.3, Sect. 3.5, proof of Theorem 5, eq. (31), third line
+   printed: = sum_{k=0}^{m} f_{k,m}(z) sum_{l=0}^{n} Q_{l,n} f_{l,n}(z_1) + sum_{l=0}^{n} f_{l,n}(z_1) sum_{k=0}^{m} Q_{k,m} f_{k,m}(z)
+   stated: sum(l, 0, n, B[l]*f[l,n](z1, mu1, nu1)) + sum(k, 0, m, A[k]*f[k,m](z, mu, nu)) == sum(k, 0, m, f[k,m](z, mu, nu))*sum(l, 0, n, B[l]*f[l,n](z1, mu1, nu1)) + sum(l, 0, n, f[l,n](z1, mu1, nu1))*sum(k, 0, m, A[k]*f[k,m](z, mu, nu)) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  sum 0%Z n (fun l => B l * f z1 mu1 nu1 l n) + sum 0%Z m (fun k => A k * f z mu nu k m) = sum 0%Z m (fun k => f z mu nu k m) * sum 0%Z n (fun l => B l * f z1 mu1 nu1 l n) + sum 0%Z n (fun l => f z1 mu1 nu1 l n) * sum 0%Z m (fun k => A k * f z mu nu k m).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End eq_31_3.
+
+Module eq_31_4.
+(* gbt-surfaces/eq-31.4, Sect. 3.5, proof of Theorem 5, eq. (31), fourth line
+   printed: = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Q_{l,n} + sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Q_{k,m}
+   stated: sum(k, 0, m, f[k,m](z, mu, nu))*sum(l, 0, n, B[l]*f[l,n](z1, mu1, nu1)) + sum(l, 0, n, f[l,n](z1, mu1, nu1))*sum(k, 0, m, A[k]*f[k,m](z, mu, nu)) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*B[l])) + sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*A[k])) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  sum 0%Z m (fun k => f z mu nu k m) * sum 0%Z n (fun l => B l * f z1 mu1 nu1 l n) + sum 0%Z n (fun l => f z1 mu1 nu1 l n) * sum 0%Z m (fun k => A k * f z mu nu k m) = sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * B l)) + sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * A k)).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End eq_31_4.
+
+Module eq_31_5.
+(* gbt-surfaces/eq-31.5, Sect. 3.5, proof of Theorem 5, eq. (31), fifth and sixth line
+   printed: = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) (Q_{l,n} + Q_{k,m}) = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Qhat_{k,l}
+   stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*B[l])) + sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*A[k])) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(B[l] + A[k]))) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * B l)) + sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * A k)) = sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * (B l + A k))).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End eq_31_5.
+
+Module prop_3_7_1_a.
+(* gbt-surfaces/prop-3.7.1.a, Sect. 3.5, Proposition 3.7, item 1
+   printed: As the tensor product GBT-Bézier surface is used to express the GBT-Bézier swept surface, so it holds all the characteristics and benefits of the GBT-Bézier surface.
+   read as: Convex hull and affine invariance (nonnegative weights that sum to one) and interpolation of the corners.
+   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and T(0, 0) == A[0] + B[0] and T(1, 0) == A[m] + B[0] and T(0, 1) == A[0] + B[n] and T(1, 1) == A[m] + B[n] *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : Z) : R :=
+  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * B l).
+Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * A k).
+Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
+  trajectory B mu1 n nu1 z1 + section A m mu nu z.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall i k : Z, (2 <= k)%Z -> 0 <= f z mu nu i k) /\ sum 0%Z m (fun k_ => f z mu nu k_ m * sum 0%Z n (fun l => f z1 mu1 nu1 l n)) = 1 /\ T A B m mu mu1 n nu nu1 0%Z 0%Z = A 0%Z + B 0%Z /\ T A B m mu mu1 n nu nu1 1%Z 0%Z = A m + B 0%Z /\ T A B m mu mu1 n nu nu1 0%Z 1%Z = A 0%Z + B n /\ T A B m mu mu1 n nu nu1 1%Z 1%Z = A m + B n.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End prop_3_7_1_a.
+
+Module prop_3_7_2a.
+(* gbt-surfaces/prop-3.7.2a, Sect. 3.5, Proposition 3.7, item 2, first sentence
+   printed: By keeping control mesh fixed and varying the values of shape control parameters, the shape of the GBT-Bézier swept surface can be modified.
+   stated: not D(at(D(T(z, z1), z), z, 0), mu) == 0 and not D(at(D(T(z, z1), z), z, 1), nu) == 0 and not D(at(D(T(z, z1), z1), z1, 0), mu1) == 0 and not D(at(D(T(z, z1), z1), z1, 1), nu1) == 0 *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
+Definition section (A : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * A k).
+Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (mu : R) (z : R) (z1 : R) : R :=
+  trajectory B mu1 n nu1 z1 + section A m nu mu z.
+Definition section_ (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * A k).
+Definition T_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu1 : R) (nu : R) (z : R) (z1 : R) : R :=
+  trajectory B mu1 n nu1 z1 + section_ A m mu nu z.
+Definition trajectory_ (B : Z -> R) (n : Z) (nu1 : R) (mu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
+Definition T__ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (n : Z) (nu : R) (nu1 : R) (mu1 : R) (z : R) (z1 : R) : R :=
+  trajectory_ B n nu1 mu1 z1 + section_ A m mu nu z.
+Definition T___ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  trajectory B mu1 n nu1 z1 + section_ A m mu nu z.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  ~ (forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  Derive_n (fun mu_ => let z_ := 0%Z in Derive_n (fun z__ => T A B m mu1 n nu nu1 mu_ z__ z1) 1 (IZR z_)) 1 mu = 0) /\ ~ (forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  Derive_n (fun nu_ => let z_ := 1%Z in Derive_n (fun z__ => T_ A B m mu mu1 n nu1 nu_ z__ z1) 1 (IZR z_)) 1 nu = 0) /\ ~ (forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  Derive_n (fun mu1_ => let z1_ := 0%Z in Derive_n (fun z1__ => T__ A B m mu n nu nu1 mu1_ z z1__) 1 (IZR z1_)) 1 mu1 = 0) /\ ~ (forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  Derive_n (fun nu1_ => let z1_ := 1%Z in Derive_n (fun z1__ => T___ A B m mu mu1 n nu nu1_ z z1__) 1 (IZR z1_)) 1 nu1 = 0).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End prop_3_7_2a.
+
+Module prop_3_7_2b.
+(* gbt-surfaces/prop-3.7.2b, Sect. 3.5, Proposition 3.7, item 2, second sentence
+   printed: the composite GBT-Bézier swept surfaces can also be constructed like the previous surfaces
+   read as: The jump of each derivative of the surface is the jump of the sections (trajectories), so it vanishes if and only if that does.
+   stated: along_sections(0) == jump_section(0) and along_sections(1) == jump_section(1) and along_sections(2) == jump_section(2) and along_trajectories(0) == jump_trajectory(0) and along_trajectories(1) == jump_trajectory(1) and along_trajectories(2) == jump_trajectory(2) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition section2 (A2 : Z -> R) (mu2 : R) (n : Z) (nu2 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu2 nu2 k n * A2 k).
+Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * A k).
+Definition along_sections (A : Z -> R) (A2 : Z -> R) (W : R) (m : Z) (mu : R) (mu2 : R) (n : Z) (nu : R) (nu2 : R) (r : Z) : R :=
+  (let z := 0%Z in Derive_n (fun z_ => section2 A2 mu2 n nu2 z_ + W) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => section A m mu nu z_ + W) (Z.to_nat r) (IZR z)).
+Definition jump_section (A : Z -> R) (A2 : Z -> R) (m : Z) (mu : R) (mu2 : R) (n : Z) (nu : R) (nu2 : R) (r : Z) : R :=
+  (let z := 0%Z in Derive_n (fun z_ => section2 A2 mu2 n nu2 z_) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => section A m mu nu z_) (Z.to_nat r) (IZR z)).
+Definition trajectory2 (B2 : Z -> R) (m : Z) (mu2 : R) (nu2 : R) (z1 : R) : R :=
+  sum 0%Z m (fun l => f z1 mu2 nu2 l m * B2 l).
+Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
+Definition along_trajectories (B : Z -> R) (B2 : Z -> R) (W : R) (m : Z) (mu1 : R) (mu2 : R) (n : Z) (nu1 : R) (nu2 : R) (r : Z) : R :=
+  (let z1 := 0%Z in Derive_n (fun z1_ => W + trajectory2 B2 m mu2 nu2 z1_) (Z.to_nat r) (IZR z1)) - (let z1 := 1%Z in Derive_n (fun z1_ => W + trajectory B mu1 n nu1 z1_) (Z.to_nat r) (IZR z1)).
+Definition jump_trajectory (B : Z -> R) (B2 : Z -> R) (m : Z) (mu1 : R) (mu2 : R) (n : Z) (nu1 : R) (nu2 : R) (r : Z) : R :=
+  (let z1 := 0%Z in Derive_n (fun z1_ => trajectory2 B2 m mu2 nu2 z1_) (Z.to_nat r) (IZR z1)) - (let z1 := 1%Z in Derive_n (fun z1_ => trajectory B mu1 n nu1 z1_) (Z.to_nat r) (IZR z1)).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (A2 : Z -> R) (B : Z -> R) (B2 : Z -> R) (W : R) (mu : R) (mu1 : R) (mu2 : R) (nu : R) (nu1 : R) (nu2 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  along_sections A A2 W m mu mu2 n nu nu2 0%Z = jump_section A A2 m mu mu2 n nu nu2 0%Z /\ along_sections A A2 W m mu mu2 n nu nu2 1%Z = jump_section A A2 m mu mu2 n nu nu2 1%Z /\ along_sections A A2 W m mu mu2 n nu nu2 2%Z = jump_section A A2 m mu mu2 n nu nu2 2%Z /\ along_trajectories B B2 W m mu1 mu2 n nu1 nu2 0%Z = jump_trajectory B B2 m mu1 mu2 n nu1 nu2 0%Z /\ along_trajectories B B2 W m mu1 mu2 n nu1 nu2 1%Z = jump_trajectory B B2 m mu1 mu2 n nu1 nu2 1%Z /\ along_trajectories B B2 W m mu1 mu2 n nu1 nu2 2%Z = jump_trajectory B B2 m mu1 mu2 n nu1 nu2 2%Z.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (A2 : Z -> R) (B : Z -> R) (B2 : Z -> R) (W : R) (mu : R) (mu1 : R) (mu2 : R) (nu : R) (nu1 : R) (nu2 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1.
+End prop_3_7_2b.
+
+Module alg_5.
+(* gbt-surfaces/alg-5, Sect. 3.5, Algorithm 5
+   printed: 1. Consider a SC which sweeps to the trajectory curve (both GBT-Bézier curves). 2. Construct by using (30). 3. Follow the pattern Qhat_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n), where Q_{k,m}, Q_{l,n} are the control points of section and TCs. 4. Draw with different values of μ, ν in [-1, 1]. 5. Two adjacent GBT-Bézier swept surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
+   read as: The pattern of step 3 gives the swept surface, and by step 5 two such surfaces join with their sections.
+   stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) == T(z, z1) and along_sections(0) == jump_section(0) and along_sections(1) == jump_section(1) and along_sections(2) == jump_section(2) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
+Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * A k).
+Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  trajectory B mu1 n nu1 z1 + section A m mu nu z.
+Definition section2 (A2 : Z -> R) (mu2 : R) (n : Z) (nu2 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu2 nu2 k n * A2 k).
+Definition along_sections (A : Z -> R) (A2 : Z -> R) (W : R) (m : Z) (mu : R) (mu2 : R) (n : Z) (nu : R) (nu2 : R) (r : Z) : R :=
+  (let z := 0%Z in Derive_n (fun z_ => section2 A2 mu2 n nu2 z_ + W) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => section A m mu nu z_ + W) (Z.to_nat r) (IZR z)).
+Definition jump_section (A : Z -> R) (A2 : Z -> R) (m : Z) (mu : R) (mu2 : R) (n : Z) (nu : R) (nu2 : R) (r : Z) : R :=
+  (let z := 0%Z in Derive_n (fun z_ => section2 A2 mu2 n nu2 z_) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => section A m mu nu z_) (Z.to_nat r) (IZR z)).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (A2 : Z -> R) (B : Z -> R) (W : R) (mu : R) (mu1 : R) (mu2 : R) (nu : R) (nu1 : R) (nu2 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * (A k + B l))) = T A B m mu mu1 n nu nu1 z z1 /\ along_sections A A2 W m mu mu2 n nu nu2 0%Z = jump_section A A2 m mu mu2 n nu nu2 0%Z /\ along_sections A A2 W m mu mu2 n nu nu2 1%Z = jump_section A A2 m mu mu2 n nu nu2 1%Z /\ along_sections A A2 W m mu mu2 n nu nu2 2%Z = jump_section A A2 m mu mu2 n nu nu2 2%Z.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (A2 : Z -> R) (B : Z -> R) (W : R) (mu : R) (mu1 : R) (mu2 : R) (nu : R) (nu1 : R) (nu2 : R) (z : R) (z1 : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (2 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End alg_5.
+
+Module ex_3_5_sections.
+(* gbt-surfaces/ex-3.5.sections, Sect. 3.5, Example 3.5, data
+   printed: (2, 0, 2), (1, 0, 3), (5, 0, 4), (6, 0, 3) and (6, 0, 3), (7, 0, 2), (3, 0, 1), (2, 0, 2)
+   read as: The curves are contiguous and lie in the plane XOZ.
+   stated: S1[4] == S2[1] and S1*[0, 1, 0] == [0, 0, 0, 0] and S2*[0, 1, 0] == [0, 0, 0, 0] *)
+Definition S1 : list (list R) :=
+  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
+Definition S2 : list (list R) :=
+  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
+Definition statement : Prop :=
+  row S1 4 = row S2 1 /\ mvec S1 [0; 1; 0] = [0; 0; 0; 0] /\ mvec S2 [0; 1; 0] = [0; 0; 0; 0].
+End ex_3_5_sections.
+
+Module ex_3_5_trajectories.
+(* gbt-surfaces/ex-3.5.trajectories, Sect. 3.5, Example 3.5, data
+   printed: (4, 0, 0), (0, 1, 0), (0, 2, 0), (4, 3, 0) and (4, 3, 0), (8, 4, 0), (8, 5, 0), (4, 6, 0)
+   read as: The curves are contiguous and lie in the plane XOY.
+   stated: T1[4] == T2[1] and T1*[0, 0, 1] == [0, 0, 0, 0] and T2*[0, 0, 1] == [0, 0, 0, 0] *)
+Definition T1 : list (list R) :=
+  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
+Definition T2 : list (list R) :=
+  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
+Definition statement : Prop :=
+  row T1 4 = row T2 1 /\ mvec T1 [0; 0; 1] = [0; 0; 0; 0] /\ mvec T2 [0; 0; 1] = [0; 0; 0; 0].
+End ex_3_5_trajectories.

@@ -1,0 +1,347 @@
+(* Statements of gbt-surfaces, Section 4. Nothing is proved here. *)
+From Torse Require Import Defs.
+Open Scope R_scope.
+
+Module abs_features_the_features_of_Sect__2_2.
+(* gbt-surfaces/abs.features.the features of Sect. 2.2, Abstract; repeated in Sect. 4
+   printed: All geometric features of the proposed GBT-Bézier curves and surfaces are similar to the traditional Bézier curves and surfaces, but the shape-adjustment is the additional feature that the traditional Bézier curves and surfaces do not hold
+   read as: The features are those that Sect. 2.2 lists: convex hull, affine invariance, end points, symmetry for equal parameters; and the shape changes.
+   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z)) == 1 and F(0) == Q[0] and F(1) == Q[m] and f[m-k,m](z, mu, mu) == f[k,m](1 - z, mu, mu) and not D(F'(0), mu) == 0 *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition F_ (Q : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition statement : Prop :=
+forall (k : Z) (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
+  (0 <= k <= m)%Z ->
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  (0 <= 0 <= m)%Z ->
+  (0 <= m <= m)%Z ->
+  (forall i k_ : Z, (2 <= k_)%Z -> 0 <= f z mu nu i k_) /\ sum 0%Z m (fun k__ => f z mu nu k__ m) = 1 /\ F Q m mu nu 0%Z = Q 0%Z /\ F Q m mu nu 1%Z = Q m /\ f z mu mu (m - k)%Z m = f (1 - z) mu mu k m /\ ~ (forall (k : Z) (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
+  (0 <= k <= m)%Z ->
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  (forall k__ : Z, (0 <= k__ <= m)%Z -> (2 <= m)%Z) ->
+  Derive_n (fun mu_ => let z_ := 0%Z in Derive_n (fun z__ => F_ Q m nu mu_ z__) 1 (IZR z_)) 1 mu = 0).
+Definition instance : Prop :=
+exists (k : Z) (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
+  (0 <= k <= m)%Z /\
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= z <= 1 /\
+  (0 <= 0 <= m)%Z /\
+  (0 <= m <= m)%Z.
+End abs_features_the_features_of_Sect__2_2.
+
+Module abs_features_every_feature.
+(* gbt-surfaces/abs.features.every feature, Abstract; repeated in Sect. 4
+   printed: All geometric features of the proposed GBT-Bézier curves and surfaces are similar to the traditional Bézier curves and surfaces, but the shape-adjustment is the additional feature that the traditional Bézier curves and surfaces do not hold
+   read as: Every feature of Bézier curves, linear precision among them: evenly spaced points of a segment give the segment with even speed.
+   stated: sum(k, 0, m, b[k,m](z)*k/m) == z and sum(k, 0, m, f[k,m](z, mu, nu)*k/m) == z *)
+Definition b (z : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition statement : Prop :=
+forall (m : Z) (mu : R) (nu : R) (z : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (1 <= m)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> IZR m <> 0) ->
+  sum 0%Z m (fun k => b z k m * IZR k / IZR m) = z /\ sum 0%Z m (fun k => f z mu nu k m * IZR k / IZR m) = z.
+End abs_features_every_feature.
+
+Module sec_4_six_tensor_with_rotation_surfaces.
+(* gbt-surfaces/sec-4.six-tensor.with rotation surfaces, Sect. 4, first paragraph
+   printed: six different types of tensor product GBT-Bézier engineering surfaces including GBT-Bézier cylinders, GBT-Bézier bilinear surfaces, GBT-Bézier ruled surfaces, GBT-Bézier swung surfaces, GBT-Bézier swept, and GBT-Bézier rotation surfaces are constructed
+   read as: The rotation surface (33) is a tensor product surface: its coefficient is a combination of the functions of order 3 in z_1, determined by values and derivatives at the ends.
+   stated: cosine(z1) == blend(z1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition blend (k0 : R) (k1 : R) (k2 : R) (k3 : R) (mu1 : R) (nu1 : R) (t : Z) : R :=
+  f (IZR t) mu1 nu1 0%Z 3%Z * k0 + f (IZR t) mu1 nu1 1%Z 3%Z * k1 + f (IZR t) mu1 nu1 2%Z 3%Z * k2 + f (IZR t) mu1 nu1 3%Z 3%Z * k3.
+Definition cosine (t : Z) : R :=
+  (1 - 2 * IZR t) / (2 * IZR t ^ 2 - 2 * IZR t + 1).
+Definition blend_ (k0 : R) (k1 : R) (k2 : R) (k3 : R) (mu1 : R) (nu1 : R) (t : R) : R :=
+  f t mu1 nu1 0%Z 3%Z * k0 + f t mu1 nu1 1%Z 3%Z * k1 + f t mu1 nu1 2%Z 3%Z * k2 + f t mu1 nu1 3%Z 3%Z * k3.
+Definition cosine_ (t : R) : R :=
+  (1 - 2 * t) / (2 * t ^ 2 - 2 * t + 1).
+Definition statement : Prop :=
+forall (k0 : R) (k1 : R) (k2 : R) (k3 : R) (mu1 : R) (nu1 : R) (z1 : R),
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z1 <= 1 ->
+  2 * IZR 0%Z ^ 2 - 2 * IZR 0%Z + 1 <> 0 ->
+  blend k0 k1 k2 k3 mu1 nu1 0%Z = cosine 0%Z ->
+  locally (IZR 0%Z) (fun t => 2 * t ^ 2 - 2 * t + 1 <> 0) ->
+  (let t := 0%Z in Derive_n (fun t_ => blend_ k0 k1 k2 k3 mu1 nu1 t_) 1 (IZR t)) = (let t_ := 0%Z in Derive_n (fun t__ => cosine_ t__) 1 (IZR t_)) ->
+  locally (IZR 1%Z) (fun t__ => 2 * t__ ^ 2 - 2 * t__ + 1 <> 0) ->
+  (let t__ := 1%Z in Derive_n (fun t___ => blend_ k0 k1 k2 k3 mu1 nu1 t___) 1 (IZR t__)) = (let t___ := 1%Z in Derive_n (fun t____ => cosine_ t____) 1 (IZR t___)) ->
+  2 * IZR 1%Z ^ 2 - 2 * IZR 1%Z + 1 <> 0 ->
+  blend k0 k1 k2 k3 mu1 nu1 1%Z = cosine 1%Z ->
+  2 * z1 ^ 2 - 2 * z1 + 1 <> 0 ->
+  cosine_ z1 = blend_ k0 k1 k2 k3 mu1 nu1 z1.
+End sec_4_six_tensor_with_rotation_surfaces.
+
+Module sec_4_six_tensor_without.
+(* gbt-surfaces/sec-4.six-tensor.without, Sect. 4, first paragraph
+   printed: six different types of tensor product GBT-Bézier engineering surfaces including GBT-Bézier cylinders, GBT-Bézier bilinear surfaces, GBT-Bézier ruled surfaces, GBT-Bézier swung surfaces, GBT-Bézier swept, and GBT-Bézier rotation surfaces are constructed
+   read as: As the last sentence of the paragraph says, the rotation surfaces are excepted: cylinder, ruled surface (18) as printed, swung and swept surface; the bi-linear surface (16) is one by its formula.
+   stated: sum(k, 0, m, (Q[k] + z1*V)*f[k,m](z, mu, nu)) == sum(k, 0, m, sum(l, 0, 1, (Q[k] + l*V)*f[k,m](z, mu, nu)*b[l,1](z1))) and printed18(z, z1) == tensor(z, z1) and sum(k, 0, m, f[k,m](z, mu, nu)*X[k])*sum(l, 0, n, f[l,n](z1, mu1, nu1)*U[l]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*X[k]*U[l])) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*B[l]) + sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition b (z : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
+Definition printed18 (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
+Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (Q : Z -> R) (U : Z -> R) (V : R) (X : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (0 <= k <= m)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (2 <= m)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (2 <= m)%Z) ->
+  sum 0%Z m (fun k => (Q k + z1 * V) * f z mu nu k m) = sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => (Q k + IZR l * V) * f z mu nu k m * b z1 l 1%Z)) /\ printed18 A B m mu nu z z1 = tensor A B m mu nu z z1 /\ sum 0%Z m (fun k => f z mu nu k m * X k) * sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l) = sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * X k * U l)) /\ sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l) + sum 0%Z m (fun k => f z mu nu k m * A k) = sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * (A k + B l))).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (Q : Z -> R) (U : Z -> R) (V : R) (X : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (0 <= k <= m)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (2 <= m)%Z) /\
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (2 <= m)%Z).
+End sec_4_six_tensor_without.
+
+Module sec_4_composite_by_the_printed_conditions.
+(* gbt-surfaces/sec-4.composite.by the printed conditions, Sect. 4, first paragraph
+   printed: the construction of composite GBT-Bézier surfaces with C1, C2, and C3 continuous connection is also presented
+   read as: The compositions are made with Theorem 2 as printed.
+   stated: F1'(0) == F'(1) and F1''(0) == F''(1) and F1'''(0) == F'''(1) *)
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
+Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  Q m + 1 / a1 mu1 n nu1 * (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + a3 mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
+Definition b1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - nu1).
+Definition b2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)).
+Definition c1 (mu1 : R) (n : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
+Definition b3 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - nu1).
+Definition b4 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a3 mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 - a m mu1 n nu * (c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - 4 * nu1) + PI ^ 3 * (1 + mu1)) + PI ^ 3 * (1 + nu).
+Definition printed13 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  Q m + 1 / b1 mu1 n nu1 * (b2 m nu * (Q m - 3 * Q (m - 1)%Z + 3 * Q (m - 2)%Z - Q (m - 3)%Z) + a2 m nu / a1 mu1 n nu1 * b3 mu1 n nu1 * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu1) * b3 mu1 n nu1 / a1 mu1 n nu1 * (Q (m - 1)%Z - Q (m - 2)%Z) - b4 m mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  Q1 0%Z = Q m ->
+  (0 <= 1 <= n)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  (0 <= m - 1 <= m)%Z ->
+  Q1 1%Z = printed11 Q m mu1 n nu ->
+  (0 <= 2 <= n)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  (0 <= m - 2 <= m)%Z ->
+  Q1 2%Z = printed12 Q m mu mu1 n nu nu1 ->
+  (0 <= 3 <= n)%Z ->
+  b1 mu1 n nu1 <> 0 ->
+  (0 <= m - 3 <= m)%Z ->
+  Q1 3%Z = printed13 Q m mu1 n nu nu1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => F1 Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F Q m mu nu z____) 2 (IZR z___)) /\ (let z____ := 0%Z in Derive_n (fun z_____ => F1 Q1 mu1 n nu1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F Q m mu nu z______) 3 (IZR z_____)).
+End sec_4_composite_by_the_printed_conditions.
+
+Module sec_4_composite_there_are_such_compositions.
+(* gbt-surfaces/sec-4.composite.there are such compositions, Sect. 4, first paragraph
+   printed: the construction of composite GBT-Bézier surfaces with C1, C2, and C3 continuous connection is also presented
+   read as: Such compositions can be made: exhibited for every first curve, with a cubic of vanishing shape parameters for the second.
+   stated: at(next(Q[m], Q[m-1], Q[m-2], Q[m-3], z), z, 0) == at(F(z), z, 1) and at(D(next(Q[m], Q[m-1], Q[m-2], Q[m-3], z), z, 1), z, 0) == at(D(F(z), z, 1), z, 1) and at(D(next(Q[m], Q[m-1], Q[m-2], Q[m-3], z), z, 2), z, 0) == at(D(F(z), z, 2), z, 1) and at(D(next(Q[m], Q[m-1], Q[m-2], Q[m-3], z), z, 3), z, 0) == at(D(F(z), z, 3), z, 1) *)
+Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
+Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
+Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
+  p + a m nu n mu1 * (p - q).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 n nu1 mu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m nu n nu1 mu1 * (p - q)).
+Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
+Definition c1 (n : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
+Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
+Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
+  6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
+Definition b4_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  a m nu n mu1 * (3 * c1 n mu1 + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * IZR mu1 - IZR nu1) - PI ^ 3 * (1 + IZR mu1)) - a3_true m nu n nu1 mu1 * b3_true n nu1 mu1 / a1 n nu1 mu1 + PI ^ 3 * (1 + nu).
+Definition join3 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) (s : R) : R :=
+  p + 1 / b1 n nu1 mu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 n nu1 mu1 * b3_true n nu1 mu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true n nu1 mu1 / a1 n nu1 mu1 * (q - r) - b4_true m nu n nu1 mu1 * (p - q)).
+Definition next (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : Z) : R :=
+  f (IZR t) 0 0 0%Z 3%Z * p + f (IZR t) 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f (IZR t) 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f (IZR t) 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
+  f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition statement : Prop :=
+forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= m <= m)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  (0 <= m - 3 <= m)%Z ->
+  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 ->
+  a1 3%Z 0%Z 0%Z <> 0 ->
+  b1 3%Z 0%Z 0%Z <> 0 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  next m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) 0%Z = F Q m mu nu 1%Z /\ (let z := 0%Z in Derive_n (fun z_ => next_ m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z_) 1 (IZR z)) = (let z := 1%Z in Derive_n (fun z_ => F_ Q m mu nu z_) 1 (IZR z)) /\ (let z := 0%Z in Derive_n (fun z_ => next_ m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z_) 2 (IZR z)) = (let z := 1%Z in Derive_n (fun z_ => F_ Q m mu nu z_) 2 (IZR z)) /\ (let z := 0%Z in Derive_n (fun z_ => next_ m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z_) 3 (IZR z)) = (let z := 1%Z in Derive_n (fun z_ => F_ Q m mu nu z_) 3 (IZR z)).
+Definition instance : Prop :=
+exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= m <= m)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  (0 <= m - 2 <= m)%Z /\
+  (0 <= m - 3 <= m)%Z /\
+  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 /\
+  a1 3%Z 0%Z 0%Z <> 0 /\
+  b1 3%Z 0%Z 0%Z <> 0 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
+End sec_4_composite_there_are_such_compositions.
+
+Module sec_4_tensor_as_printed.
+(* gbt-surfaces/sec-4.tensor.as printed, Sect. 4, first paragraph, last sentence
+   printed: These special engineering surfaces not only have some parameters for their shape control but can also be expressed in terms of tensor product GBT-Bézier surface design (excluding rotation surfaces).
+   read as: Of the classes that are not excluded the ruled surface is examined: (18) has one set of functions f_{k,m} for both guide lines.
+   stated: printed18(z, z1) == tensor(z, z1) *)
+Definition b (z : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition printed18 (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
+Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
+Definition statement : Prop :=
+forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (2 <= m)%Z) ->
+  printed18 A B m mu nu z z1 = tensor A B m mu nu z z1.
+Definition instance : Prop :=
+exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (2 <= m)%Z).
+End sec_4_tensor_as_printed.
+
+Module sec_4_tensor_with_f_l.
+(* gbt-surfaces/sec-4.tensor.with f^l, Sect. 4, first paragraph, last sentence
+   printed: These special engineering surfaces not only have some parameters for their shape control but can also be expressed in terms of tensor product GBT-Bézier surface design (excluding rotation surfaces).
+   read as: Of the classes that are not excluded the ruled surface is examined: (18) has a set of functions f^l_{k,m} for each guide line, as (17) and (19) have.
+   stated: ruled(z, z1) == tensor(z, z1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition ruled (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  (1 - z1) * sum 0%Z m (fun k => f z mu nu k m * A k) + z1 * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
+Definition b (z : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
+Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
+Definition statement : Prop :=
+forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (2 <= m)%Z) ->
+  ruled A B m mu mu1 nu nu1 z z1 = tensor A B m mu nu z z1.
+End sec_4_tensor_with_f_l.
+
+Module sec_4_convex_hull.
+(* gbt-surfaces/sec-4.convex-hull, Sect. 4, second paragraph
+   printed: the designed GBT-Bézier surfaces can approach their convex hull better than the traditional Bézier surfaces approaches
+   read as: They can: exhibited with mu = nu = 1 in the middle of curves of degree 2 and 3, where the inner control points have more weight than in the Bezier curve.
+   stated: f[0,2](1/2, 1, 1) < b[0,2](1/2) and f[2,2](1/2, 1, 1) < b[2,2](1/2) and f[1,2](1/2, 1, 1) > b[1,2](1/2) and f[1,3](1/2, 1, 1) + f[2,3](1/2, 1, 1) > b[1,3](1/2) + b[2,3](1/2) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition b (z : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
+Definition statement : Prop :=
+  f (1 / 2) 1 1 0%Z 2%Z < b (1 / 2) 0%Z 2%Z /\ f (1 / 2) 1 1 2%Z 2%Z < b (1 / 2) 2%Z 2%Z /\ f (1 / 2) 1 1 1%Z 2%Z > b (1 / 2) 1%Z 2%Z /\ f (1 / 2) 1 1 1%Z 3%Z + f (1 / 2) 1 1 2%Z 3%Z > b (1 / 2) 1%Z 3%Z + b (1 / 2) 2%Z 3%Z.
+End sec_4_convex_hull.
