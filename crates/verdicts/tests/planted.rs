@@ -90,7 +90,7 @@ const CASES: &[Case] = &[
     ),
     case(
         Planted::BoundReversed,
-        "assume = ['a >= 1']\nstates = 'a <= 1'",
+        "assume = ['a >= 1']\nstates = 'a - x <= 1'",
         False,
         Caught::Net,
     ),
