@@ -6,7 +6,7 @@ use crate::coordinate::Coordinate;
 use crate::curve::{Curve, RationalCurve, least};
 use crate::error::{GeometryError, Place, Result};
 use crate::scalars::{Over, exact, exact_ball};
-use torse_algebra::{Ball, Jet, Rational};
+use torse_algebra::{Ball, Jet};
 
 /// The point of a rail nearest to another point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -158,12 +158,7 @@ impl Rail {
             })
             .collect();
         let size = seen.iter().flat_map(|(p, _)| p);
-        // Far from one, where a quotient would leave the range of f64 on its way to it.
-        let up = |c: &Rational| c.times_two_to(500).approximate().abs();
-        let size = size.fold(0.0_f64, |m, c| {
-            m.max(c.approximate().abs())
-                .max(up(c).min(1.0).times_two_to(-500))
-        });
+        let size = size.fold(0.0_f64, |m, c| m.max(c.approximate().abs()));
         let Some(units) = size.min(f64::MAX).exponent() else {
             return Ok(None);
         };
