@@ -222,8 +222,9 @@ fn determinant(mut rows: Residues) -> Option<u64> {
         let lead = rows.get(column)?.clone();
         let leading = entry(&lead)?;
         product = times(product, leading);
+        let inverse = power(leading, -1)?;
         for row in rows.iter_mut().skip(column + 1) {
-            let factor = times(entry(row)?, power(leading, -1)?);
+            let factor = times(entry(row)?, inverse);
             for (slot, other) in row.iter_mut().zip(&lead) {
                 *slot = minus(*slot, times(factor, *other));
             }
