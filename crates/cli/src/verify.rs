@@ -60,16 +60,20 @@ impl Verify {
         figures::check(&papers, &mut mistakes);
         guard::finished();
         let mut exit = Exit::of(run.outcomes(), &self.names);
+        let json = match (self.format, &before) {
+            (Format::Text, None) => String::new(),
+            _ => self.json(&papers, &run)?,
+        };
         // Where nothing is right there is nothing to show.
         if mistakes.is_empty() || run.outcomes().next().is_some() {
-            terminal::print(&match self.format {
-                Format::Text if before.is_some() => String::new(),
-                Format::Text => verdicts::text(&run.papers),
-                Format::Json => self.json(&papers, &run)?,
-            })?;
+            match self.format {
+                Format::Text if before.is_some() => {}
+                Format::Text => terminal::print(&verdicts::text(&run.papers))?,
+                Format::Json => terminal::print(&json)?,
+            }
         }
         if let Some(before) = before {
-            let now = Verdicts::parse(&self.json(&papers, &run)?);
+            let now = Verdicts::parse(&json);
             let now = now.map_err(ReportError::from)?;
             let found = against::differences(&before.named(&self.names), &now);
             match self.format {
