@@ -5,6 +5,7 @@
 //! `F_v + F_U a` with `G_U a = -G_v`.
 
 use crate::arithmetic::Arithmetic;
+use crate::domain::newton::{Expanded, Slope};
 use crate::evaluate::{Evaluator, Outcome, Sc};
 use crate::gap::{Gap, Undefined, Unknown};
 use crate::name::Name;
@@ -14,6 +15,8 @@ use std::sync::Arc;
 use torse_language::core::{Node, Source, Statement, Term};
 use torse_language::syntax::{Connective, Relation};
 
+/// Terms to be equal in pairs.
+type Equations<'a> = Vec<(&'a Term, Option<&'a Term>)>;
 type Row<A> = Vec<Series<<A as Arithmetic>::Number>>;
 
 impl<A: Arithmetic> Evaluator<'_, A> {
@@ -46,7 +49,7 @@ impl<A: Arithmetic> Evaluator<'_, A> {
         let own = self.symbol(name.clone(), scope)?;
         let level = scope.level + 1;
         let inner = scope.changed(name.clone(), own.shifted(level, 2, a));
-        let values = self.entries(&[forms], &inner)?;
+        let values = self.entries(forms, &inner)?;
         for value in &values {
             match value.coefficient(level, 2, a).is_zero(a) {
                 Some(true) => {}
@@ -57,15 +60,15 @@ impl<A: Arithmetic> Evaluator<'_, A> {
         Ok(values.iter().map(|v| v.coefficient(level, 1, a)).collect())
     }
 
-    /// The sides of the given equations, and their unknowns.
-    fn solved(&self) -> Option<(Vec<&Term>, &[Term])> {
+    /// The given equations, and their unknowns.
+    fn solved(&self) -> Option<(Equations<'_>, &[Term])> {
         let claim = self.claim.filter(|claim| !claim.unknowns.is_empty())?;
         let given = claim
             .hypotheses
             .iter()
             .filter(|h| h.source == Source::Given);
         let mut pending: Vec<&Statement> = given.map(|hypothesis| &hypothesis.statement).collect();
-        let mut sides = vec![];
+        let mut equations = vec![];
         while let Some(statement) = pending.pop() {
             match statement {
                 Statement::Join(Connective::And, a, b) => pending.extend([&**a, &**b]),
@@ -73,19 +76,19 @@ impl<A: Arithmetic> Evaluator<'_, A> {
                     relation: Relation::Equal,
                     left,
                     right,
-                } => sides.extend([left, right]),
+                } => equations.push((left, Some(right))),
                 _ => {}
             }
         }
-        Some((sides, &claim.unknowns))
+        Some((equations, &claim.unknowns))
     }
 
-    /// The derivatives of forms along the solutions of equations, given by their sides in turn.
+    /// The derivatives of forms along the solutions of equations.
     fn along(
         &self,
         forms: &Term,
         names: &[Name],
-        sides: &[&Term],
+        equations: &Equations<'_>,
         unknowns: &[Term],
         scope: &Sc<'_, A>,
     ) -> Result<Vec<Row<A>>, Gap> {
@@ -93,24 +96,38 @@ impl<A: Arithmetic> Evaluator<'_, A> {
         for unknown in unknowns {
             free.extend(self.names(unknown, scope)?);
         }
+        let not_covered = |what| Gap::from(Unknown::NotCovered { what });
         if names.iter().any(|name| free.contains(name)) {
             let what = "a coefficient of an unknown of the given equations";
-            return Err(Unknown::NotCovered { what }.into());
+            return Err(not_covered(what));
         }
-        // In the equations themselves nothing is put in.
-        let plain = Evaluator::new(self.arithmetic, self.values);
-        let rates = |name: &Name| self.rates(forms, sides, &plain, name, scope);
-        let own: Vec<(Row<A>, Row<A>)> = names.iter().map(rates).collect::<Result<_, _>>()?;
-        let moved: Vec<(Row<A>, Row<A>)> = free.iter().map(rates).collect::<Result<_, _>>()?;
+        // In the equations nothing is put in, and they do not know the variables of a binder either.
+        if !forms.is_closed() || scope.innermost_symbol().is_some() {
+            return Err(not_covered("a form with the variable of a binder"));
+        }
         let a = self.arithmetic;
-        let rows: Vec<Row<A>> = moved.iter().map(|(_, gaps)| gaps.clone()).collect();
-        let right: Vec<Row<A>> = own.iter().map(|(_, gaps)| gaps.clone()).collect();
+        let moves = |name: &Name| names.contains(name) || free.contains(name);
+        let forms = a.first_order(&[(forms, None)], self.values, &moves)?;
+        let gaps = a.first_order(equations, self.values, &moves)?;
+        let mut discrete = forms.discrete.union(&gaps.discrete);
+        if discrete.any(&moves) {
+            return Err(Undefined::NotDifferentiable.into());
+        }
+        let rates = |expanded: &Expanded<A::Number>, name: &Name| -> Row<A> {
+            let rate = |slope: &Slope<A::Number>| match slope.rates.get(name) {
+                Some(rate) => Series::Number(rate.clone()),
+                None => Series::integer(0, a),
+            };
+            expanded.gaps.iter().map(rate).collect()
+        };
+        let of_gaps = |names: &[Name]| names.iter().map(|name| rates(&gaps, name)).collect();
+        let (rows, right): (Vec<Row<A>>, Vec<Row<A>>) = (of_gaps(&free), of_gaps(names));
         let changes = self.eliminated(&rows, &right)?;
         let mut columns = vec![];
-        for ((column, _), changes) in own.into_iter().zip(changes) {
-            let mut column = column;
-            for ((by_unknown, _), change) in moved.iter().zip(&changes) {
-                for (entry, rate) in column.iter_mut().zip(by_unknown) {
+        for (name, changes) in names.iter().zip(changes) {
+            let mut column = rates(&forms, name);
+            for (unknown, change) in free.iter().zip(&changes) {
+                for (entry, rate) in column.iter_mut().zip(rates(&forms, unknown)) {
                     *entry = entry.plus(&rate.times(change, a)?, a)?;
                 }
             }
@@ -119,48 +136,14 @@ impl<A: Arithmetic> Evaluator<'_, A> {
         Ok(columns)
     }
 
-    /// The first derivatives by one number: of forms, and of left minus right of the equations.
-    fn rates(
-        &self,
-        forms: &Term,
-        sides: &[&Term],
-        plain: &Self,
-        name: &Name,
-        scope: &Sc<'_, A>,
-    ) -> Result<(Row<A>, Row<A>), Gap> {
-        let a = self.arithmetic;
-        let level = scope.level + 1;
-        let own = self.symbol(name.clone(), scope)?;
-        let inner = scope.changed(name.clone(), own.shifted(level, 1, a));
-        let first = |values: Row<A>| -> Row<A> {
-            values.iter().map(|v| v.coefficient(level, 1, a)).collect()
-        };
-        let forms = first(self.entries(&[forms], &inner)?);
-        let mut gaps = vec![];
-        for pair in sides.chunks(2) {
-            gaps.extend(first(plain.entries(pair, &inner)?));
-        }
-        Ok((forms, gaps))
-    }
-
-    /// The numbers of a term, or of the difference of two.
-    fn entries(&self, terms: &[&Term], scope: &Sc<'_, A>) -> Result<Row<A>, Gap> {
-        let a = self.arithmetic;
-        match terms {
-            [one] => Ok(self
-                .term(one, scope)?
-                .numbers()
-                .into_iter()
-                .cloned()
-                .collect()),
-            [left, right] => {
-                let pairs = self
-                    .term(left, scope)?
-                    .pairs(&self.term(right, scope)?, a)?;
-                pairs.into_iter().map(|(x, y)| x.minus(&y, a)).collect()
-            }
-            _ => Ok(vec![]),
-        }
+    /// The numbers of a term.
+    fn entries(&self, term: &Term, scope: &Sc<'_, A>) -> Result<Row<A>, Gap> {
+        Ok(self
+            .term(term, scope)?
+            .numbers()
+            .into_iter()
+            .cloned()
+            .collect())
     }
 
     /// For each right side the x with `sum of x[k] columns[k] = -right`.

@@ -1,32 +1,33 @@
 //! Numbers to first order: a value together with its rates of change by some numbers of the point.
 //!
 //! One evaluation of a term gives its value and its gradient, by the rules of the sum, the product, the quotient and
-//! the chain. Numbers that nothing changes have no rates and cost what they cost in [`Reals`].
+//! the chain. Numbers that nothing changes have no rates and cost what they cost in the arithmetic that is extended.
 
 use crate::arithmetic::Arithmetic;
 use crate::gap::Gap;
 use crate::name::Name;
-use crate::real::{Real, Reals};
-use num_traits::Zero;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use torse_numbers::Rational;
+use torse_numbers::rational::integer;
+
+type Outcome<A> = Result<Gradient<<A as Arithmetic>::Number>, Gap>;
 
 /// A value, and how it changes with some numbers. A copy costs little.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Gradient {
+pub struct Gradient<N> {
     /// The value.
-    pub value: Real,
+    pub value: N,
     /// How it changes; nothing for what is constant.
-    change: Option<Rc<Change>>,
+    change: Option<Rc<Change<N>>>,
 }
 
 /// How fast a value changes with each number, and by which numbers a second derivative may not be zero.
-#[derive(Debug, Clone, PartialEq, Default)]
-struct Change {
+#[derive(Debug, Clone, PartialEq)]
+struct Change<N> {
     /// The rates that are not zero, in the order of the numbers.
-    rates: Vec<(Variable, Real)>,
+    rates: Vec<(Variable, N)>,
     /// The numbers that do not occur linearly, in order.
     curved: Vec<Variable>,
 }
@@ -34,17 +35,16 @@ struct Change {
 /// A number of the point, by its position in [`Gradients::names`].
 type Variable = u32;
 
-impl From<Real> for Gradient {
-    fn from(value: Real) -> Self {
+impl<N> Gradient<N> {
+    /// What nothing changes.
+    pub fn constant(value: N) -> Self {
         Self {
             value,
             change: None,
         }
     }
-}
 
-impl Gradient {
-    fn rates(&self) -> &[(Variable, Real)] {
+    fn rates(&self) -> &[(Variable, N)] {
         self.change.as_ref().map_or(&[], |change| &change.rates)
     }
 
@@ -57,7 +57,7 @@ impl Gradient {
         self.rates().iter().map(|(variable, _)| *variable).collect()
     }
 
-    fn rate(&self, variable: Variable) -> Option<&Real> {
+    fn rate(&self, variable: Variable) -> Option<&N> {
         let rates = self.rates();
         let found = rates.binary_search_by_key(&variable, |(own, _)| *own);
         rates.get(found.ok()?).map(|(_, rate)| rate)
@@ -80,27 +80,27 @@ fn union(xs: &[Variable], ys: &[Variable]) -> Vec<Variable> {
     all
 }
 
-/// The arithmetic of numbers to first order.
-pub struct Gradients<'a> {
-    reals: Reals<'a>,
+/// The arithmetic of numbers to first order, over an arithmetic of their values.
+pub struct Gradients<A> {
+    base: A,
     /// The numbers that values change with.
     names: RefCell<Vec<Name>>,
     /// Numbers that an index, a degree or an exponent depends on: they have no rates.
     discrete: RefCell<BTreeSet<Variable>>,
 }
 
-impl<'a> Gradients<'a> {
+impl<A: Arithmetic> Gradients<A> {
     /// An arithmetic in which nothing changes yet.
-    pub fn new(reals: Reals<'a>) -> Self {
+    pub fn new(base: A) -> Self {
         Self {
-            reals,
+            base,
             names: RefCell::default(),
             discrete: RefCell::default(),
         }
     }
 
     /// The number of this name, which has this value and may change.
-    pub fn variable(&self, name: &Name, value: Real) -> Gradient {
+    pub fn variable(&self, name: &Name, value: A::Number) -> Gradient<A::Number> {
         let mut names = self.names.borrow_mut();
         let known = names.iter().position(|other| other == name);
         let position = known.unwrap_or_else(|| {
@@ -108,14 +108,17 @@ impl<'a> Gradients<'a> {
             names.len() - 1
         });
         let variable = Variable::try_from(position).unwrap_or(Variable::MAX);
-        let one = Rational::from_integer(1.into());
         Gradient {
             value,
             change: Some(Rc::new(Change {
-                rates: vec![(variable, one.into())],
+                rates: vec![(variable, self.integer(1))],
                 curved: vec![],
             })),
         }
+    }
+
+    fn integer(&self, n: i64) -> A::Number {
+        self.base.rational(&integer(n))
     }
 
     fn named(&self, variable: Variable) -> Option<Name> {
@@ -126,7 +129,7 @@ impl<'a> Gradients<'a> {
     }
 
     /// The rates of a value that are not zero.
-    pub fn rates(&self, of: &Gradient) -> BTreeMap<Name, Real> {
+    pub fn rates(&self, of: &Gradient<A::Number>) -> BTreeMap<Name, A::Number> {
         let rates = of.rates().iter();
         let named =
             rates.filter_map(|(variable, rate)| Some((self.named(*variable)?, rate.clone())));
@@ -134,7 +137,7 @@ impl<'a> Gradients<'a> {
     }
 
     /// The numbers that do not occur linearly in a value.
-    pub fn curved(&self, of: &Gradient) -> BTreeSet<Name> {
+    pub fn curved(&self, of: &Gradient<A::Number>) -> BTreeSet<Name> {
         of.curved()
             .iter()
             .filter_map(|variable| self.named(*variable))
@@ -153,20 +156,20 @@ impl<'a> Gradients<'a> {
     /// `p x + q y` to first order, where p and q are the rates of an operation with this value.
     fn combined(
         &self,
-        value: Real,
-        (p, x): (&Real, &Gradient),
-        (q, y): (&Real, &Gradient),
+        value: A::Number,
+        (p, x): (&A::Number, &Gradient<A::Number>),
+        (q, y): (&A::Number, &Gradient<A::Number>),
         curved: Vec<Variable>,
-    ) -> Result<Gradient, Gap> {
-        let scaled = |factor: &Real, of: &Gradient, variable: Variable| {
+    ) -> Outcome<A> {
+        let scaled = |factor: &A::Number, of: &Gradient<A::Number>, variable: Variable| {
             let rate = of.rate(variable)?;
-            (self.reals.is_zero(factor) != Some(true)).then(|| self.reals.times(factor, rate))
+            (self.base.is_zero(factor) != Some(true)).then(|| self.base.times(factor, rate))
         };
         let mut rates = vec![];
         for variable in union(&x.moving(), &y.moving()) {
             let (with_x, with_y) = (scaled(p, x, variable), scaled(q, y, variable));
             let rate = match (with_x.transpose()?, with_y.transpose()?) {
-                (Some(with_x), Some(with_y)) => self.reals.plus(&with_x, &with_y)?,
+                (Some(with_x), Some(with_y)) => self.base.plus(&with_x, &with_y)?,
                 (Some(rate), None) | (None, Some(rate)) => rate,
                 (None, None) => continue,
             };
@@ -179,52 +182,52 @@ impl<'a> Gradients<'a> {
     }
 
     /// A function with this value and this rate, at x.
-    fn chain(&self, value: Real, rate: &Real, x: &Gradient) -> Result<Gradient, Gap> {
-        let none = Real::from(Rational::zero());
-        let constant = Gradient::from(none.clone());
+    fn chain(&self, value: A::Number, rate: &A::Number, x: &Gradient<A::Number>) -> Outcome<A> {
+        let none = self.integer(0);
+        let constant = Gradient::constant(none.clone());
         self.combined(value, (rate, x), (&none, &constant), x.variables())
     }
 }
 
-impl Arithmetic for Gradients<'_> {
-    type Number = Gradient;
+impl<A: Arithmetic> Arithmetic for Gradients<A> {
+    type Number = Gradient<A::Number>;
 
-    fn rational(&self, value: &Rational) -> Gradient {
-        self.reals.rational(value).into()
+    fn rational(&self, value: &Rational) -> Self::Number {
+        Gradient::constant(self.base.rational(value))
     }
 
-    fn pi(&self) -> Gradient {
-        self.reals.pi().into()
+    fn pi(&self) -> Self::Number {
+        Gradient::constant(self.base.pi())
     }
 
-    fn plus(&self, a: &Gradient, b: &Gradient) -> Result<Gradient, Gap> {
-        let value = self.reals.plus(&a.value, &b.value)?;
+    fn plus(&self, a: &Self::Number, b: &Self::Number) -> Outcome<A> {
+        let value = self.base.plus(&a.value, &b.value)?;
         if a.change.is_none() && b.change.is_none() {
-            return Ok(value.into());
+            return Ok(Gradient::constant(value));
         }
-        let one = Real::from(Rational::from_integer(1.into()));
+        let one = self.integer(1);
         self.combined(value, (&one, a), (&one, b), union(a.curved(), b.curved()))
     }
 
-    fn negated(&self, a: &Gradient) -> Gradient {
-        let negated = |change: &Rc<Change>| {
+    fn negated(&self, a: &Self::Number) -> Self::Number {
+        let negated = |change: &Rc<Change<A::Number>>| {
             let rates = change.rates.iter();
-            let rates = rates.map(|(variable, rate)| (*variable, self.reals.negated(rate)));
+            let rates = rates.map(|(variable, rate)| (*variable, self.base.negated(rate)));
             Rc::new(Change {
                 rates: rates.collect(),
                 curved: change.curved.clone(),
             })
         };
         Gradient {
-            value: self.reals.negated(&a.value),
+            value: self.base.negated(&a.value),
             change: a.change.as_ref().map(negated),
         }
     }
 
-    fn times(&self, a: &Gradient, b: &Gradient) -> Result<Gradient, Gap> {
-        let value = self.reals.times(&a.value, &b.value)?;
+    fn times(&self, a: &Self::Number, b: &Self::Number) -> Outcome<A> {
+        let value = self.base.times(&a.value, &b.value)?;
         if a.change.is_none() && b.change.is_none() {
-            return Ok(value.into());
+            return Ok(Gradient::constant(value));
         }
         // What occurs on both sides does not occur linearly in the product.
         let (mut shared, right) = (a.variables(), b.variables());
@@ -233,36 +236,36 @@ impl Arithmetic for Gradients<'_> {
         self.combined(value, (&b.value, a), (&a.value, b), curved)
     }
 
-    fn over(&self, a: &Gradient, b: &Gradient) -> Result<Gradient, Gap> {
-        let value = self.reals.over(&a.value, &b.value)?;
+    fn over(&self, a: &Self::Number, b: &Self::Number) -> Outcome<A> {
+        let value = self.base.over(&a.value, &b.value)?;
         if a.change.is_none() && b.change.is_none() {
-            return Ok(value.into());
+            return Ok(Gradient::constant(value));
         }
         // a/b changes by 1/b with a and by -(a/b)/b with b.
-        let one = Real::from(Rational::from_integer(1.into()));
-        let with_a = self.reals.over(&one, &b.value)?;
-        let with_b = self.reals.negated(&self.reals.over(&value, &b.value)?);
+        let one = self.integer(1);
+        let with_a = self.base.over(&one, &b.value)?;
+        let with_b = self.base.negated(&self.base.over(&value, &b.value)?);
         let curved = union(a.curved(), &b.variables());
         self.combined(value, (&with_a, a), (&with_b, b), curved)
     }
 
-    fn square_root(&self, a: &Gradient) -> Result<Gradient, Gap> {
-        let root = self.reals.square_root(&a.value)?;
+    fn square_root(&self, a: &Self::Number) -> Outcome<A> {
+        let root = self.base.square_root(&a.value)?;
         if a.change.is_none() {
-            return Ok(root.into());
+            return Ok(Gradient::constant(root));
         }
-        let twice = self.reals.plus(&root, &root)?;
-        let one = Real::from(Rational::from_integer(1.into()));
-        let rate = self.reals.over(&one, &twice)?;
+        let twice = self.base.plus(&root, &root)?;
+        let one = self.integer(1);
+        let rate = self.base.over(&one, &twice)?;
         self.chain(root, &rate, a)
     }
 
-    fn sine_cosine(&self, a: &Gradient) -> Result<(Gradient, Gradient), Gap> {
-        let (sine, cosine) = self.reals.sine_cosine(&a.value)?;
+    fn sine_cosine(&self, a: &Self::Number) -> Result<(Self::Number, Self::Number), Gap> {
+        let (sine, cosine) = self.base.sine_cosine(&a.value)?;
         if a.change.is_none() {
-            return Ok((sine.into(), cosine.into()));
+            return Ok((Gradient::constant(sine), Gradient::constant(cosine)));
         }
-        let falling = self.reals.negated(&sine);
+        let falling = self.base.negated(&sine);
         Ok((
             self.chain(sine.clone(), &cosine, a)?,
             self.chain(cosine.clone(), &falling, a)?,
@@ -270,20 +273,20 @@ impl Arithmetic for Gradients<'_> {
     }
 
     /// Whether the value is zero whatever the numbers are; `None` where it is zero at the point alone.
-    fn is_zero(&self, a: &Gradient) -> Option<bool> {
-        match self.reals.is_zero(&a.value) {
+    fn is_zero(&self, a: &Self::Number) -> Option<bool> {
+        match self.base.is_zero(&a.value) {
             Some(true) if a.change.is_some() => None,
             known => known,
         }
     }
 
-    fn as_rational(&self, a: &Gradient) -> Option<Rational> {
-        let rational = self.reals.as_rational(&a.value)?;
+    fn as_rational(&self, a: &Self::Number) -> Option<Rational> {
+        let rational = self.base.as_rational(&a.value)?;
         self.discrete.borrow_mut().extend(a.variables());
         Some(rational)
     }
 
-    fn bit_length(&self, a: &Gradient) -> Option<u64> {
-        self.reals.bit_length(&a.value)
+    fn bit_length(&self, a: &Self::Number) -> Option<u64> {
+        self.base.bit_length(&a.value)
     }
 }

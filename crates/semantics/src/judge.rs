@@ -87,7 +87,7 @@ impl Judge<'_> {
             Statement::Family(property, family) => {
                 family::judge(*property, family, self.claim, at).unwrap_or_else(Judgement::from)
             }
-            Statement::Join(..) => self.join(statement, at),
+            Statement::Join(..) => joined(statement, &|part| self.statement(part, at)),
             Statement::Not(inner) => {
                 if self.denied.contains_key(&address(inner)) {
                     return Judgement::True;
@@ -101,26 +101,6 @@ impl Judge<'_> {
                 }
             }
         }
-    }
-
-    /// Long chains are walked without recursion.
-    fn join(&self, statement: &Statement, at: &Evaluator<'_, Reals<'_>>) -> Judgement {
-        let mut rights = vec![];
-        let mut left = statement;
-        while let Statement::Join(connective, a, b) = left {
-            rights.push((*connective, b));
-            left = a;
-        }
-        let mut all = self.statement(left, at);
-        while let Some((connective, right)) = rights.pop() {
-            let right = self.statement(right, at);
-            all = all.joined(right, |a, b| match connective {
-                Connective::And => both(a, b),
-                Connective::Or => both(a.map(|t| !t), b.map(|t| !t)).map(|t| !t),
-                Connective::Implies => both(a, b.map(|t| !t)).map(|t| !t),
-            });
-        }
-        all
     }
 
     fn compare(
@@ -188,6 +168,27 @@ impl Judge<'_> {
             None => Ok(Sign::Open),
         }
     }
+}
+
+/// Judges a statement by its parts that are no conjunctions, alternatives or implications. Long chains are walked without
+/// recursion.
+pub(crate) fn joined(statement: &Statement, judge: &dyn Fn(&Statement) -> Judgement) -> Judgement {
+    let mut rights = vec![];
+    let mut left = statement;
+    while let Statement::Join(connective, a, b) = left {
+        rights.push((*connective, b));
+        left = a;
+    }
+    let mut all = judge(left);
+    while let Some((connective, right)) = rights.pop() {
+        let right = joined(right, judge);
+        all = all.joined(right, |a, b| match connective {
+            Connective::And => both(a, b),
+            Connective::Or => both(a.map(|t| !t), b.map(|t| !t)).map(|t| !t),
+            Connective::Implies => both(a, b.map(|t| !t)).map(|t| !t),
+        });
+    }
+    all
 }
 
 /// How two numbers compare.

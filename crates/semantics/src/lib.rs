@@ -73,12 +73,14 @@ mod name;
 mod net;
 mod polynomial;
 mod real;
+mod residue;
 mod scope;
 mod series;
 mod value;
 mod witness;
 
 pub use arithmetic::Arithmetic;
+pub use domain::newton::{Expanded, Slope};
 pub use domain::point::{Outside, Point};
 pub use evaluate::Evaluator;
 pub use gap::{Gap, Undefined, Unknown, Work};

@@ -5,13 +5,16 @@
 
 use crate::domain::draft::Draft;
 use crate::domain::narrow::narrowed;
-use crate::domain::point::{Outside, Point, check_hypotheses, check_sets, drawn};
+use crate::domain::point::{Outside, Point, check_hypotheses, check_sets, completed};
 use crate::domain::stream::Stream;
-use crate::gap::Work;
+use crate::gap::{Unknown, Work};
 use crate::judge::{Judge, address};
 use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::real::Real;
+use crate::residue;
+use crate::residue::judge::has_equation;
+use crate::residue::point::Drawn;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_language::core::{Claim, Hypothesis, Source, Statement};
@@ -48,6 +51,8 @@ pub struct Tally {
     pub undefined: u64,
     /// Points at which it was not decided, and why at the first of them.
     pub open: u64,
+    /// Those of them at which the work of one point was not enough.
+    pub costly: u64,
     /// The reason at the first open point.
     pub why_open: Option<String>,
     /// Points of the domain at which a condition is not true: they are not judged further.
@@ -118,14 +123,18 @@ pub fn tally(
 ) -> Tally {
     let survey = Survey::new(claim, seed, wanted, budget);
     let denied = survey.settled(statement);
-    let mut tally = Tally::default();
-    tally.attempts = survey.walk(statement, conditions, &denied, &mut |seen| {
-        tally.count(seen);
-        let hopeless = tally.holding == 0 && tally.found >= HOPELESS;
-        !(tally.single || hopeless) && tally.decided() < wanted && tally.failing.is_none()
-    });
-    tally.exhausted = survey.work.left() == 0;
-    tally
+    if has_equation(statement) {
+        // What they find false, and what they cannot tell, is for exact numbers, but where those would cost too much too.
+        let tally = survey
+            .by_residues()
+            .tally(statement, conditions, &denied, wanted);
+        let enough = tally.holding >= wanted || (tally.single && tally.holding > 0);
+        let costly = tally.exhausted || tally.costly >= COSTLY;
+        if tally.failing.is_none() && tally.open == tally.costly && (enough || costly) {
+            return tally;
+        }
+    }
+    survey.tally(statement, conditions, &denied, wanted)
 }
 
 /// What a statement is where a condition fails.
@@ -245,6 +254,7 @@ impl Tally {
             Judgement::Undefined(_) => self.undefined += 1,
             open @ (Judgement::Undecided | Judgement::Unknown(_)) => {
                 self.open += 1;
+                self.costly += u64::from(open == Judgement::Unknown(Unknown::Work));
                 self.why_open.get_or_insert_with(|| open.to_string());
             }
         }
@@ -262,6 +272,16 @@ struct Survey<'a> {
     work: Work,
     /// Every how many-th point lies at the edges of the declared sets.
     edges: u64,
+    ground: Ground,
+}
+
+/// The numbers that points consist of.
+#[derive(Debug, Clone, Copy)]
+enum Ground {
+    /// Exact ones, enclosed where they have to be.
+    Reals,
+    /// Residues modulo a prime.
+    Residues,
 }
 
 impl<'a> Survey<'a> {
@@ -274,7 +294,38 @@ impl<'a> Survey<'a> {
             share: (budget / wanted.max(1)).saturating_mul(2),
             work: Work::new(budget),
             edges: EDGES,
+            ground: Ground::Reals,
         }
+    }
+
+    /// The same walk modulo a prime, with a budget of its own.
+    fn by_residues(&self) -> Self {
+        Self {
+            narrowed: self.narrowed.clone(),
+            work: Work::new(self.work.left()),
+            ground: Ground::Residues,
+            ..*self
+        }
+    }
+
+    /// Judges the statement until it is decided at `wanted` points, or false at one.
+    fn tally(
+        &self,
+        statement: &Statement,
+        conditions: &[Statement],
+        denied: &BTreeMap<usize, ()>,
+        wanted: u64,
+    ) -> Tally {
+        let mut tally = Tally::default();
+        tally.attempts = self.walk(statement, conditions, denied, &mut |seen| {
+            tally.count(seen);
+            let hopeless = tally.holding == 0 && tally.found >= HOPELESS;
+            let unseen = matches!(self.ground, Ground::Residues) && tally.open > tally.costly;
+            let enough = tally.single || tally.decided() >= wanted;
+            !(enough || hopeless || unseen) && tally.failing.is_none()
+        });
+        tally.exhausted = self.work.left() == 0;
+        tally
     }
 
     /// Judges the statement at one point after the other as long as `each` says so; returns how many were drawn.
@@ -320,18 +371,17 @@ impl<'a> Survey<'a> {
             0 => stream.at_edges(),
             _ => stream,
         };
-        let (draft, near) = drawn(self.claim, &self.narrowed, stream, work)?;
-        let judge = Judge {
-            claim: self.claim,
-            values: &|name| draft.value(name),
-            near,
-            denied,
-            work,
+        let draft = Draft::new(self.claim, &self.narrowed, stream);
+        let (judgement, near) = match self.ground {
+            Ground::Reals => self.exactly(statement, conditions, denied, &draft, work)?,
+            Ground::Residues => (
+                self.modulo_prime(statement, conditions, denied, &draft, work)?,
+                false,
+            ),
         };
-        if conditions.iter().any(|c| judge.judge(c) != Judgement::True) {
+        let Some(judgement) = judgement else {
             return Some(each(Seen::Excepted));
-        }
-        let judgement = judge.judge(statement);
+        };
         if draft.empty.get() {
             return None;
         }
@@ -340,6 +390,58 @@ impl<'a> Survey<'a> {
             draft: &draft,
             near,
         }))
+    }
+
+    /// What the statement is at the point that a draft is completed to, if the conditions are true there, and whether the
+    /// point satisfies its equations only nearly; `None` if it is no point of the domain.
+    fn exactly(
+        &self,
+        statement: &Statement,
+        conditions: &[Statement],
+        denied: &BTreeMap<usize, ()>,
+        draft: &Draft<'_>,
+        work: &Work,
+    ) -> Option<(Option<Judgement>, bool)> {
+        let near = completed(self.claim, draft, work)?;
+        let judge = Judge {
+            claim: self.claim,
+            values: &|name| draft.value(name),
+            near,
+            denied,
+            work,
+        };
+        let excepted = conditions.iter().any(|c| judge.judge(c) != Judgement::True);
+        Some(((!excepted).then(|| judge.judge(statement)), near))
+    }
+
+    /// The same modulo a prime.
+    fn modulo_prime(
+        &self,
+        statement: &Statement,
+        conditions: &[Statement],
+        denied: &BTreeMap<usize, ()>,
+        draft: &Draft<'_>,
+        work: &Work,
+    ) -> Option<Option<Judgement>> {
+        let point = match residue::point::drawn(self.claim, draft, work) {
+            Drawn::Inside(point) => point,
+            Drawn::Outside => return None,
+            Drawn::Unknown(why) => return Some(Some(Judgement::Unknown(why))),
+        };
+        let judge = residue::judge::Judge {
+            claim: self.claim,
+            point: &point,
+            denied,
+            work,
+        };
+        for condition in conditions {
+            match judge.judge(condition) {
+                Judgement::True => {}
+                open @ (Judgement::Undecided | Judgement::Unknown(_)) => return Some(Some(open)),
+                Judgement::False | Judgement::Undefined(_) => return Some(None),
+            }
+        }
+        Some(Some(judge.judge(statement)))
     }
 
     /// Finds, for each `not p` of a statement, a point of the domain at which p is false: `not p` is true then.
@@ -359,18 +461,21 @@ impl<'a> Survey<'a> {
         }
         // The innermost denials first.
         for p in inner.into_iter().rev() {
-            let mut found = false;
-            self.walk(p, &[], &denied, &mut |seen| {
-                found = matches!(
-                    seen,
-                    Seen::Judged {
-                        judgement: Judgement::False,
-                        ..
-                    }
-                );
-                !found
-            });
-            if found {
+            let fails = |survey: &Self| {
+                let mut found = false;
+                survey.walk(p, &[], &denied, &mut |seen| {
+                    found = matches!(
+                        seen,
+                        Seen::Judged {
+                            judgement: Judgement::False,
+                            ..
+                        }
+                    );
+                    !found
+                });
+                found
+            };
+            if fails(&self.by_residues()) || fails(self) {
                 denied.insert(address(p), ());
             }
         }

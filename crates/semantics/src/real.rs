@@ -3,13 +3,16 @@
 //! So a polynomial at a rational point is decided exactly, and `sin(pi/2*x)` at 0 or 1 as well.
 
 use crate::arithmetic::Arithmetic;
+use crate::domain::newton::{Expanded, expanded};
 use crate::gap::{Gap, Undefined, Unknown, Work};
+use crate::name::Name;
 use dashu_int::ops::{BitTest, SquareRoot};
 use num_traits::{One, Signed, Zero};
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
+use torse_language::core::Term;
 use torse_numbers::rational::{integer, ratio};
 use torse_numbers::{Ball, Integer, Rational, Scalar};
 
@@ -149,7 +152,7 @@ impl Real {
 }
 
 /// The arithmetic of real numbers, with balls of this precision.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Reals<'a> {
     /// Binary digits after the point.
     pub bits: usize,
@@ -157,7 +160,8 @@ pub struct Reals<'a> {
     pub work: &'a Work,
 }
 
-fn length(q: &Rational) -> usize {
+/// The longer of numerator and denominator, in bits.
+pub(crate) fn length(q: &Rational) -> usize {
     q.numer().bit_len().max(q.denom().bit_len())
 }
 
@@ -362,5 +366,14 @@ impl Arithmetic for Reals<'_> {
             }
         };
         u64::try_from(bits).ok()
+    }
+
+    fn first_order(
+        &self,
+        terms: &[(&Term, Option<&Term>)],
+        value: &dyn Fn(&Name) -> Option<Real>,
+        moves: &dyn Fn(&Name) -> bool,
+    ) -> Result<Expanded<Real>, Gap> {
+        expanded(terms, *self, value, moves)
     }
 }

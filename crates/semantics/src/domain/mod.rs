@@ -2,10 +2,12 @@
 //!
 //! Points come as a stream that a text seeds, the claim's id, so that they are the same on every run. [`set`] draws a
 //! number of a declared set, which [`narrow`] makes smaller, [`draft`] one number after the other as they are asked for,
-//! [`solve`] changes some of them until the assumed and given equations hold, and [`point`] checks what came out.
+//! [`solve`] changes some of them until the assumed and given equations hold, by the steps of [`newton`], and [`point`]
+//! checks what came out.
 
 pub(crate) mod draft;
 pub(crate) mod narrow;
+pub(crate) mod newton;
 pub(crate) mod point;
 pub(crate) mod set;
 pub(crate) mod solve;

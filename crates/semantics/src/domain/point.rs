@@ -3,7 +3,6 @@
 use super::draft::Draft;
 use super::set;
 use super::solve::{Solved, is_equations, solve};
-use super::stream::Stream;
 use crate::gap::Work;
 use crate::judge::Judge;
 use crate::judgement::Judgement;
@@ -11,9 +10,7 @@ use crate::name::Name;
 use crate::real::Real;
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::Arc;
 use torse_language::core::{Claim, Set, Statement};
-use torse_language::derivation::declarations::Interval;
 use torse_numbers::Affine;
 
 /// A point: a number for each symbol, coordinate and member that a statement asks for.
@@ -117,15 +114,10 @@ pub(crate) fn check_hypotheses(
     Ok(())
 }
 
-/// A point of the domain, to be completed by what a statement asks for; `None` if this attempt found none.
-pub(crate) fn drawn<'a>(
-    claim: &'a Claim,
-    narrowed: &'a BTreeMap<Arc<str>, Interval>,
-    stream: Stream,
-    work: &Work,
-) -> Option<(Draft<'a>, bool)> {
-    let draft = Draft::new(claim, narrowed, stream);
-    let solved = solve(claim, &draft, work)?;
+/// Changes a draft until it is a point of the domain, to be completed by what a statement asks for: whether it satisfies
+/// its equations only nearly; `None` if it cannot be one.
+pub(crate) fn completed(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<bool> {
+    let solved = solve(claim, draft, work)?;
     let near = solved == Solved::Nearly;
     let denied = BTreeMap::new();
     let judge = Judge {
@@ -139,5 +131,5 @@ pub(crate) fn drawn<'a>(
     check_sets(claim, &draft.values()).ok()?;
     check_hypotheses(&judge, |h| !near && is_equations(h)).ok()?;
     check_sets(claim, &draft.values()).ok()?;
-    (!draft.empty.get()).then_some((draft, near))
+    (!draft.empty.get()).then_some(near)
 }

@@ -6,17 +6,17 @@
 //! solved after the other. Else the numbers are rounded to many digits and the point satisfies the equations nearly.
 
 use super::draft::Draft;
+use super::newton::{Slope, changes, expanded};
 use crate::arithmetic::Arithmetic;
 use crate::evaluate::Evaluator;
 use crate::gap::Work;
-use crate::gradient::{Gradient, Gradients};
 use crate::name::Name;
-use crate::real::{Real, Reals};
+use crate::real::{Real, Reals, length};
 use crate::scope::Scope;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, BTreeSet};
-use torse_language::core::{Claim, Set, Statement, Term};
+use std::collections::BTreeSet;
+use torse_language::core::{Claim, Statement, Term};
 use torse_language::syntax::{Connective, Relation};
 use torse_numbers::{Integer, Rational};
 
@@ -28,11 +28,11 @@ const NEAR_BITS: usize = 400;
 /// denominator has at most so many bits.
 const SNAP_BITS: usize = 380;
 const SIMPLE_BITS: usize = 64;
-/// Rounds with exact numbers, and all rounds.
+/// Rounds with exact numbers, and all rounds. Numbers that one solves for after others stay short; where the method only
+/// comes nearer, they double in length each time, and are rounded beyond so many bits.
 const EXACT_ROUNDS: usize = 5;
 const ROUNDS: usize = 16;
-/// The most numbers that are candidates for a change.
-const MAX_CANDIDATES: usize = 160;
+const MAX_EXACT_BITS: usize = 320;
 
 /// How the equations are satisfied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,11 +83,11 @@ pub(crate) fn is_equations(statement: &Statement) -> bool {
 }
 
 /// The equations among them.
-fn equations(claim: &Claim) -> Vec<(&Term, &Term)> {
+pub(crate) fn equations(claim: &Claim) -> Vec<(&Term, Option<&Term>)> {
     constraints(claim)
         .into_iter()
         .filter(|(relation, ..)| *relation == Relation::Equal)
-        .map(|(_, left, right)| (left, right))
+        .map(|(_, left, right)| (left, Some(right)))
         .collect()
 }
 
@@ -98,9 +98,13 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         return Some(Solved::Exactly);
     }
     let unknowns = unknowns(claim, draft, work)?;
+    let value = |name: &Name| draft.value(name);
+    let expanded = |moves: &dyn Fn(&Name) -> bool| {
+        expanded(&equations, Reals { bits: BITS, work }, &value, moves).ok()
+    };
     let mut rounded = false;
     for round in 0..ROUNDS {
-        let found = |gaps: &[Slope]| {
+        let found = |gaps: &[Slope<Real>]| {
             solved(gaps, rounded).map(|solved| match solved {
                 Solved::Exactly => solved,
                 Solved::Nearly => snapped(&equations, draft, work).unwrap_or(solved),
@@ -109,27 +113,33 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         // The values alone cost a fraction of the rates, which are not needed where the equations hold. Numbers that
         // were drawn by chance do not satisfy them.
         if round > 0
-            && let Some(solved) = found(&expanded(&equations, draft, &|_| false, work)?.gaps)
+            && let Some(solved) = found(&expanded(&|_| false)?.gaps)
         {
             return Some(solved);
         }
         // The unknowns alone mostly suffice.
-        let some = expanded(&equations, draft, &|name| unknowns.contains(name), work)?;
+        let some = expanded(&|name| unknowns.contains(name))?;
         if let Some(solved) = found(&some.gaps) {
             return Some(solved);
         }
         let reals = Reals { bits: BITS, work };
-        let few = columns(claim, &some, draft, &unknowns);
-        let changes = match eliminated(few, &some.gaps, &reals) {
+        let changes = |expanded| {
+            let stream = draft.stream();
+            changes(claim, expanded, stream, &unknowns, &reals, &is_near)
+        };
+        let changes = match changes(&some) {
             Some(changes) => changes,
-            None => {
-                let all = expanded(&equations, draft, &|_| true, work)?;
-                eliminated(columns(claim, &all, draft, &unknowns), &all.gaps, &reals)?
-            }
+            None => changes(&expanded(&|_| true)?)?,
         };
         for (name, change) in changes {
             let moved = reals.plus(&draft.value(&name)?, &change).ok()?;
-            let exact = !matches!(moved, Real::Enclosed(_)) && round < EXACT_ROUNDS;
+            let exact = match &moved {
+                Real::Rational(q) => {
+                    round == 0 || (round < EXACT_ROUNDS && length(q) <= MAX_EXACT_BITS)
+                }
+                Real::Turned(_) => round < EXACT_ROUNDS,
+                Real::Enclosed(_) => false,
+            };
             rounded |= !exact;
             let value = if exact {
                 moved
@@ -144,7 +154,7 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
 }
 
 /// The numbers that the unknowns of the claim consist of.
-fn unknowns(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<BTreeSet<Name>> {
+pub(crate) fn unknowns(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<BTreeSet<Name>> {
     let reals = Reals { bits: BITS, work };
     let values = |name: &Name| draft.value(name);
     let at = Evaluator::new(&reals, &values);
@@ -157,7 +167,7 @@ fn unknowns(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<BTreeSet<Na
 }
 
 /// How the equations hold, if they do.
-fn solved(gaps: &[Slope], rounded: bool) -> Option<Solved> {
+fn solved(gaps: &[Slope<Real>], rounded: bool) -> Option<Solved> {
     if gaps.iter().all(|g| g.value.sign() == Some(Ordering::Equal)) {
         return Some(if rounded {
             Solved::Nearly
@@ -171,7 +181,7 @@ fn solved(gaps: &[Slope], rounded: bool) -> Option<Solved> {
 }
 
 /// Rounded numbers that are nearly simple rational ones are made so, if all equations hold exactly then.
-fn snapped(equations: &[(&Term, &Term)], draft: &Draft<'_>, work: &Work) -> Option<Solved> {
+fn snapped(equations: &[(&Term, Option<&Term>)], draft: &Draft<'_>, work: &Work) -> Option<Solved> {
     let before = draft.values();
     for name in draft.rounded() {
         if let Some(simple) = before
@@ -182,7 +192,9 @@ fn snapped(equations: &[(&Term, &Term)], draft: &Draft<'_>, work: &Work) -> Opti
             draft.set(&name, simple.into());
         }
     }
-    let exact = expanded(equations, draft, &|_| false, work).is_some_and(|found| {
+    let value = |name: &Name| draft.value(name);
+    let found = expanded(equations, Reals { bits: BITS, work }, &value, &|_| false);
+    let exact = found.is_ok_and(|found| {
         let mut gaps = found.gaps.iter();
         gaps.all(|gap| gap.value.sign() == Some(Ordering::Equal))
     });
@@ -224,161 +236,4 @@ fn simple(q: &Rational) -> Option<Rational> {
 fn is_near(gap: &Real) -> bool {
     let bound = Rational::new(1.into(), Integer::ONE << NEAR_BITS);
     gap.ball(BITS).abs().upper() <= bound
-}
-
-/// Left minus right of an entry of an equation, to first order.
-struct Slope {
-    value: Real,
-    /// The rates that are not zero.
-    rates: BTreeMap<Name, Real>,
-    /// The numbers that do not occur linearly.
-    curved: BTreeSet<Name>,
-}
-
-/// All entries of all equations.
-struct Expanded {
-    gaps: Vec<Slope>,
-    /// Numbers that cannot be moved a little.
-    discrete: BTreeSet<Name>,
-}
-
-/// Expands the equations at the draft by the numbers that `moves` chooses; `None` where a term has no value.
-fn expanded(
-    equations: &[(&Term, &Term)],
-    draft: &Draft<'_>,
-    moves: &dyn Fn(&Name) -> bool,
-    work: &Work,
-) -> Option<Expanded> {
-    let gradients = Gradients::new(Reals { bits: BITS, work });
-    let values = |name: &Name| {
-        let value = draft.value(name)?;
-        Some(match moves(name) {
-            true => gradients.variable(name, value),
-            false => value.into(),
-        })
-    };
-    let at = Evaluator::new(&gradients, &values);
-    let slope = |gap: &Gradient| Slope {
-        value: gap.value.clone(),
-        rates: gradients.rates(gap),
-        curved: gradients.curved(gap),
-    };
-    let mut gaps = vec![];
-    for (left, right) in equations {
-        let pairs = at
-            .value(left)
-            .ok()?
-            .pairs(&at.value(right).ok()?, &gradients)
-            .ok()?;
-        for (x, y) in pairs {
-            gaps.extend(x.minus(&y, &gradients).ok()?.as_number().map(slope));
-        }
-    }
-    let discrete = gradients.discrete();
-    Some(Expanded { gaps, discrete })
-}
-
-/// A number that may be changed, with the first derivatives of all gaps by it.
-struct Column {
-    name: Name,
-    rates: Vec<Real>,
-    /// What is changed first: unknowns of the claim, then what occurs linearly, numbers before integers, those without
-    /// bounds before others.
-    rank: (bool, bool, bool, bool, i64),
-}
-
-/// The numbers that the gaps change with, best candidates for a change first.
-fn columns(
-    claim: &Claim,
-    expanded: &Expanded,
-    draft: &Draft<'_>,
-    unknowns: &BTreeSet<Name>,
-) -> Vec<Column> {
-    let changing = expanded.gaps.iter().flat_map(|gap| gap.rates.keys());
-    let names: BTreeSet<&Name> = changing
-        .filter(|name| !expanded.discrete.contains(*name))
-        .collect();
-    let mut columns = vec![];
-    for name in names.into_iter().take(MAX_CANDIDATES) {
-        let rate = |gap: &Slope| {
-            let rate = gap.rates.get(name).cloned();
-            rate.unwrap_or_else(|| Rational::zero().into())
-        };
-        let rates: Vec<Real> = expanded.gaps.iter().map(rate).collect();
-        let moves = |rate: &Real| !matches!(rate.sign(), None | Some(Ordering::Equal));
-        if !rates.iter().any(moves) {
-            continue;
-        }
-        let set = claim.symbols.get(name.declared());
-        let rank = (
-            !unknowns.contains(name),
-            expanded.gaps.iter().any(|gap| gap.curved.contains(name)),
-            matches!(set, Some(Set::Integer { .. })),
-            matches!(set, Some(Set::Real(i)) if i.lower.is_some() || i.upper.is_some()),
-            draft.stream().below(&format!("{name} rank"), 1000),
-        );
-        columns.push(Column {
-            name: name.clone(),
-            rates,
-            rank,
-        });
-    }
-    columns.sort_by_key(|c| c.rank);
-    columns
-}
-
-/// Eliminates: what the columns have to be changed by; `None` if they cannot make all gaps zero.
-fn eliminated(columns: Vec<Column>, gaps: &[Slope], a: &Reals<'_>) -> Option<BTreeMap<Name, Real>> {
-    // Rows: the rates of all columns, then minus the gap.
-    let mut rows: Vec<Vec<Real>> = gaps
-        .iter()
-        .enumerate()
-        .map(|(r, gap)| {
-            let rates = columns.iter().filter_map(|c| c.rates.get(r).cloned());
-            rates
-                .chain(std::iter::once(a.negated(&gap.value)))
-                .collect()
-        })
-        .collect();
-    let mut pivots = vec![];
-    let mut done = 0;
-    for (position, column) in columns.iter().enumerate() {
-        let nonzero = |row: &Vec<Real>| {
-            row.get(position)
-                .is_some_and(|x| a.is_zero(x) == Some(false))
-        };
-        let Some(pivot) = rows.iter().skip(done).position(nonzero) else {
-            continue;
-        };
-        rows.swap(done, done + pivot);
-        let lead = rows.get(done)?.clone();
-        let leading = lead.get(position)?;
-        for (r, row) in rows.iter_mut().enumerate() {
-            if r == done || !nonzero(row) {
-                continue;
-            }
-            let factor = a.over(row.get(position)?, leading).ok()?;
-            for (slot, other) in row.iter_mut().zip(&lead) {
-                *slot = a.minus(slot, &a.times(&factor, other).ok()?).ok()?;
-            }
-        }
-        pivots.push((done, position, column));
-        done += 1;
-        if done == rows.len() {
-            break;
-        }
-    }
-    // An equation that nothing can change must hold.
-    for row in rows.iter().skip(done) {
-        if row.last().is_some_and(|gap| !is_near(gap)) {
-            return None;
-        }
-    }
-    let mut changes = BTreeMap::new();
-    for (row, position, column) in pivots {
-        let row = rows.get(row)?;
-        let change = a.over(row.last()?, row.get(position)?).ok()?;
-        changes.insert(column.name.clone(), change);
-    }
-    Some(changes)
 }

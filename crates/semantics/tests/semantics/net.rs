@@ -254,3 +254,27 @@ fn witnesses_are_checked_in_every_set_and_hypothesis() {
         Witness::Stands(Judgement::Unknown(_))
     ));
 }
+
+#[test]
+fn equations_under_linear_systems_stand_and_their_slips_are_caught() {
+    let plane = "given = ['a*r + b*s == e', 'c*r + d*s == f']\nsolve_for = ['r', 's']\nassume = ['a*d != b*c']";
+    stands(plane, "r*(a*d - b*c) == d*e - b*f");
+    is_caught(plane, "r*(a*d - b*c) == d*e + b*f");
+    stands(
+        plane,
+        "r*(a*d - b*c) == d*e - b*f and sin(pi/2*x)^2 + cos(pi/2*x)^2 == 1",
+    );
+    is_caught(
+        plane,
+        "r*(a*d - b*c) == d*e - b*f and sin(pi*x) == 2*sin(pi/2*x)",
+    );
+    // What is solved for may have a range, or stand in an inequality: then its number is looked at.
+    is_caught(
+        "given = ['r == x + 1']\nsolve_for = ['r']",
+        "r > 1 and r == x + 1",
+    );
+    stands(
+        "given = ['r == x + 1']\nsolve_for = ['r']",
+        "r >= 1 and r == x + 1",
+    );
+}

@@ -1,0 +1,205 @@
+//! Equations to first order, and the changes that make them hold: one step of Newton's method for systems with more
+//! unknowns than equations, over any arithmetic.
+
+use super::stream::Stream;
+use crate::arithmetic::Arithmetic;
+use crate::evaluate::Evaluator;
+use crate::gap::Gap;
+use crate::gradient::{Gradient, Gradients};
+use crate::name::Name;
+use num_traits::Zero;
+use std::collections::{BTreeMap, BTreeSet};
+use torse_language::core::{Claim, Set, Term};
+use torse_numbers::Rational;
+
+/// The most numbers that are candidates for a change.
+const MAX_CANDIDATES: usize = 160;
+
+/// An entry of a term, or left minus right of an entry of an equation, to first order.
+#[derive(Debug, Clone)]
+pub struct Slope<N> {
+    /// The value.
+    pub value: N,
+    /// The rates that are not zero.
+    pub rates: BTreeMap<Name, N>,
+    /// The numbers that do not occur linearly.
+    curved: BTreeSet<Name>,
+}
+
+/// All entries of all terms.
+#[derive(Debug, Clone)]
+pub struct Expanded<N> {
+    /// The entries.
+    pub gaps: Vec<Slope<N>>,
+    /// Numbers that cannot be moved a little.
+    pub discrete: BTreeSet<Name>,
+}
+
+/// Expands terms, or the differences of two, at these values by the numbers that `moves` chooses.
+///
+/// # Errors
+/// Where a term has no value, or none that is known.
+pub(crate) fn expanded<A: Arithmetic>(
+    terms: &[(&Term, Option<&Term>)],
+    base: A,
+    value: &dyn Fn(&Name) -> Option<A::Number>,
+    moves: &dyn Fn(&Name) -> bool,
+) -> Result<Expanded<A::Number>, Gap> {
+    let gradients = Gradients::new(base);
+    let values = |name: &Name| {
+        let value = value(name)?;
+        Some(match moves(name) {
+            true => gradients.variable(name, value),
+            false => Gradient::constant(value),
+        })
+    };
+    let at = Evaluator::new(&gradients, &values);
+    let slope = |gap: &Gradient<A::Number>| Slope {
+        value: gap.value.clone(),
+        rates: gradients.rates(gap),
+        curved: gradients.curved(gap),
+    };
+    let mut gaps = vec![];
+    for (left, right) in terms {
+        let left = at.value(left)?;
+        match right {
+            None => gaps.extend(
+                left.numbers()
+                    .iter()
+                    .filter_map(|x| x.as_number())
+                    .map(slope),
+            ),
+            Some(right) => {
+                for (x, y) in left.pairs(&at.value(right)?, &gradients)? {
+                    gaps.extend(x.minus(&y, &gradients)?.as_number().map(slope));
+                }
+            }
+        }
+    }
+    let discrete = gradients.discrete();
+    Ok(Expanded { gaps, discrete })
+}
+
+/// A number that may be changed, with the first derivatives of all gaps by it.
+struct Column<N> {
+    name: Name,
+    rates: Vec<N>,
+    /// What is changed first: unknowns of the claim, then what occurs linearly, numbers before integers, those without
+    /// bounds before others.
+    rank: (bool, bool, bool, bool, i64),
+}
+
+/// What the numbers that occur have to be changed by, so that all gaps become zero; `None` if that cannot be. A gap that
+/// nothing changes has to hold already.
+pub(crate) fn changes<A: Arithmetic>(
+    claim: &Claim,
+    expanded: &Expanded<A::Number>,
+    stream: &Stream,
+    unknowns: &BTreeSet<Name>,
+    a: &A,
+    holds: &dyn Fn(&A::Number) -> bool,
+) -> Option<BTreeMap<Name, A::Number>> {
+    let columns = columns(claim, expanded, stream, unknowns, a);
+    eliminated(&columns, &expanded.gaps, a, holds)
+}
+
+/// The numbers that the gaps change with, best candidates for a change first.
+fn columns<A: Arithmetic>(
+    claim: &Claim,
+    expanded: &Expanded<A::Number>,
+    stream: &Stream,
+    unknowns: &BTreeSet<Name>,
+    a: &A,
+) -> Vec<Column<A::Number>> {
+    let changing = expanded.gaps.iter().flat_map(|gap| gap.rates.keys());
+    let names: BTreeSet<&Name> = changing
+        .filter(|name| !expanded.discrete.contains(*name))
+        .collect();
+    let mut columns = vec![];
+    for name in names.into_iter().take(MAX_CANDIDATES) {
+        let rate = |gap: &Slope<A::Number>| {
+            let rate = gap.rates.get(name).cloned();
+            rate.unwrap_or_else(|| a.rational(&Rational::zero()))
+        };
+        let rates: Vec<A::Number> = expanded.gaps.iter().map(rate).collect();
+        if !rates.iter().any(|rate| a.is_zero(rate) == Some(false)) {
+            continue;
+        }
+        let set = claim.symbols.get(name.declared());
+        let rank = (
+            !unknowns.contains(name),
+            expanded.gaps.iter().any(|gap| gap.curved.contains(name)),
+            matches!(set, Some(Set::Integer { .. })),
+            matches!(set, Some(Set::Real(i)) if i.lower.is_some() || i.upper.is_some()),
+            stream.below(&format!("{name} rank"), 1000),
+        );
+        columns.push(Column {
+            name: name.clone(),
+            rates,
+            rank,
+        });
+    }
+    columns.sort_by_key(|c| c.rank);
+    columns
+}
+
+/// Eliminates: what the columns have to be changed by; `None` if they cannot make all gaps zero.
+fn eliminated<A: Arithmetic>(
+    columns: &[Column<A::Number>],
+    gaps: &[Slope<A::Number>],
+    a: &A,
+    holds: &dyn Fn(&A::Number) -> bool,
+) -> Option<BTreeMap<Name, A::Number>> {
+    // Rows: the rates of all columns, then minus the gap.
+    let mut rows: Vec<Vec<A::Number>> = gaps
+        .iter()
+        .enumerate()
+        .map(|(r, gap)| {
+            let rates = columns.iter().filter_map(|c| c.rates.get(r).cloned());
+            rates
+                .chain(std::iter::once(a.negated(&gap.value)))
+                .collect()
+        })
+        .collect();
+    let mut pivots = vec![];
+    let mut done = 0;
+    for (position, column) in columns.iter().enumerate() {
+        let nonzero = |row: &Vec<A::Number>| {
+            row.get(position)
+                .is_some_and(|x| a.is_zero(x) == Some(false))
+        };
+        let Some(pivot) = rows.iter().skip(done).position(nonzero) else {
+            continue;
+        };
+        rows.swap(done, done + pivot);
+        let lead = rows.get(done)?.clone();
+        let leading = lead.get(position)?;
+        for (r, row) in rows.iter_mut().enumerate() {
+            if r == done || !nonzero(row) {
+                continue;
+            }
+            let factor = a.over(row.get(position)?, leading).ok()?;
+            for (slot, other) in row.iter_mut().zip(&lead) {
+                *slot = a.minus(slot, &a.times(&factor, other).ok()?).ok()?;
+            }
+        }
+        pivots.push((done, position, column));
+        done += 1;
+        if done == rows.len() {
+            break;
+        }
+    }
+    // An equation that nothing can change must hold.
+    for row in rows.iter().skip(done) {
+        if row.last().is_some_and(|gap| !holds(gap)) {
+            return None;
+        }
+    }
+    let mut changes = BTreeMap::new();
+    for (row, position, column) in pivots {
+        let row = rows.get(row)?;
+        let change = a.over(row.last()?, row.get(position)?).ok()?;
+        changes.insert(column.name.clone(), change);
+    }
+    Some(changes)
+}

@@ -1,0 +1,151 @@
+//! The field of residues modulo a prime, with a root of unity.
+
+use dashu_int::ops::Gcd;
+use torse_numbers::{Integer, Rational};
+
+/// The prime: the largest below 2^61 that is 1 modulo [`ORDER`].
+pub(super) const PRIME: u64 = 2_305_842_961_527_705_601;
+/// The order of [`ROOT`]: 2^12 3^3 5^2 7^2 11 13. The sine and cosine of `u pi/v` are residues if v divides half of it.
+pub(super) const ORDER: u64 = 19_372_953_600;
+/// A number of exactly this order, `23^((PRIME - 1)/ORDER)`.
+pub(super) const ROOT: u64 = 520_556_968_199_573_244;
+
+pub(super) fn sum(a: u64, b: u64) -> u64 {
+    (a + b) % PRIME
+}
+
+pub(super) fn negative(a: u64) -> u64 {
+    (PRIME - a) % PRIME
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a remainder is below the prime"
+)]
+pub(super) fn product(a: u64, b: u64) -> u64 {
+    (u128::from(a) * u128::from(b) % u128::from(PRIME)) as u64
+}
+
+/// `a^exponent`, by squaring.
+pub(super) fn power(a: u64, mut exponent: u64) -> u64 {
+    let (mut power, mut square) = (1, a);
+    while exponent > 0 {
+        if exponent % 2 == 1 {
+            power = product(power, square);
+        }
+        square = product(square, square);
+        exponent /= 2;
+    }
+    power
+}
+
+/// `1/a`, by Euclid's algorithm; `None` for 0.
+pub(super) fn inverse(a: u64) -> Option<u64> {
+    let signed = |n: u64| i64::try_from(n).ok();
+    let (mut rest, mut next) = (signed(PRIME)?, signed(a)?);
+    let (mut before, mut factor) = (0_i64, 1_i64);
+    while next != 0 {
+        let digit = rest / next;
+        (rest, next) = (next, rest - digit * next);
+        (before, factor) = (factor, before - digit * factor);
+    }
+    // The common divisor is 1 unless a is 0.
+    let size = u64::try_from(before.rem_euclid(signed(PRIME)?)).ok()?;
+    (rest == 1).then_some(size)
+}
+
+/// The residue of an integer.
+fn whole(n: &Integer) -> u64 {
+    // The remainder of the truncated division has the sign of n.
+    let remainder = i64::try_from(&(n % Integer::from(PRIME))).unwrap_or_default();
+    let size = remainder.unsigned_abs();
+    if remainder < 0 { negative(size) } else { size }
+}
+
+/// The residue of a rational number; `None` if the prime divides its denominator.
+pub(super) fn residue(q: &Rational) -> Option<u64> {
+    let numerator = whole(q.numer());
+    if q.is_integer() {
+        return Some(numerator);
+    }
+    Some(product(numerator, inverse(whole(q.denom()))?))
+}
+
+/// The rational number with this residue whose numerator and denominator are at most `bound`, if there is one.
+///
+/// For `2 bound^2` below the prime there is one at most: of u/v and w/z with the same residue, uz - vw is a multiple of
+/// the prime, and too small for one. It is a convergent of Euclid's algorithm (Wang 1981).
+pub(super) fn simple(a: u64, bound: u64) -> Option<(i64, i64)> {
+    let signed = |n: u64| i64::try_from(n).ok();
+    let (mut rest, mut next) = (signed(PRIME)?, signed(a)?);
+    let (mut before, mut factor) = (0_i64, 1_i64);
+    let bound = signed(bound)?;
+    while next > bound {
+        let digit = rest / next;
+        (rest, next) = (next, rest - digit * next);
+        (before, factor) = (factor, before - digit * factor);
+        if factor.abs() > bound {
+            return None;
+        }
+    }
+    // The algorithm may meet a multiple of the fraction.
+    let common = next.unsigned_abs().gcd(factor.unsigned_abs());
+    (common == 1).then(|| (next * factor.signum(), factor.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_root_of_unity_has_its_order() {
+        assert_eq!(ROOT, power(23, (PRIME - 1) / ORDER));
+        assert_eq!((PRIME - 1) % ORDER, 0);
+        assert_eq!(power(ROOT, ORDER), 1);
+        for prime in [2, 3, 5, 7, 11, 13] {
+            assert_ne!(power(ROOT, ORDER / prime), 1, "{prime}");
+        }
+    }
+
+    /// Pocklington's theorem: for q dividing p - 1, larger than the root of p, `a^(p-1) = 1` and a power `a^((p-1)/r)` that is
+    /// not 1 for each prime r of q prove that p is a prime.
+    #[test]
+    fn the_modulus_is_a_prime() {
+        assert!(u128::from(ORDER) * u128::from(ORDER) > u128::from(PRIME));
+        assert_eq!(power(23, PRIME - 1), 1);
+        for prime in [2, 3, 5, 7, 11, 13] {
+            let other = power(23, (PRIME - 1) / prime);
+            assert_eq!(sum(other, negative(1)).gcd(PRIME), 1, "{prime}");
+        }
+    }
+
+    #[test]
+    fn an_inverse_times_its_number_is_one() {
+        for a in [1, 2, 3, ROOT, PRIME - 1, PRIME / 2, 1 << 60] {
+            assert_eq!(inverse(a).map(|inverse| product(a, inverse)), Some(1));
+            assert_eq!(inverse(a), Some(power(a, PRIME - 2)), "Fermat");
+        }
+        assert_eq!(inverse(0), None);
+    }
+
+    #[test]
+    fn small_fractions_come_back_from_their_residues() {
+        for v in 1..40_i64 {
+            for u in -40..=40_i64 {
+                if u.unsigned_abs().gcd(v.unsigned_abs()) != 1 {
+                    continue;
+                }
+                let q = Rational::new(u.into(), v.into());
+                let found = residue(&q).and_then(|a| simple(a, 1 << 20));
+                assert_eq!(found, Some((u, v)));
+            }
+        }
+        assert_eq!(simple(ROOT, 1 << 20), None);
+    }
+
+    #[test]
+    fn a_denominator_that_the_prime_divides_has_no_residue() {
+        let q = Rational::new(1.into(), Integer::from(PRIME) * Integer::from(6));
+        assert_eq!(residue(&q), None);
+    }
+}
