@@ -177,27 +177,37 @@ pub fn beyond(
     wanted: u64,
     budget: u64,
 ) -> Option<Beyond> {
-    let changed = excepting(claim, condition)?;
+    let denial = denied(condition)?;
+    let mut changed = claim.clone();
+    changed.hypotheses.push(denial.clone());
+    // Points at which the condition fails are rare, so it is made to fail before anything else is solved.
+    let alone = Claim {
+        hypotheses: vec![denial],
+        unknowns: vec![],
+        ..claim.clone()
+    };
     let survey = Survey {
         edges: EDGES_BEYOND,
+        first: Some(&alone),
         ..Survey::new(&changed, seed, wanted, budget)
     };
     // Whether something is denied is a matter of the whole domain.
-    let denied = Survey::new(claim, seed, wanted, budget).settled(statement);
+    let settled = Survey::new(claim, seed, wanted, budget).settled(statement);
     let mut beyond = Beyond::default();
     let mut undefined_at = None;
-    beyond.attempts = survey.walk(statement, &[], &denied, &mut |seen| {
+    beyond.attempts = survey.walk(statement, &[], &settled, &mut |seen| {
         let Seen::Judged {
             judgement,
             draft,
-            near: false,
+            near,
+            exactly_first: true,
         } = seen
         else {
             return true;
         };
         let point = || Point {
             values: draft.values(),
-            near: false,
+            near,
         };
         match judgement {
             Judgement::True => beyond.holding += 1,
@@ -227,6 +237,8 @@ enum Seen<'s, 'a> {
         judgement: Judgement,
         draft: &'s Draft<'a>,
         near: bool,
+        /// Whether the hypotheses that are satisfied first are so exactly.
+        exactly_first: bool,
     },
 }
 
@@ -236,6 +248,7 @@ impl Tally {
             judgement,
             draft,
             near,
+            ..
         } = seen
         else {
             self.excepted += 1;
@@ -272,6 +285,8 @@ struct Survey<'a> {
     work: Work,
     /// Every how many-th point lies at the edges of the declared sets.
     edges: u64,
+    /// A claim with some of the hypotheses: they are satisfied first.
+    first: Option<&'a Claim>,
     ground: Ground,
 }
 
@@ -294,6 +309,7 @@ impl<'a> Survey<'a> {
             share: (budget / wanted.max(1)).saturating_mul(2),
             work: Work::new(budget),
             edges: EDGES,
+            first: None,
             ground: Ground::Reals,
         }
     }
@@ -372,6 +388,9 @@ impl<'a> Survey<'a> {
             _ => stream,
         };
         let draft = Draft::new(self.claim, &self.narrowed, stream);
+        if let Some(first) = self.first {
+            completed(first, &draft, work)?;
+        }
         let (judgement, near) = match self.ground {
             Ground::Reals => self.exactly(statement, conditions, denied, &draft, work)?,
             Ground::Residues => (
@@ -382,6 +401,11 @@ impl<'a> Survey<'a> {
         let Some(judgement) = judgement else {
             return Some(each(Seen::Excepted));
         };
+        // What was solved for since may have moved them.
+        let exactly_first = match self.first {
+            Some(first) => !completed(first, &draft, work)?,
+            None => !near,
+        };
         if draft.empty.get() {
             return None;
         }
@@ -389,6 +413,7 @@ impl<'a> Survey<'a> {
             judgement,
             draft: &draft,
             near,
+            exactly_first,
         }))
     }
 
@@ -483,8 +508,8 @@ impl<'a> Survey<'a> {
     }
 }
 
-/// The claim with the denial of a comparison among its hypotheses: where a condition fails. `None` for other statements.
-fn excepting(claim: &Claim, condition: &Statement) -> Option<Claim> {
+/// The denial of a comparison as a hypothesis: where a condition fails. `None` for other statements.
+fn denied(condition: &Statement) -> Option<Hypothesis> {
     let Statement::Compare {
         relation,
         left,
@@ -493,22 +518,19 @@ fn excepting(claim: &Claim, condition: &Statement) -> Option<Claim> {
     else {
         return None;
     };
-    let relation = relation.opposite();
-    let nowhere = std::sync::Arc::new(Text {
+    let nowhere = Arc::new(Text {
         name: "condition".to_owned(),
         text: String::new(),
     });
-    let mut changed = claim.clone();
-    changed.hypotheses.push(Hypothesis {
+    Some(Hypothesis {
         statement: Statement::Compare {
-            relation,
+            relation: relation.opposite(),
             left: left.clone(),
             right: right.clone(),
         },
         source: Source::Assume,
         origin: Origin::range(&nowhere, 0, 0),
-    });
-    Some(changed)
+    })
 }
 
 /// A number of a point, from its name.
