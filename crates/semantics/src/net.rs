@@ -6,8 +6,9 @@
 use crate::domain::draft::Draft;
 use crate::domain::narrow::narrowed;
 use crate::domain::point::{Outside, Point, check_hypotheses, check_sets, completed};
+use crate::domain::solve::is_equations;
 use crate::domain::stream::Stream;
-use crate::gap::{Unknown, Work};
+use crate::gap::{Undefined, Unknown, Work};
 use crate::judge::{Judge, address};
 use crate::judgement::Judgement;
 use crate::name::Name;
@@ -139,7 +140,8 @@ pub fn tally(
 
 /// What a statement is where a condition fails.
 ///
-/// A condition is needed if the statement is false, or undefined, at a point at which it fails.
+/// A condition is needed if the statement is false, or undefined, at a point at which it fails, or a hypothesis is undefined
+/// there: what the claim says needs that its formulas have values.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Beyond {
     /// Points that were drawn.
@@ -148,7 +150,7 @@ pub struct Beyond {
     pub holding: u64,
     /// Those at which the statement is false.
     pub failing: u64,
-    /// Those at which it is undefined.
+    /// Those at which it, or a hypothesis, is undefined.
     pub undefined: u64,
     /// Those at which it was not decided.
     pub open: u64,
@@ -389,7 +391,15 @@ impl<'a> Survey<'a> {
         };
         let draft = Draft::new(self.claim, &self.narrowed, stream);
         if let Some(first) = self.first {
-            completed(first, &draft, work)?;
+            let near = completed(first, &draft, work)?;
+            if let Some(why) = undefined_hypothesis(self.claim, &draft, work) {
+                return Some(each(Seen::Judged {
+                    judgement: Judgement::Undefined(why),
+                    draft: &draft,
+                    near,
+                    exactly_first: !near,
+                }));
+            }
         }
         let (judgement, near) = match self.ground {
             Ground::Reals => self.exactly(statement, conditions, denied, &draft, work)?,
@@ -506,6 +516,29 @@ impl<'a> Survey<'a> {
         }
         denied
     }
+}
+
+/// Why a hypothesis is undefined at numbers that satisfy all others, but for equations that might be solved.
+fn undefined_hypothesis(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Undefined> {
+    let denied = BTreeMap::new();
+    let judge = Judge {
+        claim,
+        values: &|name| draft.value(name),
+        near: false,
+        denied: &denied,
+        work,
+    };
+    let mut undefined = None;
+    for hypothesis in &claim.hypotheses {
+        match judge.hypothesis(&hypothesis.statement) {
+            Judgement::True => {}
+            Judgement::Undefined(why) => undefined = Some(why),
+            _ if is_equations(&hypothesis.statement) => {}
+            _ => return None,
+        }
+    }
+    check_sets(claim, &draft.values()).ok()?;
+    undefined
 }
 
 /// The denial of a comparison as a hypothesis: where a condition fails. `None` for other statements.
