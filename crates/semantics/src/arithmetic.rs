@@ -4,7 +4,7 @@
 //! enclosed where they cannot ([`Reals`](crate::Reals)), and on quotients of polynomials
 //! ([`Polynomials`](crate::Polynomials)), which turn a statement at fixed small degrees into an identity.
 
-use crate::domain::newton::Expanded;
+use crate::expansion::Expanded;
 use crate::gap::{Gap, Unknown};
 use crate::name::Name;
 use std::fmt::Debug;

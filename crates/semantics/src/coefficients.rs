@@ -5,8 +5,8 @@
 //! `F_v + F_U a` with `G_U a = -G_v`.
 
 use crate::arithmetic::Arithmetic;
-use crate::domain::newton::{Expanded, Slope};
 use crate::evaluate::{Evaluator, Outcome, Sc};
+use crate::expansion::{Expanded, Slope};
 use crate::gap::{Gap, Undefined, Unknown};
 use crate::name::Name;
 use crate::series::Series;

@@ -61,6 +61,7 @@ mod arithmetic;
 mod coefficients;
 mod domain;
 mod evaluate;
+mod expansion;
 mod family;
 mod functions;
 mod gap;
@@ -80,9 +81,9 @@ mod value;
 mod witness;
 
 pub use arithmetic::Arithmetic;
-pub use domain::newton::{Expanded, Slope};
 pub use domain::point::{Outside, Point};
 pub use evaluate::Evaluator;
+pub use expansion::{Expanded, Slope};
 pub use gap::{Gap, Undefined, Unknown, Work};
 pub use instance::{Identity, Instance, identity, instances};
 pub use judgement::Judgement;

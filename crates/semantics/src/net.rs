@@ -14,8 +14,8 @@ use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::real::Real;
 use crate::residue;
+use crate::residue::domain::{Drawn, drawn};
 use crate::residue::judge::has_equation;
-use crate::residue::point::Drawn;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_language::core::{Claim, Hypothesis, Source, Statement};
@@ -458,7 +458,7 @@ impl<'a> Survey<'a> {
         draft: &Draft<'_>,
         work: &Work,
     ) -> Option<Option<Judgement>> {
-        let point = match residue::point::drawn(self.claim, draft, work) {
+        let point = match drawn(self.claim, draft, work) {
             Drawn::Inside(point) => point,
             Drawn::Outside => return None,
             Drawn::Unknown(why) => return Some(Some(Judgement::Unknown(why))),

@@ -3,7 +3,8 @@
 //! So a polynomial at a rational point is decided exactly, and `sin(pi/2*x)` at 0 or 1 as well.
 
 use crate::arithmetic::Arithmetic;
-use crate::domain::newton::{Expanded, expanded};
+use crate::domain::newton::expanded;
+use crate::expansion::Expanded;
 use crate::gap::{Gap, Undefined, Unknown, Work};
 use crate::name::Name;
 use dashu_int::ops::{BitTest, SquareRoot};

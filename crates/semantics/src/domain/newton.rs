@@ -4,6 +4,7 @@
 use super::stream::Stream;
 use crate::arithmetic::Arithmetic;
 use crate::evaluate::Evaluator;
+use crate::expansion::{Expanded, Slope};
 use crate::gap::Gap;
 use crate::gradient::{Gradient, Gradients};
 use crate::name::Name;
@@ -14,26 +15,6 @@ use torse_numbers::Rational;
 
 /// The most numbers that are candidates for a change.
 const MAX_CANDIDATES: usize = 160;
-
-/// An entry of a term, or left minus right of an entry of an equation, to first order.
-#[derive(Debug, Clone)]
-pub struct Slope<N> {
-    /// The value.
-    pub value: N,
-    /// The rates that are not zero.
-    pub rates: BTreeMap<Name, N>,
-    /// The numbers that do not occur linearly.
-    curved: BTreeSet<Name>,
-}
-
-/// All entries of all terms.
-#[derive(Debug, Clone)]
-pub struct Expanded<N> {
-    /// The entries.
-    pub gaps: Vec<Slope<N>>,
-    /// Numbers that cannot be moved a little.
-    pub discrete: BTreeSet<Name>,
-}
 
 /// Expands terms, or the differences of two, at these values by the numbers that `moves` chooses.
 ///

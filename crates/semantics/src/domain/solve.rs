@@ -6,9 +6,10 @@
 //! solved after the other. Else the numbers are rounded to many digits and the point satisfies the equations nearly.
 
 use super::draft::Draft;
-use super::newton::{Slope, changes, expanded};
+use super::newton::{changes, expanded};
 use crate::arithmetic::Arithmetic;
 use crate::evaluate::Evaluator;
+use crate::expansion::Slope;
 use crate::gap::Work;
 use crate::name::Name;
 use crate::real::{Real, Reals, length};

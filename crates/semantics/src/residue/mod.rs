@@ -15,12 +15,14 @@
 //! Order is lost: inequalities are judged on the numbers themselves. What is not in R (roots, sines of other angles) has
 //! no residue. Whoever finds a statement false modulo p looks again with exact numbers.
 
+pub(crate) mod domain;
 mod field;
 pub(crate) mod judge;
-pub(crate) mod point;
+mod point;
 
 use crate::arithmetic::Arithmetic;
-use crate::domain::newton::{Expanded, expanded};
+use crate::domain::newton::expanded;
+use crate::expansion::Expanded;
 use crate::gap::{Gap, Undefined, Unknown, Work};
 use crate::name::Name;
 use crate::real::Real;

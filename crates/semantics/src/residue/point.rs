@@ -3,13 +3,10 @@
 use super::{Residue, Residues};
 use crate::domain::draft::Draft;
 use crate::domain::newton::{changes, expanded};
-use crate::domain::point::check_sets;
-use crate::domain::solve::{equations, is_equations, unknowns};
-use crate::gap::{Unknown, Work};
-use crate::judgement::Judgement;
+use crate::domain::solve::{equations, unknowns};
+use crate::gap::Work;
 use crate::name::Name;
 use crate::real::Real;
-use crate::residue::judge::Judge;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use torse_language::core::{Claim, Set};
@@ -23,17 +20,15 @@ pub(crate) struct Point<'d, 'a> {
     solved: RefCell<BTreeMap<Name, u64>>,
 }
 
-/// What came of drawing a point.
-pub(crate) enum Drawn<'d, 'a> {
-    /// A point of the domain.
-    Inside(Point<'d, 'a>),
-    /// No point of the domain.
-    Outside,
-    /// Whether it is one cannot be told by residues.
-    Unknown(Unknown),
-}
+impl<'d, 'a> Point<'d, 'a> {
+    /// The point of a draft, before its equations are solved.
+    pub fn new(draft: &'d Draft<'a>) -> Self {
+        Self {
+            draft,
+            solved: RefCell::default(),
+        }
+    }
 
-impl Point<'_, '_> {
     /// The residue of this number.
     pub fn residue(&self, name: &Name) -> Option<Residue> {
         if let Some(solved) = self.solved.borrow().get(name) {
@@ -49,7 +44,7 @@ impl Point<'_, '_> {
     }
 
     /// Solves the equations of the domain: whether they hold now; `None` if that is not known.
-    fn solve(&self, claim: &Claim, work: &Work) -> Option<()> {
+    pub fn solve(&self, claim: &Claim, work: &Work) -> Option<()> {
         let equations = equations(claim);
         if equations.is_empty() {
             return Some(());
@@ -87,7 +82,7 @@ impl Point<'_, '_> {
     }
 
     /// Whether the numbers that were solved for may be any numbers: what a bounded one is worth is not seen.
-    fn is_free(&self, claim: &Claim) -> bool {
+    pub fn is_free(&self, claim: &Claim) -> bool {
         let solved = self.solved.borrow();
         solved
             .keys()
@@ -97,45 +92,4 @@ impl Point<'_, '_> {
                 Some(Set::Integer { .. }) | None => false,
             })
     }
-}
-
-/// Completes a draft to a point of the domain.
-pub(crate) fn drawn<'d, 'a>(claim: &Claim, draft: &'d Draft<'a>, work: &Work) -> Drawn<'d, 'a> {
-    let not_covered = || {
-        let what = "equations that residues do not solve";
-        Drawn::Unknown(match work.left() {
-            0 => Unknown::Work,
-            _ => Unknown::NotCovered { what },
-        })
-    };
-    let point = Point {
-        draft,
-        solved: RefCell::default(),
-    };
-    if point.solve(claim, work).is_none() || !point.is_free(claim) {
-        return not_covered();
-    }
-    // The sets first: they cost nothing.
-    if check_sets(claim, &draft.values()).is_err() {
-        return Drawn::Outside;
-    }
-    let judge = Judge {
-        claim,
-        point: &point,
-        denied: &BTreeMap::new(),
-        work,
-    };
-    let hypotheses = claim.hypotheses.iter().map(|h| &h.statement);
-    for hypothesis in hypotheses.filter(|h| !is_equations(h)) {
-        match judge.hypothesis(hypothesis) {
-            Judgement::True => {}
-            Judgement::False | Judgement::Undefined(_) => return Drawn::Outside,
-            Judgement::Undecided => return not_covered(),
-            Judgement::Unknown(why) => return Drawn::Unknown(why),
-        }
-    }
-    if check_sets(claim, &draft.values()).is_err() || draft.empty.get() {
-        return Drawn::Outside;
-    }
-    Drawn::Inside(point)
 }
