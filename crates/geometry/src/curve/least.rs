@@ -22,7 +22,8 @@ pub(crate) struct Least {
     pub(crate) x: f64,
 }
 
-/// The least `value` of the points of a curve over [0, 1], as soon as its bounds are `close`.
+/// The least `value` of the points of a curve over [0, 1], as soon as the difference of its bounds, each as `measured`, is
+/// not above `accuracy`. What is measured has to grow with the value.
 ///
 /// # Errors
 /// [`GeometryError::NotConverged`] where they do not come so close, and what the curve refuses.
@@ -30,7 +31,8 @@ pub(crate) fn least(
     curve: &impl SpaceCurve<Ball>,
     bits: usize,
     value: impl Fn(&[Jet<Ball>; 3]) -> Jet<Ball>,
-    close: impl Fn(f64, f64) -> bool,
+    measured: impl Fn(f64) -> f64,
+    accuracy: f64,
 ) -> Result<Least> {
     let at = |x: &Rational| -> Result<(f64, f64)> {
         let jets = curve.space_jet(&Ball::from_rational(x, bits), 0)?;
@@ -70,14 +72,15 @@ pub(crate) fn least(
             });
         };
         let (high, x) = attained;
-        if close(low, high) {
+        let apart = measured(high) - measured(low);
+        if apart <= accuracy {
             return Ok(Least { low, high, x });
         }
         if open.len() >= MOST_CELLS {
             return Err(GeometryError::NotConverged {
                 what: "least value along a curve",
-                reached: high - low,
-                demanded: 0.0,
+                reached: apart,
+                demanded: accuracy,
             });
         }
         let (_, from, to) = open.swap_remove(index);

@@ -5,7 +5,6 @@ use super::error::{PatternError, PatternResult};
 use super::flat::FlatPattern;
 use super::piece::Piece;
 use super::placement::Placement;
-use super::unroll::check_simple;
 use crate::vector::{norm, sub};
 
 impl FlatPattern {
@@ -67,9 +66,7 @@ impl FlatPattern {
             pieces.extend(added.into_iter().map(moved));
             let tolerance = self.tolerance.max(next.tolerance);
             let developable = self.developable.min(next.developable);
-            let chain = Self::of(pieces, developable, tolerance);
-            check_simple(&chain, tolerance)?;
-            return Ok(chain);
+            return Self::of(pieces, developable, tolerance);
         }
         Err(PatternError::NoCommonRuling {
             distance: nearest,

@@ -1,6 +1,8 @@
 //! The flat pattern of a patch or of a chain of patches.
 
+use super::crossing::crossing;
 use super::development::At;
+use super::error::{PatternError, PatternResult};
 use super::outline::Outline;
 use super::piece::Piece;
 use super::placement::Placement;
@@ -59,18 +61,41 @@ pub struct FlatPattern {
 }
 
 impl FlatPattern {
-    pub(super) fn of(pieces: Vec<Piece>, developable: f64, tolerance: f64) -> Self {
-        let rulings = rulings(&pieces);
-        let (outline, snapped) = outline(&pieces);
-        let errors = errors(&pieces, &outline, snapped);
-        Self {
+    /// The pattern of these pieces, whose outline must not meet itself.
+    ///
+    /// # Errors
+    /// [`PatternError::CrossesItself`].
+    pub(super) fn of(pieces: Vec<Piece>, developable: f64, tolerance: f64) -> PatternResult<Self> {
+        let look = |outline: &Outline| crossing(outline.segments(), 0.25 * tolerance);
+        match Self::seen(pieces, developable, tolerance, look) {
+            (_, Some((segments, at))) => Err(PatternError::CrossesItself { at, segments }),
+            (flat, None) => Ok(flat),
+        }
+    }
+
+    /// The pattern of these pieces, and what is found of its outline. The rulings know nothing of the outline: they are
+    /// made beside it.
+    fn seen<T: Send>(
+        pieces: Vec<Piece>,
+        developable: f64,
+        tolerance: f64,
+        look: impl FnOnce(&Outline) -> T + Send,
+    ) -> (Self, T) {
+        let bounded = || {
+            let (outline, snapped) = outline(&pieces);
+            let errors = errors(&pieces, &outline, snapped);
+            (look(&outline), outline, errors)
+        };
+        let (rulings, (found, outline, errors)) = rayon::join(|| rulings(&pieces), bounded);
+        let flat = Self {
             pieces,
             outline,
             rulings,
             errors,
             developable,
             tolerance,
-        }
+        };
+        (flat, found)
     }
 
     /// The closed outline: along the rails, across at the first and the last ruling. It is simple: it does not meet
@@ -187,7 +212,7 @@ impl FlatPattern {
     pub fn placed(&self, placement: &Placement) -> Self {
         let place = |piece: &Piece| piece.clone().moved(placement, [0.0; 2]);
         let pieces = self.pieces.iter().map(place).collect();
-        Self::of(pieces, self.developable, self.tolerance)
+        Self::seen(pieces, self.developable, self.tolerance, |_| ()).0
     }
 }
 

@@ -1,6 +1,5 @@
 //! From a patch to its flat pattern.
 
-use super::crossing::crossing;
 use super::development::Development;
 use super::error::{PatternError, PatternResult, positive};
 use super::fit::fit;
@@ -125,17 +124,7 @@ impl Unrolling {
         #[allow(clippy::cast_precision_loss)]
         let stations = (0..self.rulings).map(|i| i as f64 / last).collect();
         let piece = Piece::new(development, fitted.map(|f| f.segments), distance, stations);
-        let flat = FlatPattern::of(vec![piece], self.developable, tolerance);
-        check_simple(&flat, tolerance)?;
-        Ok(flat)
-    }
-}
-
-/// Refuses an outline that meets itself.
-pub(super) fn check_simple(flat: &FlatPattern, tolerance: f64) -> PatternResult<()> {
-    match crossing(flat.outline().segments(), 0.25 * tolerance) {
-        None => Ok(()),
-        Some((segments, at)) => Err(PatternError::CrossesItself { at, segments }),
+        FlatPattern::of(vec![piece], self.developable, tolerance)
     }
 }
 

@@ -46,13 +46,13 @@ impl Rail {
             return Ok([[0.0; 3]; 2]);
         };
         let within = accuracy.times_two_to(-units).max(ROUNDING);
-        let close = |low: f64, high: f64| high - low <= within;
         let side = |axis: usize, sign: f64| -> Result<f64> {
             let coordinate = |jets: &[Jet<Ball>; 3]| {
                 let jet = jets[axis].clone();
                 if sign < 0.0 { -jet } else { jet }
             };
-            let least = least(&scaled, BITS, coordinate, close)?;
+            let least = least(&scaled, BITS, coordinate, |value| value, within)
+                .map_err(|error| in_units(error, units))?;
             // Plus zero: no negative zero.
             back(sign * least.low, units).map(|value| value + 0.0)
         };
@@ -90,8 +90,9 @@ impl Rail {
             let [x, y, z] = jets.each_ref().map(|jet| jet.clone() * jet.clone());
             x + y + z
         };
-        let close = |low: f64, high: f64| high.max(0.0).sqrt() - low.max(0.0).sqrt() <= within;
-        let found = least(&scaled, BITS, square, close)?;
+        let length = |square: f64| square.max(0.0).sqrt();
+        let found =
+            least(&scaled, BITS, square, length, within).map_err(|error| in_units(error, units))?;
         at(found.x, back(found.high.max(0.0).sqrt(), units)?)
     }
 
@@ -204,4 +205,20 @@ fn back(length: f64, units: i32) -> Result<f64> {
         what: "length",
         at: Place::Whole,
     })
+}
+
+/// A failure whose lengths are in the units of the rail.
+fn in_units(error: GeometryError, units: i32) -> GeometryError {
+    match error {
+        GeometryError::NotConverged {
+            what,
+            reached,
+            demanded,
+        } => GeometryError::NotConverged {
+            what,
+            reached: reached.times_two_to(units),
+            demanded: demanded.times_two_to(units),
+        },
+        other => other,
+    }
 }
