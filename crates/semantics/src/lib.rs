@@ -77,6 +77,7 @@ mod real;
 mod residue;
 mod scope;
 mod series;
+mod survey;
 mod value;
 mod witness;
 

@@ -3,37 +3,21 @@
 //! A proof that a point of the domain contradicts is wrong, and so is a refutation whose witness lies outside of the
 //! domain or satisfies the statement. Neither needs to know how the verdict was found.
 
-use crate::domain::draft::Draft;
-use crate::domain::narrow::narrowed;
-use crate::domain::point::{Outside, Point, check_hypotheses, check_sets, completed};
-use crate::domain::solve::is_equations;
-use crate::domain::stream::Stream;
-use crate::gap::{Undefined, Unknown, Work};
-use crate::judge::{Judge, address};
+use crate::domain::point::{Outside, Point, check_hypotheses, check_sets};
+use crate::gap::{Unknown, Work};
+use crate::judge::Judge;
 use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::real::Real;
-use crate::residue;
-use crate::residue::domain::{Drawn, drawn};
 use crate::residue::judge::has_equation;
+use crate::survey::{COSTLY, Ground, Seen, Survey};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_language::core::{Claim, Hypothesis, Source, Statement};
-use torse_language::derivation::declarations::Interval;
 use torse_language::derivation::{Origin, Source as Text};
 
-/// Attempts for each wanted point, and at least.
-const ATTEMPTS_PER_POINT: u64 = 12;
-const LEAST_ATTEMPTS: u64 = 60;
 /// No further points are drawn if the statement is decided at none of the first so many.
 const HOPELESS: u64 = 40;
-/// No further points are drawn if none of the first so many lies in the domain.
-const NOWHERE: u64 = 150;
-/// No further points are drawn if each of the first so many costs more than its share.
-const COSTLY: u64 = 3;
-/// Every how many-th point lies at the edges of the declared sets: where a statement holds, and where a condition fails.
-const EDGES: u64 = 6;
-const EDGES_BEYOND: u64 = 2;
 /// The work of one judgement of a point that the caller names.
 const POINT_WORK: u64 = 2_000_000;
 
@@ -126,16 +110,40 @@ pub fn tally(
     let denied = survey.settled(statement);
     if has_equation(statement) {
         // What they find false, and what they cannot tell, is for exact numbers, but where those would cost too much too.
-        let tally = survey
-            .by_residues()
-            .tally(statement, conditions, &denied, wanted);
+        let tally = walked(
+            &survey.by_residues(),
+            statement,
+            conditions,
+            &denied,
+            wanted,
+        );
         let enough = tally.holding >= wanted || (tally.single && tally.holding > 0);
         let costly = tally.exhausted || tally.costly >= COSTLY;
         if tally.failing.is_none() && tally.open == tally.costly && (enough || costly) {
             return tally;
         }
     }
-    survey.tally(statement, conditions, &denied, wanted)
+    walked(&survey, statement, conditions, &denied, wanted)
+}
+
+/// Walks until the statement is decided at `wanted` points, or false at one.
+fn walked(
+    survey: &Survey<'_>,
+    statement: &Statement,
+    conditions: &[Statement],
+    denied: &BTreeMap<usize, ()>,
+    wanted: u64,
+) -> Tally {
+    let mut tally = Tally::default();
+    tally.attempts = survey.walk(statement, conditions, denied, &mut |seen| {
+        tally.count(seen);
+        let hopeless = tally.holding == 0 && tally.found >= HOPELESS;
+        let unseen = matches!(survey.ground, Ground::Residues) && tally.open > tally.costly;
+        let enough = tally.single || tally.decided() >= wanted;
+        !(enough || hopeless || unseen) && tally.failing.is_none()
+    });
+    tally.exhausted = survey.work.left() == 0;
+    tally
 }
 
 /// What a statement is where a condition fails.
@@ -188,11 +196,7 @@ pub fn beyond(
         unknowns: vec![],
         ..claim.clone()
     };
-    let survey = Survey {
-        edges: EDGES_BEYOND,
-        first: Some(&alone),
-        ..Survey::new(&changed, seed, wanted, budget)
-    };
+    let survey = Survey::new(&changed, seed, wanted, budget).beyond(&alone);
     // Whether something is denied is a matter of the whole domain.
     let settled = Survey::new(claim, seed, wanted, budget).settled(statement);
     let mut beyond = Beyond::default();
@@ -230,20 +234,6 @@ pub fn beyond(
     Some(beyond)
 }
 
-/// What a drawn point turned out to be.
-enum Seen<'s, 'a> {
-    /// One condition is not true there.
-    Excepted,
-    /// A point of the domain, judged.
-    Judged {
-        judgement: Judgement,
-        draft: &'s Draft<'a>,
-        near: bool,
-        /// Whether the hypotheses that are satisfied first are so exactly.
-        exactly_first: bool,
-    },
-}
-
 impl Tally {
     fn count(&mut self, seen: Seen<'_, '_>) {
         let Seen::Judged {
@@ -274,271 +264,6 @@ impl Tally {
             }
         }
     }
-}
-
-/// A walk through points of a domain, with bounded work.
-struct Survey<'a> {
-    claim: &'a Claim,
-    narrowed: BTreeMap<Arc<str>, Interval>,
-    seed: &'a str,
-    attempts: u64,
-    /// The work of one point.
-    share: u64,
-    work: Work,
-    /// Every how many-th point lies at the edges of the declared sets.
-    edges: u64,
-    /// A claim with some of the hypotheses: they are satisfied first.
-    first: Option<&'a Claim>,
-    ground: Ground,
-}
-
-/// The numbers that points consist of.
-#[derive(Debug, Clone, Copy)]
-enum Ground {
-    /// Exact ones, enclosed where they have to be.
-    Reals,
-    /// Residues modulo a prime.
-    Residues,
-}
-
-impl<'a> Survey<'a> {
-    fn new(claim: &'a Claim, seed: &'a str, wanted: u64, budget: u64) -> Self {
-        Self {
-            claim,
-            narrowed: narrowed(claim),
-            seed,
-            attempts: LEAST_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted),
-            share: (budget / wanted.max(1)).saturating_mul(2),
-            work: Work::new(budget),
-            edges: EDGES,
-            first: None,
-            ground: Ground::Reals,
-        }
-    }
-
-    /// The same walk modulo a prime, with a budget of its own.
-    fn by_residues(&self) -> Self {
-        Self {
-            narrowed: self.narrowed.clone(),
-            work: Work::new(self.work.left()),
-            ground: Ground::Residues,
-            ..*self
-        }
-    }
-
-    /// Judges the statement until it is decided at `wanted` points, or false at one.
-    fn tally(
-        &self,
-        statement: &Statement,
-        conditions: &[Statement],
-        denied: &BTreeMap<usize, ()>,
-        wanted: u64,
-    ) -> Tally {
-        let mut tally = Tally::default();
-        tally.attempts = self.walk(statement, conditions, denied, &mut |seen| {
-            tally.count(seen);
-            let hopeless = tally.holding == 0 && tally.found >= HOPELESS;
-            let unseen = matches!(self.ground, Ground::Residues) && tally.open > tally.costly;
-            let enough = tally.single || tally.decided() >= wanted;
-            !(enough || hopeless || unseen) && tally.failing.is_none()
-        });
-        tally.exhausted = self.work.left() == 0;
-        tally
-    }
-
-    /// Judges the statement at one point after the other as long as `each` says so; returns how many were drawn.
-    fn walk(
-        &self,
-        statement: &Statement,
-        conditions: &[Statement],
-        denied: &BTreeMap<usize, ()>,
-        each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
-    ) -> u64 {
-        let (mut costly, mut nowhere) = (0, true);
-        for attempt in 0..self.attempts {
-            let available = self.share.min(self.work.left());
-            let hopeless =
-                (attempt == COSTLY && costly == COSTLY) || (attempt == NOWHERE && nowhere);
-            if available == 0 || hopeless {
-                return attempt;
-            }
-            let own = Work::new(available);
-            let go_on = self.one(statement, conditions, denied, attempt, &own, each);
-            let _ = self.work.spend(available - own.left());
-            costly += u64::from(own.left() == 0);
-            nowhere &= go_on.is_none();
-            if go_on == Some(false) {
-                return attempt + 1;
-            }
-        }
-        self.attempts
-    }
-
-    /// Judges the statement at the point of this attempt: whether to go on; `None` if it is no point of the domain.
-    fn one(
-        &self,
-        statement: &Statement,
-        conditions: &[Statement],
-        denied: &BTreeMap<usize, ()>,
-        attempt: u64,
-        work: &Work,
-        each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
-    ) -> Option<bool> {
-        let stream = Stream::new(self.seed, attempt);
-        let stream = match (attempt + 1) % self.edges {
-            0 => stream.at_edges(),
-            _ => stream,
-        };
-        let draft = Draft::new(self.claim, &self.narrowed, stream);
-        if let Some(first) = self.first {
-            let near = completed(first, &draft, work)?;
-            if let Some(why) = undefined_hypothesis(self.claim, &draft, work) {
-                return Some(each(Seen::Judged {
-                    judgement: Judgement::Undefined(why),
-                    draft: &draft,
-                    near,
-                    exactly_first: !near,
-                }));
-            }
-        }
-        let (judgement, near) = match self.ground {
-            Ground::Reals => self.exactly(statement, conditions, denied, &draft, work)?,
-            Ground::Residues => (
-                self.modulo_prime(statement, conditions, denied, &draft, work)?,
-                false,
-            ),
-        };
-        let Some(judgement) = judgement else {
-            return Some(each(Seen::Excepted));
-        };
-        // What was solved for since may have moved them.
-        let exactly_first = match self.first {
-            Some(first) => !completed(first, &draft, work)?,
-            None => !near,
-        };
-        if draft.empty.get() {
-            return None;
-        }
-        Some(each(Seen::Judged {
-            judgement,
-            draft: &draft,
-            near,
-            exactly_first,
-        }))
-    }
-
-    /// What the statement is at the point that a draft is completed to, if the conditions are true there, and whether the
-    /// point satisfies its equations only nearly; `None` if it is no point of the domain.
-    fn exactly(
-        &self,
-        statement: &Statement,
-        conditions: &[Statement],
-        denied: &BTreeMap<usize, ()>,
-        draft: &Draft<'_>,
-        work: &Work,
-    ) -> Option<(Option<Judgement>, bool)> {
-        let near = completed(self.claim, draft, work)?;
-        let judge = Judge {
-            claim: self.claim,
-            values: &|name| draft.value(name),
-            near,
-            denied,
-            work,
-        };
-        let excepted = conditions.iter().any(|c| judge.judge(c) != Judgement::True);
-        Some(((!excepted).then(|| judge.judge(statement)), near))
-    }
-
-    /// The same modulo a prime.
-    fn modulo_prime(
-        &self,
-        statement: &Statement,
-        conditions: &[Statement],
-        denied: &BTreeMap<usize, ()>,
-        draft: &Draft<'_>,
-        work: &Work,
-    ) -> Option<Option<Judgement>> {
-        let point = match drawn(self.claim, draft, work) {
-            Drawn::Inside(point) => point,
-            Drawn::Outside => return None,
-            Drawn::Unknown(why) => return Some(Some(Judgement::Unknown(why))),
-        };
-        let judge = residue::judge::Judge {
-            claim: self.claim,
-            point: &point,
-            denied,
-            work,
-        };
-        for condition in conditions {
-            match judge.judge(condition) {
-                Judgement::True => {}
-                open @ (Judgement::Undecided | Judgement::Unknown(_)) => return Some(Some(open)),
-                Judgement::False | Judgement::Undefined(_) => return Some(None),
-            }
-        }
-        Some(Some(judge.judge(statement)))
-    }
-
-    /// Finds, for each `not p` of a statement, a point of the domain at which p is false: `not p` is true then.
-    fn settled(&self, statement: &Statement) -> BTreeMap<usize, ()> {
-        let mut denied = BTreeMap::new();
-        let mut pending = vec![statement];
-        let mut inner = vec![];
-        while let Some(statement) = pending.pop() {
-            match statement {
-                Statement::Join(_, a, b) => pending.extend([&**a, &**b]),
-                Statement::Not(p) => {
-                    inner.push(&**p);
-                    pending.push(p);
-                }
-                _ => {}
-            }
-        }
-        // The innermost denials first.
-        for p in inner.into_iter().rev() {
-            let fails = |survey: &Self| {
-                let mut found = false;
-                survey.walk(p, &[], &denied, &mut |seen| {
-                    found = matches!(
-                        seen,
-                        Seen::Judged {
-                            judgement: Judgement::False,
-                            ..
-                        }
-                    );
-                    !found
-                });
-                found
-            };
-            if fails(&self.by_residues()) || fails(self) {
-                denied.insert(address(p), ());
-            }
-        }
-        denied
-    }
-}
-
-/// Why a hypothesis is undefined at numbers that satisfy all others, but for equations that might be solved.
-fn undefined_hypothesis(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Undefined> {
-    let denied = BTreeMap::new();
-    let judge = Judge {
-        claim,
-        values: &|name| draft.value(name),
-        near: false,
-        denied: &denied,
-        work,
-    };
-    let mut undefined = None;
-    for hypothesis in &claim.hypotheses {
-        match judge.hypothesis(&hypothesis.statement) {
-            Judgement::True => {}
-            Judgement::Undefined(why) => undefined = Some(why),
-            _ if is_equations(&hypothesis.statement) => {}
-            _ => return None,
-        }
-    }
-    check_sets(claim, &draft.values()).ok()?;
-    undefined
 }
 
 /// The denial of a comparison as a hypothesis: where a condition fails. `None` for other statements.
