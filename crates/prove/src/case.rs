@@ -79,6 +79,21 @@ impl<'a> Ground<'a> {
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
     ) -> Result<Self, Fault> {
+        let mut ground = Self::assumed(claim, elaborator, fixed)?;
+        ground.solve(&ground.given(claim)?, claim)?;
+        ground.bound_integers(claim, fixed);
+        Ok(ground)
+    }
+
+    /// The same without the given equations.
+    ///
+    /// # Errors
+    /// As [`Ground::new`].
+    pub fn assumed(
+        claim: &core::Claim,
+        elaborator: Rc<Elaborator<'a>>,
+        fixed: &BTreeMap<String, Fraction>,
+    ) -> Result<Self, Fault> {
         let evaluator = Evaluator::with(elaborator);
         let mut ground = Self {
             domain: Domain::new(evaluator.declarations),
@@ -87,19 +102,36 @@ impl<'a> Ground<'a> {
         for (name, value) in fixed {
             ground.keep_range(&Symbol::named(name), value);
         }
-        let (assumed, given): (Vec<&Hypothesis>, Vec<&Hypothesis>) = claim
-            .hypotheses
-            .iter()
-            .partition(|h| h.source == Source::Assume);
+        let hypotheses = claim.hypotheses.iter();
+        let assumed = hypotheses.filter(|h| h.source == Source::Assume);
         // Inequalities first: they may say that the divisor of an elimination does not vanish.
-        let (equations, others) = assumed
-            .into_iter()
-            .partition(|h: &&Hypothesis| has_equation(&h.statement));
+        let (equations, others) = assumed.partition(|h| has_equation(&h.statement));
         ground.assume_all(others)?;
         ground.assume_all(equations)?;
-        ground.solve(&given, &claim.unknowns)?;
-        ground.bound_integers(claim, fixed);
         Ok(ground)
+    }
+
+    /// The differences of the sides of the given equations.
+    ///
+    /// # Errors
+    /// [`Fault`], pointing into the equation that caused it.
+    pub fn given(&self, claim: &core::Claim) -> Result<Vec<Fraction>, Fault> {
+        let hypotheses = claim.hypotheses.iter();
+        let mut forms = vec![];
+        for hypothesis in hypotheses.filter(|h| h.source == Source::Given) {
+            let statement = self.evaluator.truth(&hypothesis.statement);
+            let taken = statement.and_then(|statement| equations(&statement, &mut forms));
+            taken.map_err(|f| f.within(&hypothesis.origin))?;
+        }
+        Ok(forms)
+    }
+
+    /// The symbols that the unknowns of the given equations consist of.
+    ///
+    /// # Errors
+    /// [`Fault`] for what is no symbol.
+    pub fn unknowns(&self, claim: &core::Claim) -> Result<Vec<Symbol>, Fault> {
+        unknown_symbols(&self.evaluator, &claim.unknowns)
     }
 
     /// The ranges of integers whose ends name other integers are constraints.
@@ -390,21 +422,14 @@ impl<'a> Ground<'a> {
     }
 
     /// Solves the given equations for their unknowns; what is left of them is assumed.
-    fn solve(&mut self, given: &[&Hypothesis], unknowns: &[core::Term]) -> Result<(), Fault> {
-        let Some(first) = given.first() else {
+    fn solve(&mut self, forms: &[Fraction], claim: &core::Claim) -> Result<(), Fault> {
+        let mut given = claim.hypotheses.iter();
+        let Some(first) = given.find(|h| h.source == Source::Given) else {
             return Ok(());
         };
-        let symbols = unknown_symbols(&self.evaluator, unknowns)?;
-        let mut forms = vec![];
-        for hypothesis in given {
-            let statement = self
-                .evaluator
-                .truth(&hypothesis.statement)
-                .map_err(|f| f.within(&hypothesis.origin))?;
-            equations(&statement, &mut forms).map_err(|f| f.within(&hypothesis.origin))?;
-        }
+        let symbols = self.unknowns(claim)?;
         let within = |f: Fault| f.within(&first.origin);
-        let solution = solve_for(&forms, &symbols, NOWHERE).map_err(within)?;
+        let solution = solve_for(forms, &symbols, NOWHERE).map_err(within)?;
         for (symbol, value) in &solution.values {
             self.eliminate(symbol, value).map_err(within)?;
         }

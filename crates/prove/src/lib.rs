@@ -1,12 +1,13 @@
 //! From statements to decisions.
 //!
 //! [`evaluate`] turns trees into exact values (normal forms, and series of symbolic degree), [`case`] makes a
-//! claim ready, [`decide`] turns its statement into a decision, [`statement`] does all of it for a claim, [`formula`]
+//! claim ready, [`combination`] sees what follows from given equations unsolved, [`decide`] turns its statement into a decision, [`statement`] does all of it for a claim, [`formula`]
 //! leads from exact values back to a formula as one would write it by hand.
 #![warn(missing_docs)]
 
 mod alternatives;
 pub mod case;
+pub mod combination;
 pub mod decide;
 pub mod evaluate;
 pub mod evidence;

@@ -6,6 +6,7 @@
 
 use crate::alternatives;
 use crate::case::Ground;
+use crate::combination::follows;
 use crate::decide::contradiction::contradiction;
 use crate::decide::{self, Decision, conditions, instances, sign};
 use crate::evaluate::value::{Statement, Value};
@@ -374,6 +375,52 @@ impl Decider<'_> {
         Ok(Some(instances::combined(decided, true, "")))
     }
 
+    /// The conditions under which an equation follows from the given ones without solving these, if it does.
+    fn unsolved(
+        &self,
+        statement: &core::Statement,
+        instance: &Instance,
+    ) -> Option<Vec<Polynomial>> {
+        let core::Statement::Compare {
+            relation: Relation::Equal,
+            left,
+            right,
+        } = statement
+        else {
+            return None;
+        };
+        // Coefficients are those of what the solutions make of a form.
+        let reads_solutions = |term: &core::Term| term.applies(core::BuiltIn::Coefficients);
+        if self.claim.unknowns.is_empty() || reads_solutions(left) || reads_solutions(right) {
+            return None;
+        }
+        let fixed = instances::fixed(instance);
+        let ground = Ground::assumed(&self.claim, Rc::clone(&self.elaborator), &fixed).ok()?;
+        let (forms, unknowns) = (
+            ground.given(&self.claim).ok()?,
+            ground.unknowns(&self.claim).ok()?,
+        );
+        let Ok(Statement::Compare { left, right, .. }) = ground.evaluator.truth(statement) else {
+            return None;
+        };
+        let pairs = left.entries().into_iter().zip(right.entries());
+        let differences: Option<Vec<Fraction>> = pairs
+            .map(|(x, y)| x.minus(y).as_fraction().cloned())
+            .collect();
+        let differences = differences?;
+        if !follows(&differences, &forms, &unknowns) {
+            return None;
+        }
+        let sides = left.entries().into_iter().chain(right.entries());
+        let divisors = sides.flat_map(|side| side.conditions());
+        let of = |all: &[Fraction]| -> Vec<Polynomial> {
+            all.iter().flat_map(|f| f.conditions().to_vec()).collect()
+        };
+        let conditions: Vec<Polynomial> =
+            divisors.chain(of(&differences)).chain(of(&forms)).collect();
+        Some(open_conditions(&conditions, &ground))
+    }
+
     /// The decision with some integers fixed.
     fn symbolic(
         &self,
@@ -431,9 +478,21 @@ impl Decider<'_> {
         if !is_equality(&value) {
             conditions.extend(ground.domain.pivots.iter().cloned());
         }
+        let mut conditions = open_conditions(&conditions, &ground);
+        let mut steps = steps;
+        if !conditions.is_empty()
+            && let Some(weaker) = self.unsolved(statement, instance)
+            && weaker
+                .iter()
+                .all(|condition| conditions.contains(condition))
+            && weaker.len() < conditions.len()
+        {
+            conditions = weaker;
+            steps.push("the difference is a combination of the given equations".to_owned());
+        }
         Ok(Decision::Proven {
             evidence,
-            conditions: open_conditions(&conditions, &ground),
+            conditions,
             steps: [
                 steps,
                 decide::ranges(&value, &ground.domain, &ground.evaluator)?,

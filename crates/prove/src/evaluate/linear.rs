@@ -125,7 +125,10 @@ pub(crate) fn single_symbol(value: &Fraction) -> Option<Symbol> {
 }
 
 /// `form = sum of row[i] * symbols[i] + rest`, if it is linear in the symbols.
-fn linear_form(form: &Fraction, symbols: &[Symbol]) -> Option<(Vec<Fraction>, Fraction)> {
+pub(crate) fn linear_form(
+    form: &Fraction,
+    symbols: &[Symbol],
+) -> Option<(Vec<Fraction>, Fraction)> {
     let involved = |p: &Polynomial| symbols.iter().any(|s| p.degree_in(s) > 0);
     if form.denominator_factors().any(|(p, _)| involved(p)) {
         return None;

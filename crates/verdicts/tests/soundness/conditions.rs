@@ -57,15 +57,36 @@ fn the_condition_of_a_linear_system_is_its_determinant() {
 }
 
 #[test]
-fn what_follows_without_division_needs_at_most_the_determinant() {
+fn what_follows_without_division_has_no_condition() {
     let head = "given = ['a*r + b*s == e', 'c*r + d*s == f']\nsolve_for = ['r', 's']\n";
-    let lines = format!("{head}states = 's*(a*d - b*c) == a*f - c*e'");
-    let found = expect_one_of("without-division", &lines, &[Holds, Conditional]);
-    let texts = conditions(&found);
-    assert!(
-        texts.iter().all(|c| c.contains("a*d") && c.contains("b*c")),
-        "{texts:?}"
+    let lines = |states: &str| format!("{head}states = '{states}'");
+    expect("rule", &lines("s*(a*d - b*c) == a*f - c*e"), Holds);
+    expect("sum", &lines("y*(a*r + b*s) + c*r == y*e + f - d*s"), Holds);
+    let both = "[s*(a*d - b*c), r*(a*d - b*c)] == [a*f - c*e, d*e - b*f]";
+    expect("both", &lines(both), Holds);
+    // At a d = b c the equations say nothing of s alone, nor of a multiple by something else.
+    expect("alone", &lines("s*a*(a*d - b*c) == a*(a*f - c*e)"), Holds);
+    let lines = lines("s/a*(a*d - b*c) == f - c*e/a");
+    let found = expect("divided", &lines, Conditional);
+    assert_eq!(conditions(&found), ["a != 0"]);
+}
+
+#[test]
+fn what_does_not_follow_without_division_keeps_its_condition() {
+    let one = "given = ['a*r == a*b']\nsolve_for = ['r']\n";
+    expect(
+        "cancelled",
+        &format!("{one}states = 'r*c == b*c'"),
+        Conditional,
     );
+    expect(
+        "multiple",
+        &format!("{one}states = 'r*a*c == b*a*c'"),
+        Holds,
+    );
+    // A coefficient is that of the solution, which needs the divisor.
+    let read = format!("{one}states = 'coefficients([a*r], [b]) == [[a]]'");
+    expect("coefficient", &read, Conditional);
 }
 
 #[test]
