@@ -22,3 +22,11 @@ pub struct Expanded<N> {
     /// Numbers that cannot be moved a little.
     pub discrete: BTreeSet<Name>,
 }
+
+impl<N> Expanded<N> {
+    /// Whether every number that occurs does so linearly.
+    #[must_use]
+    pub fn is_linear(&self) -> bool {
+        self.gaps.iter().all(|gap| gap.curved.is_empty())
+    }
+}

@@ -42,8 +42,8 @@ pub struct Tally {
     pub why_open: Option<String>,
     /// Points of the domain at which a condition is not true: they are not judged further.
     pub excepted: u64,
-    /// Whether the only point of the domain was judged, which has no numbers: neither the hypotheses nor the statement
-    /// name a symbol. No further points are drawn then.
+    /// Whether the only point of the domain was judged: linear equations leave no choice of any of its numbers, or it has
+    /// none. No further points are drawn then.
     pub single: bool,
     /// Whether the budget was spent.
     pub exhausted: bool,
@@ -247,7 +247,7 @@ impl Tally {
             return;
         };
         self.found += 1;
-        self.single = draft.values().is_empty();
+        self.single = draft.is_determined();
         match judgement {
             Judgement::True => self.holding += 1,
             Judgement::False => {

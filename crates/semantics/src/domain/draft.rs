@@ -24,6 +24,7 @@ pub(crate) struct Draft<'a> {
     stream: Stream,
     values: RefCell<BTreeMap<Name, Real>>,
     rounded: RefCell<BTreeSet<Name>>,
+    determined: RefCell<BTreeSet<Name>>,
     /// Whether a declared range turned out to be empty.
     pub empty: Cell<bool>,
 }
@@ -41,6 +42,7 @@ impl<'a> Draft<'a> {
             stream,
             values: RefCell::default(),
             rounded: RefCell::default(),
+            determined: RefCell::default(),
             empty: Cell::new(false),
         }
     }
@@ -116,6 +118,20 @@ impl<'a> Draft<'a> {
     /// The numbers that satisfy the equations nearly.
     pub fn rounded(&self) -> BTreeSet<Name> {
         self.rounded.borrow().clone()
+    }
+
+    /// Remembers numbers that linear equations leave no choice, if all others are as they are.
+    pub fn determine(&self, names: impl IntoIterator<Item = Name>) {
+        self.determined.borrow_mut().extend(names);
+    }
+
+    /// Whether no other point is like this one: the equations leave no choice of any of its numbers.
+    pub fn is_determined(&self) -> bool {
+        let determined = self.determined.borrow();
+        self.values
+            .borrow()
+            .keys()
+            .all(|name| determined.contains(name))
     }
 
     /// All numbers drawn so far.

@@ -104,6 +104,8 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         expanded(&equations, Reals { bits: BITS, work }, &value, moves).ok()
     };
     let mut rounded = false;
+    // What one step determined, where all equations are linear.
+    let mut determined: Option<Vec<Name>> = None;
     for round in 0..ROUNDS {
         let found = |gaps: &[Slope<Real>]| {
             solved(gaps, rounded).map(|solved| match solved {
@@ -116,6 +118,9 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         if round > 0
             && let Some(solved) = found(&expanded(&|_| false)?.gaps)
         {
+            if round == 1 && solved == Solved::Exactly {
+                draft.determine(determined.into_iter().flatten());
+            }
             return Some(solved);
         }
         // The unknowns alone mostly suffice.
@@ -128,10 +133,15 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
             let stream = draft.stream();
             changes(claim, expanded, stream, &unknowns, &reals, &is_near)
         };
-        let changes = match changes(&some) {
-            Some(changes) => changes,
-            None => changes(&expanded(&|_| true)?)?,
+        let (used, changes) = match changes(&some) {
+            Some(changes) => (some, changes),
+            None => {
+                let all = expanded(&|_| true)?;
+                let changes = changes(&all)?;
+                (all, changes)
+            }
         };
+        determined = (round == 0 && used.is_linear()).then(|| changes.keys().cloned().collect());
         for (name, change) in changes {
             let moved = reals.plus(&draft.value(&name)?, &change).ok()?;
             let exact = match &moved {

@@ -52,22 +52,32 @@ impl<'d, 'a> Point<'d, 'a> {
         let a = Residues { work };
         let unknowns = unknowns(claim, self.draft, work)?;
         let value = |name: &Name| self.residue(name);
-        for _ in 0..ROUNDS {
+        let mut linear = false;
+        for round in 0..ROUNDS {
             let expanded =
                 |moves: &dyn Fn(&Name) -> bool| expanded(&equations, a, &value, moves).ok();
             let holds = |gap: &Residue| *gap == Residue::Class(0);
             let some = expanded(&|name| unknowns.contains(name))?;
             if some.gaps.iter().all(|gap| holds(&gap.value)) {
+                if round == 1 && linear {
+                    self.draft.determine(self.solved.borrow().keys().cloned());
+                }
                 return Some(());
             }
+
             let changes = |expanded| {
                 let stream = self.draft.stream();
                 changes(claim, expanded, stream, &unknowns, &a, &holds)
             };
-            let changes = match changes(&some) {
-                Some(changes) => changes,
-                None => changes(&expanded(&|_| true)?)?,
+            let (used, changes) = match changes(&some) {
+                Some(changes) => (some, changes),
+                None => {
+                    let all = expanded(&|_| true)?;
+                    let changes = changes(&all)?;
+                    (all, changes)
+                }
             };
+            linear = used.is_linear();
             for (name, change) in changes {
                 let (Residue::Class(before), Residue::Class(change)) =
                     (self.residue(&name)?, change)

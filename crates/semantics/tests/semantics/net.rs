@@ -278,3 +278,25 @@ fn equations_under_linear_systems_stand_and_their_slips_are_caught() {
         "r >= 1 and r == x + 1",
     );
 }
+
+#[test]
+fn a_point_that_equations_determine_is_judged_once() {
+    let two = "given = ['r + s == 3', 'r - s == 1']\nsolve_for = ['r', 's']";
+    for states in ["r == 2*s", "r > s", "r == 2*s and sqrt(r*s - 1) == 1"] {
+        let tally = netted(&claim(two, states));
+        assert_eq!(
+            (tally.holding, tally.single),
+            (1, true),
+            "{states}: {tally:?}"
+        );
+    }
+    is_caught(two, "r == s");
+    // Another number is free, in the statement or in the equations; or there are two points.
+    stands(two, "r*x == 2*s*x");
+    stands(
+        "given = ['r + s == a', 'r - s == 1']\nsolve_for = ['r', 's']",
+        "2*r == a + 1",
+    );
+    let circle = netted(&claim("assume = ['r^2 == 1']", "r == 1"));
+    assert!(!circle.single, "{circle:?}");
+}
