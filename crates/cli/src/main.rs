@@ -8,6 +8,7 @@ mod audit;
 mod derivations;
 mod derive;
 mod design;
+mod erratum;
 mod exit;
 mod explain;
 mod figures;
@@ -50,6 +51,7 @@ Examples:
   torse verify gbt-developable/thm-4     the claims of one theorem
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
   torse report                           verdicts, PDF, HTML and figures into reports/
+  torse erratum gbt-surfaces             the corrections, ready to be sent
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
   torse recheck                          every verdict again, by the semantics
   torse prove --check                    proofs of the verdicts, checked by the Rocq kernel
@@ -66,6 +68,7 @@ Examples:
   torse verify --format json             the same for programs, byte-identical on every run
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
   torse report                           verdicts, PDF, HTML and figures into reports/
+  torse erratum gbt-surfaces             the corrections, ready to be sent
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
   torse recheck                          every verdict again, by the semantics
   torse prove --check                    proofs of the verdicts, checked by the Rocq kernel
@@ -92,6 +95,7 @@ enum Command {
     Verify(verify::Verify),
     Explain(explain::Explain),
     Report(report::Report),
+    Erratum(erratum::Erratum),
     Derive(derive::Derive),
     Recheck(recheck::Replay),
     Prove(prove::Prove),
@@ -110,6 +114,7 @@ impl Command {
             Command::Verify(command) => command.run(),
             Command::Explain(command) => command.run(),
             Command::Report(command) => command.run(),
+            Command::Erratum(command) => command.run(),
             Command::Derive(command) => command.run(),
             Command::Recheck(command) => command.run(),
             Command::Prove(command) => command.run(),

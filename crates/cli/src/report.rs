@@ -2,15 +2,18 @@
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
+use crate::kernel::Proofs;
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
 use crate::{figures, guard, selection, terminal};
 use clap::Args;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use torse_language::derivation::Paper;
+use torse_report::model::Report as Document;
 use torse_report::{
-    FigureImage, ReportError, Typeset, gallery, html_page, verdicts_json, write_file,
+    FigureImage, ReportError, Typeset, gallery, html_page, verdicts_json_with_kernel, write_file,
 };
 use torse_verdicts::outcome::PaperOutcome;
 
@@ -29,6 +32,8 @@ pub struct Report {
     /// The folder to write to; it is made if need be
     #[arg(long, value_name = "DIR", default_value = "reports")]
     out: PathBuf,
+    #[command(flatten)]
+    proofs: Proofs,
     #[command(flatten)]
     budget: Budget,
     #[command(flatten)]
@@ -75,7 +80,15 @@ impl Report {
         let shown: Vec<(&PaperOutcome, &[FigureImage])> = (wanted.iter().zip(&figures))
             .map(|((_, outcome), figures)| (*outcome, figures.as_slice()))
             .collect();
-        let documents = self.documents(&run, &shown);
+        let accepted = self.proofs.accepted(&papers, &run);
+        let reports: Vec<Document> = (run.papers.par_iter())
+            .map(|paper| {
+                let figures = shown.iter().find(|(of, _)| of.slug == paper.slug);
+                let figures = figures.map_or(&[][..], |(_, figures)| *figures);
+                Document::with_kernel(paper, figures, &accepted)
+            })
+            .collect();
+        let documents = self.documents(&run, &reports, &shown, &accepted);
         let names: Vec<Result<&str, Failure>> = documents
             .par_iter()
             .map(|document| {
@@ -132,27 +145,30 @@ impl Report {
     fn documents<'a>(
         &self,
         run: &'a Run,
+        reports: &'a [Document],
         shown: &'a [(&'a PaperOutcome, &'a [FigureImage])],
-    ) -> Vec<Document<'a>> {
+        accepted: &'a BTreeSet<String>,
+    ) -> Vec<File<'a>> {
         let mut documents = Vec::new();
         for (paper, figures) in shown {
-            documents.push(Document::new(format!("{}.pdf", paper.slug), || {
-                Typeset::paper(paper, figures)?.pdf()
+            let Some(report) = reports.iter().find(|report| report.slug == paper.slug) else {
+                continue;
+            };
+            documents.push(File::new(format!("{}.pdf", paper.slug), || {
+                Typeset::paper(report, figures)?.pdf()
             }));
-            documents.push(Document::new(format!("{}.html", paper.slug), || {
-                Ok(html_page(paper, figures)?.into_bytes())
+            documents.push(File::new(format!("{}.html", paper.slug), || {
+                Ok(html_page(report, figures)?.into_bytes())
             }));
         }
-        documents.push(Document::new("summary.pdf", || {
-            Typeset::summary(&run.papers)?.pdf()
+        documents.push(File::new("summary.pdf", || {
+            Typeset::summary(reports)?.pdf()
         }));
-        documents.push(Document::new("verdicts.json", || {
-            Ok(verdicts_json(run.outcomes())?.into_bytes())
+        documents.push(File::new("verdicts.json", || {
+            Ok(verdicts_json_with_kernel(run.outcomes(), accepted)?.into_bytes())
         }));
         if self.papers.is_empty() {
-            documents.push(Document::new("README.md", || {
-                Ok(gallery(shown)?.into_bytes())
-            }));
+            documents.push(File::new("README.md", || Ok(gallery(shown)?.into_bytes())));
         }
         documents
     }
@@ -164,17 +180,17 @@ impl Report {
 }
 
 /// A file of the report, and how its bytes are made.
-struct Document<'a> {
+struct File<'a> {
     name: String,
     bytes: Box<dyn Fn() -> Result<Vec<u8>, ReportError> + Sync + 'a>,
 }
 
-impl<'a> Document<'a> {
+impl<'a> File<'a> {
     fn new(
         name: impl Into<String>,
         bytes: impl Fn() -> Result<Vec<u8>, ReportError> + Sync + 'a,
     ) -> Self {
-        Document {
+        File {
             name: name.into(),
             bytes: Box::new(bytes),
         }

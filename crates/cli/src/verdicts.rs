@@ -4,7 +4,7 @@ use crate::terminal;
 use comfy_table::{CellAlignment, ColumnConstraint, Row};
 use std::collections::BTreeMap;
 use torse_language::words::Verdict;
-use torse_report::{Tally, model::Report, words};
+use torse_report::{Tally, in_words, model::Report, words};
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
 /// The verdicts of `papers`.
@@ -12,7 +12,7 @@ pub fn text(papers: &[PaperOutcome]) -> String {
     let findings: BTreeMap<String, String> = papers
         .iter()
         .flat_map(|paper| Report::new(paper, &[]).findings)
-        .map(|finding| (finding.id, finding.text))
+        .map(|finding| (finding.id, in_words(&finding.text)))
         .collect();
     let mut text = String::new();
     for paper in papers {

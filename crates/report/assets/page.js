@@ -10,29 +10,61 @@
 
   const visible = () => claims.filter((claim) => !claim.hidden);
 
+  // No verdict pressed means: every one. The state stands in the address, so that it can be sent.
+  const pressed = () => chips.filter((chip) => chip.getAttribute("aria-pressed") === "true").map((chip) => chip.value);
+  const press = (chip, on) => chip.setAttribute("aria-pressed", String(on));
+
   function filter() {
     const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
-    const pressed = new Set(chips.filter((chip) => chip.getAttribute("aria-pressed") === "true").map((chip) => chip.value));
+    const verdicts = pressed();
     for (const claim of claims) {
-      claim.hidden = !(pressed.has(claim.dataset.verdict)
+      claim.hidden = !((!verdicts.length || verdicts.includes(claim.dataset.verdict))
         && (!kind.value || claim.dataset.kind === kind.value)
         && (!section.value || claim.dataset.section === section.value)
         && words.every((word) => texts.get(claim).includes(word)));
     }
     for (const part of sections) part.hidden = !part.querySelector("article:not([hidden])");
-    byId("shown").textContent = `${visible().length} of ${claims.length}`;
+    const count = visible().length;
+    byId("shown").textContent = `${count} of ${claims.length}`;
+    byId("nothing").hidden = count > 0;
   }
+
+  function remember() {
+    const state = new URLSearchParams();
+    if (search.value) state.set("q", search.value);
+    if (pressed().length) state.set("v", pressed().join(","));
+    if (kind.value) state.set("kind", kind.value);
+    if (section.value) state.set("section", section.value);
+    const query = state.toString();
+    try { history.replaceState(null, "", (query ? "?" + query : location.pathname) + location.hash); } catch { /* an address that may not change */ }
+  }
+
+  function recall() {
+    const state = new URLSearchParams(location.search);
+    search.value = state.get("q") || "";
+    const verdicts = (state.get("v") || "").split(",");
+    for (const chip of chips) press(chip, verdicts.includes(chip.value));
+    kind.value = state.get("kind") || "";
+    section.value = state.get("section") || "";
+  }
+
+  function changed() { filter(); remember(); }
 
   function reset() {
     search.value = kind.value = section.value = "";
-    for (const chip of chips) chip.setAttribute("aria-pressed", "true");
-    filter();
+    for (const chip of chips) press(chip, false);
+    changed();
   }
 
-  // A link to a claim shows it, whatever the filter hides.
+  // A link to a claim shows and opens it, whatever the filter hides.
   function reveal() {
     const target = byId(decodeURIComponent(location.hash.slice(1)));
-    if (target && target.closest("[hidden]")) { reset(); target.scrollIntoView(); }
+    if (!target) return;
+    if (target.closest("[hidden]")) reset();
+    for (let part = target.querySelector(":scope > details") || target; part; part = part.parentElement) {
+      if (part.tagName === "DETAILS") part.open = true;
+    }
+    target.scrollIntoView();
   }
 
   function step(direction) {
@@ -41,18 +73,29 @@
     const here = shown.indexOf(document.activeElement.closest("article"));
     const next = here < 0 ? (direction > 0 ? 0 : shown.length - 1) : here + direction;
     const claim = shown[Math.max(0, Math.min(shown.length - 1, next))];
+    claim.querySelector("details").open = true;
     claim.focus({ preventScroll: true });
     claim.scrollIntoView({ block: "start" });
   }
 
-  for (const field of [search, kind, section]) field.addEventListener("input", filter);
+  for (const field of [search, kind, section]) field.addEventListener("input", changed);
   for (const chip of chips) {
-    chip.addEventListener("click", () => {
-      chip.setAttribute("aria-pressed", chip.getAttribute("aria-pressed") !== "true");
-      filter();
+    // A click shows this verdict alone, with the shift key this one besides.
+    chip.addEventListener("click", (event) => {
+      const on = chip.getAttribute("aria-pressed") !== "true";
+      const alone = on || pressed().length > 1;
+      for (const other of chips) if (!event.shiftKey && other !== chip) press(other, false);
+      press(chip, event.shiftKey ? on : alone);
+      changed();
     });
   }
   byId("reset").addEventListener("click", reset);
+  byId("all").addEventListener("click", reset);
+  byId("unfold").addEventListener("click", (event) => {
+    const open = event.currentTarget.getAttribute("aria-pressed") !== "true";
+    event.currentTarget.setAttribute("aria-pressed", String(open));
+    for (const claim of claims) claim.querySelector("details").open = open;
+  });
   byId("theme").addEventListener("click", () => {
     const root = document.documentElement;
     const dark = root.dataset.theme ? root.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
@@ -61,7 +104,7 @@
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const typing = /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName);
-    if (event.key === "Escape" && typing) { search.value = ""; filter(); event.target.blur(); }
+    if (event.key === "Escape" && typing) { search.value = ""; changed(); event.target.blur(); }
     else if (typing) return;
     else if (event.key === "/") { event.preventDefault(); search.focus(); }
     else if (event.key === "j") step(1);
@@ -69,6 +112,7 @@
   });
   addEventListener("hashchange", reveal);
   byId("tools").hidden = false;
+  recall();
   filter();
   reveal();
 })();

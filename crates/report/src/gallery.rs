@@ -4,7 +4,7 @@
 //! the large ones, each with its caption, its verdict, and what was assumed.
 
 use crate::text::visible;
-use crate::{FigureImage, ReportError, words};
+use crate::{FigureImage, ReportError, plain, words};
 use std::fmt::{self, Write};
 use torse_verdicts::outcome::PaperOutcome;
 
@@ -57,7 +57,7 @@ fn entry(page: &mut String, figure: &FigureImage) -> fmt::Result {
         page,
         "\n<a href=\"figures/{name}.svg\"><img src=\"figures/{name}.png\" width=\"{WIDTH}\" alt=\"{alt}\"></a>\n\n\
          **{name}** · *{verdict}* · {}\n",
-        escaped(&figure.caption)
+        escaped(&plain(&figure.caption))
     )?;
     let lists = [
         ("Not printed, replaced by our own", &figure.stand_in),
@@ -65,14 +65,14 @@ fn entry(page: &mut String, figure: &FigureImage) -> fmt::Result {
     ];
     for (what, list) in lists {
         if !list.is_empty() {
-            write!(page, "\n*{what}:* {}.\n", escaped(&list.join("; ")))?;
+            write!(page, "\n*{what}:* {}.\n", escaped(&plain(&list.join("; "))))?;
         }
     }
     Ok(())
 }
 
 /// The text with every sign of HTML and Markdown escaped, on one line.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut plain = String::with_capacity(text.len());
     for character in visible(text).chars() {
         match character {

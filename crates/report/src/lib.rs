@@ -13,33 +13,37 @@
 //! Every output is a function of its arguments alone: the same bytes on every run.
 
 mod base64;
-mod edit;
+pub mod corrections;
+mod erratum;
 mod error;
 mod figure;
 mod findings;
-mod formula;
 mod gallery;
 mod html;
 mod json;
-mod mathml;
+mod math;
 pub mod model;
 mod rests;
+mod sentence;
+pub mod short;
 mod tally;
 mod text;
 mod typeset;
+pub mod usable;
 pub mod words;
 mod world;
 mod write;
 
-pub use edit::{Change, Stretch};
+pub use erratum::{erratum_latex, erratum_markdown};
 pub use error::ReportError;
 pub use figure::{FigureImage, Image};
 pub use findings::Finding;
 pub use gallery::gallery;
 pub use html::html_page;
 pub use json::{verdicts_json, verdicts_json_with_kernel};
+pub use math::{Mathematics, Prose, Span, in_words, plain};
 pub use rests::{Rests, rests};
 pub use tally::{Remarks, Row, Tally};
-pub use text::{counted, plain};
+pub use text::counted;
 pub use typeset::Typeset;
 pub use write::write_file;

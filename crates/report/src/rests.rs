@@ -51,7 +51,7 @@ pub fn rests(outcome: &Outcome) -> Vec<Rests> {
             "said by",
             (outcome.assumed.iter())
                 .filter(|hypothesis| concerns(hypothesis, &table.symbols))
-                .filter_map(said_by)
+                .filter_map(|h| said_by(h, &str::to_owned))
                 .collect(),
         ),
     ];
@@ -70,18 +70,19 @@ fn joined(items: Vec<String>) -> Vec<String> {
 }
 
 /// Whether a hypothesis is about the statement: a paper declares the ranges of more symbols than a sentence has.
-fn concerns(hypothesis: &Assumed, symbols: &[Declared]) -> bool {
+pub(crate) fn concerns(hypothesis: &Assumed, symbols: &[Declared]) -> bool {
     let text = &hypothesis.formula.text;
     let mut words = text.split(|c: char| !(c.is_alphanumeric() || c == '_'));
     hypothesis.role != Role::Range || words.any(|word| symbols.iter().any(|s| s.name == word))
 }
 
-/// Whose a hypothesis is, where the file says it.
-fn said_by(hypothesis: &Assumed) -> Option<String> {
-    let formula = &hypothesis.formula.text;
+/// Whose a hypothesis is, where the file says it; formulas and names of claims are written with `code`.
+pub(crate) fn said_by(hypothesis: &Assumed, code: &dyn Fn(&str) -> String) -> Option<String> {
+    let formula = code(&hypothesis.formula.text);
     match &hypothesis.from {
         SaidBy::Stated => None,
         SaidBy::Printed { quote, claim } => {
+            let claim = code(claim);
             Some(format!("{formula}: the paper, “{quote}” ({claim})"))
         }
         SaidBy::Ours { reason } => {

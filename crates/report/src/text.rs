@@ -28,58 +28,30 @@ fn acts_unseen(character: char) -> bool {
         )
 }
 
-/// A sentence with its mathematics, `$\mathbf{q}_0 \ne 0$`, as plain text: `q_0 ≠ 0`.
-///
-/// Only what files write into findings is known; other commands lose their backslash.
-pub fn plain(text: &str) -> String {
-    const COMMANDS: [(&str, &str); 22] = [
-        ("ne", "≠"),
-        ("le", "≤"),
-        ("ge", "≥"),
-        ("cdot", "·"),
-        ("times", "×"),
-        ("infty", "∞"),
-        ("pi", "π"),
-        ("mu", "μ"),
-        ("nu", "ν"),
-        ("lambda", "λ"),
-        ("gamma", "γ"),
-        ("alpha", "α"),
-        ("beta", "β"),
-        ("rho", "ρ"),
-        ("omega", "ω"),
-        ("varphi", "φ"),
-        ("psi", "ψ"),
-        ("theta", "θ"),
-        ("mathbf", ""),
-        ("mathrm", ""),
-        ("hat", ""),
-        ("tilde", ""),
-    ];
-    if text.matches('$').count() % 2 == 1 {
-        return text.to_owned();
-    }
+/// Decimals as a reader wants them: no row of zeros, a minus sign, an ellipsis.
+pub(crate) fn decimal(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
-    for (number, part) in text.split('$').enumerate() {
-        if number % 2 == 0 {
-            shown.push_str(part);
-            continue;
-        }
-        let mut rest = part;
-        while let Some(next) = rest.chars().next() {
-            rest = rest.get(next.len_utf8()..).unwrap_or_default();
-            match next {
-                '\\' => {
-                    let letters = rest.chars().take_while(char::is_ascii_alphabetic).count();
-                    let (command, after) = rest.split_at(letters);
-                    let known = COMMANDS.iter().find(|(name, _)| *name == command);
-                    shown.push_str(known.map_or(command, |(_, sign)| sign));
-                    rest = after;
-                }
-                '{' | '}' => {}
-                other => shown.push(other),
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let end = match first.is_ascii_digit() {
+            true => rest
+                .find(|c: char| !c.is_ascii_digit() && c != '.')
+                .unwrap_or(rest.len()),
+            false => first.len_utf8(),
+        };
+        let (number, after) = rest.split_at(end);
+        let digits = number.trim_end_matches('.');
+        let zero = digits.contains('.') && digits.chars().all(|c| matches!(c, '0' | '.'));
+        match (number, first) {
+            (_, '-') => shown.push('−'),
+            _ if zero => shown.push('0'),
+            _ if number.ends_with("...") => {
+                shown.push_str(digits);
+                shown.push('…');
             }
+            _ => shown.push_str(number),
         }
+        rest = after;
     }
     shown
 }
@@ -167,14 +139,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn mathematics_of_a_sentence_is_shown_without_commands() {
+    fn decimals_have_no_rows_of_zeros() {
         assert_eq!(
-            plain(r"with $\mathbf{g} = \mathbf{q}_0^{u}$ and $k \ne 1$, {3} $"),
-            r"with $\mathbf{g} = \mathbf{q}_0^{u}$ and $k \ne 1$, {3} $"
-        );
-        assert_eq!(
-            plain(r"with $\mathbf{g} = \mathbf{q}_0^{u}$ and $k \ne 1$, {3}"),
-            "with g = q_0^u and k ≠ 1, {3}"
+            decimal("[0.000000000000..., -0.8660254...], 1.5"),
+            "[0, −0.8660254…], 1.5"
         );
     }
 

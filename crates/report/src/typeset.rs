@@ -1,31 +1,33 @@
 //! PDF, and pages as pictures.
 
+use crate::corrections::Corrected;
 use crate::model::{Report, figure_file};
 use crate::words::{self, EVIDENCE, RULES, Rule, Term, VERDICTS};
 use crate::world::{MemoryWorld, fixed_date, has_glyph, refused};
-use crate::{FigureImage, ReportError, formula, text};
+use crate::{FigureImage, ReportError, erratum, text};
 use serde::Serialize;
 use serde_json::Value;
-use std::collections::BTreeSet;
-use torse_verdicts::outcome::PaperOutcome;
 use typst::{foundations::Smart, utils::Scalar};
 use typst_layout::PagedDocument;
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards, Timestamp};
 use typst_render::RenderOptions;
 
-const TEMPLATES: [(&str, &str); 3] = [
+const TEMPLATES: [(&str, &str); 4] = [
     ("theme.typ", include_str!("../assets/theme.typ")),
     ("formula.typ", include_str!("../assets/formula.typ")),
     ("claim.typ", include_str!("../assets/claim.typ")),
+    ("overview.typ", include_str!("../assets/overview.typ")),
 ];
 const PAPER: &str = include_str!("../assets/paper.typ");
+const ERRATUM: &str = include_str!("../assets/erratum.typ");
 const SUMMARY: &str = include_str!("../assets/summary.typ");
 
 /// A document with its pages laid out.
 ///
 /// ```no_run
 /// # fn run(paper: &torse_verdicts::outcome::PaperOutcome) -> Result<(), torse_report::ReportError> {
-/// let document = torse_report::Typeset::paper(paper, &[])?;
+/// let report = torse_report::model::Report::new(paper, &[]);
+/// let document = torse_report::Typeset::paper(&report, &[])?;
 /// torse_report::write_file("report.pdf".as_ref(), &document.pdf()?)?;
 /// torse_report::write_file("first-page.png".as_ref(), &document.page_png(0, 2.0)?)?;
 /// # Ok(())
@@ -38,40 +40,64 @@ pub struct Typeset {
 }
 
 impl Typeset {
-    /// The report of one paper, with its pictures.
+    /// The report of one paper, with the pictures that it was made with.
     ///
-    /// A formula that cannot be set is shown as plain text; a character that no font has is spelled out.
+    /// A formula that cannot be read is shown as code; a character that no font has is spelled out.
     ///
     /// # Errors
     ///
     /// [`ReportError::Typeset`] when the document cannot be set, for instance because a picture is not what
     /// it is said to be.
-    pub fn paper(paper: &PaperOutcome, figures: &[FigureImage]) -> Result<Self, ReportError> {
-        let report = Report::new(paper, figures);
+    pub fn paper(report: &Report, figures: &[FigureImage]) -> Result<Self, ReportError> {
         let data = Data {
-            formulas: formulas(&report.formulas)?,
             glossary: Glossary::new(),
-            content: &report,
+            content: report,
         };
         let pictures = figures.iter().enumerate().map(|(position, figure)| {
             (figure_file(position, figure), figure.image.bytes().to_vec())
         });
-        Self::set("the report of a paper", PAPER, &data, pictures, &paper.slug)
+        Self::set(
+            "the report of a paper",
+            PAPER,
+            &data,
+            pictures,
+            &report.slug,
+        )
     }
 
-    /// The summary of several papers: counts and findings, without the single claims.
+    /// The summary of several papers: counts, and of each what a reader must know in a minute.
     ///
     /// # Errors
     ///
     /// [`ReportError::Typeset`] when the document cannot be set.
-    pub fn summary(papers: &[PaperOutcome]) -> Result<Self, ReportError> {
-        let reports: Vec<Report> = papers.iter().map(|paper| Report::new(paper, &[])).collect();
+    pub fn summary(reports: &[Report]) -> Result<Self, ReportError> {
         let data = Data {
-            formulas: Vec::new(),
             glossary: Glossary::new(),
             content: reports,
         };
         Self::set("the summary", SUMMARY, &data, [], "summary")
+    }
+
+    /// The corrections of a paper, ready to be sent.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Typeset`] when the document cannot be set.
+    pub fn erratum(report: &Report) -> Result<Self, ReportError> {
+        let data = Letter {
+            content: report,
+            corrections: erratum::certain(report).collect(),
+            opening: erratum::opening(report),
+            closing: erratum::CLOSING,
+        };
+        let identifier = format!("{}-erratum", report.slug);
+        Self::set(
+            "the corrections of a paper",
+            ERRATUM,
+            &data,
+            [],
+            &identifier,
+        )
     }
 
     fn set(
@@ -154,61 +180,22 @@ impl Typeset {
 #[derive(Serialize)]
 struct Data<C> {
     content: C,
-    formulas: Vec<FormulaData>,
     glossary: Glossary,
 }
 
 #[derive(Serialize)]
-struct FormulaData {
-    source: String,
-    usable: bool,
-    /// Ways to break the formula into pieces, coarsest first; none for a formula that is never too wide.
-    breaks: Vec<Vec<String>>,
-}
-
-/// For each formula whether it can be set, and the ways to break it that can.
-fn formulas(sources: &[String]) -> Result<Vec<FormulaData>, ReportError> {
-    /// No formula of so few characters is wider than the column.
-    const SHORT: usize = 40;
-    /// Brackets are opened to this depth.
-    const DEEPEST: usize = 3;
-    let usable = formula::usable::<PagedDocument>(sources)?;
-    let mut data: Vec<FormulaData> = Vec::with_capacity(sources.len());
-    for (source, usable) in sources.iter().zip(usable) {
-        let mut breaks = Vec::new();
-        if usable && source.chars().count() > SHORT {
-            breaks.extend((0..=DEEPEST).map(|depth| formula::pieces(source, depth)));
-            breaks.dedup();
-        }
-        data.push(FormulaData {
-            source: source.clone(),
-            usable,
-            breaks,
-        });
-    }
-    let breaks = data.iter().flat_map(|formula| &formula.breaks);
-    let mut pieces: Vec<String> = breaks.flatten().cloned().collect();
-    pieces.sort();
-    pieces.dedup();
-    let usable = formula::usable::<PagedDocument>(&pieces)?;
-    let refused: BTreeSet<&String> = (pieces.iter().zip(usable))
-        .filter(|(_, usable)| !usable)
-        .map(|(piece, _)| piece)
-        .collect();
-    for formula in &mut data {
-        let whole = |pieces: &Vec<String>| pieces.len() == 1;
-        let fine = |pieces: &Vec<String>| pieces.iter().all(|piece| !refused.contains(piece));
-        formula
-            .breaks
-            .retain(|pieces| whole(pieces) || fine(pieces));
-    }
-    Ok(data)
+struct Letter<'a> {
+    content: &'a Report,
+    corrections: Vec<&'a Corrected>,
+    opening: String,
+    closing: &'static str,
 }
 
 #[derive(Serialize)]
 struct Glossary {
     verdicts: Vec<Term>,
     evidence: Vec<Term>,
+    levels: [Term; 2],
     rules: [Rule; 7],
 }
 
@@ -217,6 +204,7 @@ impl Glossary {
         Glossary {
             verdicts: VERDICTS.into_iter().map(words::verdict).collect(),
             evidence: EVIDENCE.into_iter().map(words::evidence).collect(),
+            levels: [words::KERNEL, words::NETTED],
             rules: RULES,
         }
     }

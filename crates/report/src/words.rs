@@ -75,7 +75,7 @@ pub const fn fate(of: Fate) -> &'static str {
 /// What becomes of a claim that rests on a refuted one, with the conditions under which it survives.
 #[must_use]
 pub fn consequence(of: &Consequence) -> String {
-    let conditions: Vec<String> = of.conditions.iter().map(|c| condition(&c.text)).collect();
+    let conditions: Vec<String> = of.conditions.iter().map(|c| quoted(&c.text)).collect();
     match conditions.is_empty() {
         true => fate(of.fate).to_owned(),
         false => format!("{}: {}", fate(of.fate), conditions.join(" and ")),
@@ -124,7 +124,7 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
 }
 
 /// Formulas of more characters than this that nobody printed are counted, not written.
-const LONGEST_DERIVED: usize = 400;
+const LONGEST_DERIVED: usize = 240;
 
 /// What stands in the place of a condition or another derived formula that nobody would read: how many terms it has.
 #[must_use]
@@ -143,6 +143,19 @@ pub fn long(text: &str) -> Option<String> {
 #[must_use]
 pub fn condition(text: &str) -> String {
     long(text).unwrap_or_else(|| text.to_owned())
+}
+
+/// So many of something.
+pub(crate) fn plural(count: usize, noun: &str) -> String {
+    match count {
+        1 => format!("1 {noun}"),
+        _ => format!("{count} {noun}s"),
+    }
+}
+
+/// A condition between backticks, or how many terms it has.
+pub(crate) fn quoted(text: &str) -> String {
+    long(text).unwrap_or_else(|| format!("`{text}`"))
 }
 
 /// How many summands stand outside of brackets.
@@ -296,6 +309,31 @@ pub const fn evidence(of: Evidence) -> Term {
         meaning,
     }
 }
+
+/// How a verdict was checked: the strongest level that it has; none where nothing was decided.
+#[must_use]
+pub fn level(outcome: &Outcome, accepted: bool) -> Option<Term> {
+    let netted = outcome.net.as_ref().is_some_and(|net| net.netted);
+    match (accepted, netted) {
+        (true, _) => Some(KERNEL),
+        (false, true) => Some(NETTED),
+        (false, false) => None,
+    }
+}
+
+/// Proved once more by the proof assistant.
+pub const KERNEL: Term = Term {
+    key: "kernel",
+    label: "kernel",
+    meaning: "The kernel of the proof assistant Rocq accepted a proof of the statement of this verdict.",
+};
+
+/// Judged once more at points.
+pub const NETTED: Term = Term {
+    key: "netted",
+    label: "netted",
+    meaning: "An evaluator that shares nothing with the prover found the same at every exact point at which it was asked.",
+};
 
 /// The words for a kind of statement.
 #[must_use]

@@ -6,6 +6,7 @@
 mod paper;
 
 use std::{error::Error, path::Path};
+use torse_report::model::Report;
 use torse_report::{Typeset, html_page, verdicts_json, write_file};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -15,7 +16,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new(&folder);
     let sample = paper::sample();
     let figures = paper::figures();
-    let report = Typeset::paper(&sample, &figures)?;
+    let document = Report::new(&sample, &figures);
+    let report = Typeset::paper(&document, &figures)?;
     write_file(&folder.join("sample.pdf"), &report.pdf()?)?;
     for page in 0..report.page_count() {
         write_file(
@@ -25,13 +27,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     write_file(
         &folder.join("sample.html"),
-        html_page(&sample, &figures)?.as_bytes(),
+        html_page(&document, &figures)?.as_bytes(),
     )?;
     write_file(
         &folder.join("verdicts.json"),
         verdicts_json(&sample.claims)?.as_bytes(),
     )?;
-    let summary = Typeset::summary(&[sample])?;
+    let summary = Typeset::summary(&[document])?;
     write_file(&folder.join("summary.pdf"), &summary.pdf()?)?;
     for page in 0..summary.page_count() {
         write_file(

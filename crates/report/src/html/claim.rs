@@ -1,15 +1,15 @@
 //! One claim of the page.
 
-use super::{Page, Prose, Text, badge};
+use super::Page;
+use super::text::{Code, Listed, Sentence, Text, badge, formula};
+use crate::math::Prose;
 use crate::model::{
-    ClaimView, ConsequenceView, CorrectionView, FormulaView, ReadingView, Reference,
+    ClaimView, ConsequenceView, CorrectionView, FormulaView, ReadingView, Reference, RestsView,
+    WitnessView,
 };
-use crate::rests::Rests;
-use crate::{Change, Stretch};
 use std::fmt::{self, Write};
-use torse_prove::evidence::Witness;
 
-/// The claim as an `article`; `section` is the identifier of the section that it is in.
+/// The claim as an `article`, closed until it is asked for; `section` is the identifier of the section that it is in.
 pub(super) fn write(
     out: &mut String,
     page: &Page<'_>,
@@ -21,20 +21,34 @@ pub(super) fn write(
     writeln!(
         out,
         "<article id=\"{anchor}\" class=\"v-{verdict}\" tabindex=\"-1\" data-verdict=\"{verdict}\" data-kind=\"{kind}\" data-evidence=\"{evidence}\" data-section=\"{section}\">\n\
-         <header><h3><a href=\"#{anchor}\"><code>{}</code></a></h3><span class=\"where\">{} · {}</span><span>{}{}</span></header>\n<dl>",
+         <details><summary><h3><code>{}</code></h3><span class=\"where\">{} · {}</span><span class=\"answer\">{}",
         Text(&claim.name),
         Text(&claim.at),
         claim.kind.label,
         badge(claim.verdict),
-        claim.evidence.map_or(String::new(), |term| format!(
-            " <span class=\"evidence\">by {}</span>",
-            term.label
-        )),
     )?;
+    if let Some(term) = claim.evidence {
+        write!(
+            out,
+            " <span class=\"evidence\" title=\"{}\">by {}</span>",
+            Text(term.meaning),
+            term.label
+        )?;
+    }
+    if let Some(term) = claim.level {
+        write!(
+            out,
+            " <span class=\"evidence\" title=\"{}\">· {}</span>",
+            Text(term.meaning),
+            term.label
+        )?;
+    }
     writeln!(
         out,
-        "<dt>printed</dt><dd><blockquote class=\"printed\">{}</blockquote></dd>",
-        Text(&claim.printed)
+        "</span></summary>\n<a class=\"permalink\" href=\"#{anchor}\" aria-label=\"Link to {}\">link</a>\n<dl>\n\
+         <dt>printed</dt><dd><blockquote class=\"printed\">{}</blockquote></dd>",
+        Text(&claim.name),
+        Sentence(&claim.printed)
     )?;
     if let Some(expected) = claim.expected {
         writeln!(
@@ -43,34 +57,31 @@ pub(super) fn write(
             badge(expected)
         )?;
     }
-    text(out, "read as", claim.reading.as_deref())?;
-    formulas(out, page, "understood", claim.parsed.as_slice())?;
-    formulas(out, page, "assuming", &claim.assumed)?;
-    formulas(out, page, "condition", &claim.conditions)?;
-    readings(out, page, &claim.readings)?;
+    text(out, "found", claim.finding.as_ref())?;
+    text(out, "read as", claim.reading.as_ref())?;
+    formulas(out, "understood", claim.parsed.as_slice())?;
+    formulas(out, "assuming", &claim.assumed)?;
+    formulas(out, "condition", &claim.conditions)?;
+    readings(out, &claim.readings)?;
     if let Some(repair) = &claim.correction {
-        correction(out, page, repair)?;
+        out.push_str("<dt>corrected</dt><dd class=\"corrected\">");
+        correction(out, repair)?;
+        out.push_str("</dd>\n");
     }
     if !claim.data.is_empty() {
-        let data = claim.data.join("; ");
-        writeln!(out, "<dt>right if</dt><dd>{}.</dd>", Prose(&data))?;
+        writeln!(out, "<dt>right if</dt><dd>{}.</dd>", Listed(&claim.data))?;
     }
-    formulas(out, page, "derived", claim.derived.as_slice())?;
-    formulas(out, page, "difference", claim.difference.as_slice())?;
+    formulas(out, "derived", claim.derived.as_slice())?;
+    formulas(out, "difference", claim.difference.as_slice())?;
     if let Some(found) = &claim.witness {
-        witness(out, found, claim.denied.as_deref())?;
+        witness(out, found, claim.denied.as_ref())?;
     }
     if !claim.steps.is_empty() {
-        let steps = claim.steps.join("; ");
-        writeln!(
-            out,
-            "<dt>steps</dt><dd class=\"steps\">{}.</dd>",
-            Prose(&steps)
-        )?;
+        let steps = Listed(&claim.steps);
+        writeln!(out, "<dt>steps</dt><dd class=\"steps\">{steps}.</dd>")?;
     }
-    text(out, "found", claim.finding.as_deref())?;
-    text(out, "copy at hand", claim.garbled.as_deref())?;
-    text(out, "note", claim.note.as_deref())?;
+    text(out, "copy at hand", claim.garbled.as_ref())?;
+    text(out, "note", claim.note.as_ref())?;
     rests(out, &claim.rests)?;
     references(out, "rests on", &claim.uses)?;
     references(out, "used by", &claim.used_by)?;
@@ -93,61 +104,56 @@ pub(super) fn write(
     }
     writeln!(
         out,
-        "<dt>reproduce</dt><dd><code>{}</code></dd>\n</dl>",
-        Text(&claim.command)
+        "<dt>reproduce</dt><dd>{}</dd>\n</dl>",
+        Code(&claim.command)
     )?;
     for figure in &claim.figures {
         page.figure(out, *figure)?;
     }
-    out.push_str("</article>\n");
+    out.push_str("</details></article>\n");
     Ok(())
 }
 
-fn text(out: &mut String, name: &str, text: Option<&str>) -> fmt::Result {
+fn text(out: &mut String, name: &str, text: Option<&Prose>) -> fmt::Result {
     match text {
-        Some(text) => writeln!(out, "<dt>{name}</dt><dd>{}</dd>", Prose(text)),
+        Some(text) => writeln!(out, "<dt>{name}</dt><dd>{}</dd>", Sentence(text)),
         None => Ok(()),
     }
 }
 
-fn formulas(
-    out: &mut String,
-    page: &Page<'_>,
-    name: &str,
-    formulas: &[FormulaView],
-) -> fmt::Result {
+fn formulas(out: &mut String, name: &str, formulas: &[FormulaView]) -> fmt::Result {
     if formulas.is_empty() {
         return Ok(());
     }
     write!(out, "<dt>{name}</dt><dd>")?;
-    for formula in formulas {
-        page.formula(out, formula)?;
+    for view in formulas {
+        formula(out, view)?;
     }
     out.push_str("</dd>\n");
     Ok(())
 }
 
 /// What the sentence may mean, and what is true of each.
-fn readings(out: &mut String, page: &Page<'_>, readings: &[ReadingView]) -> fmt::Result {
+fn readings(out: &mut String, readings: &[ReadingView]) -> fmt::Result {
     for reading in readings {
         writeln!(
             out,
             "<dt>read as</dt><dd class=\"reading\"><p><em>{}</em>: {} {}</p>",
-            Text(&reading.name),
-            Prose(&reading.says),
+            Sentence(&reading.name),
+            Sentence(&reading.says),
             badge(reading.verdict)
         )?;
-        for formula in reading.parsed.iter() {
-            page.formula(out, formula)?;
+        for view in reading.parsed.iter() {
+            formula(out, view)?;
         }
         for (label, list) in [("assuming", &reading.assumed), ("if", &reading.conditions)] {
-            for formula in list {
+            for view in list {
                 write!(out, "{label} ")?;
-                page.formula(out, formula)?;
+                formula(out, view)?;
             }
         }
         if let Some(point) = &reading.fails_at {
-            write!(out, "<p>{}.</p>", Prose(point))?;
+            write!(out, "<p>It is refuted: {}.</p>", Sentence(point))?;
         }
         small_print(out, &reading.rests)?;
         out.push_str("</dd>\n");
@@ -156,7 +162,7 @@ fn readings(out: &mut String, page: &Page<'_>, readings: &[ReadingView]) -> fmt:
 }
 
 /// What the statement rests on.
-fn rests(out: &mut String, groups: &[Rests]) -> fmt::Result {
+fn rests(out: &mut String, groups: &[RestsView]) -> fmt::Result {
     if groups.is_empty() {
         return Ok(());
     }
@@ -166,73 +172,65 @@ fn rests(out: &mut String, groups: &[Rests]) -> fmt::Result {
     Ok(())
 }
 
-fn small_print(out: &mut String, groups: &[Rests]) -> fmt::Result {
+fn small_print(out: &mut String, groups: &[RestsView]) -> fmt::Result {
     if groups.is_empty() {
         return Ok(());
     }
     out.push_str("<div class=\"rests\">");
-    for Rests { label, lines } in groups {
+    for RestsView { label, lines } in groups {
         write!(out, "<p>{label} ")?;
-        for (position, line) in lines.iter().enumerate() {
-            let separator = if position > 0 { "; " } else { "" };
-            write!(out, "{separator}<code>{}</code>", Text(line))?;
-        }
-        out.push_str("</p>");
+        write!(out, "{}</p>", Listed(lines))?;
     }
     out.push_str("</div>");
     Ok(())
 }
 
-fn correction(out: &mut String, page: &Page<'_>, repair: &CorrectionView) -> fmt::Result {
-    out.push_str("<dt>corrected</dt><dd class=\"corrected\">");
-    page.formula(out, &repair.statement)?;
-    out.push_str("<p class=\"marked\"><code>");
-    for Stretch { change, text } in &repair.marked {
-        match change {
-            Change::Kept => write!(out, "{}", Text(text))?,
-            Change::Removed => write!(out, "<del>{}</del>", Text(text))?,
-            Change::Added => write!(out, "<ins>{}</ins>", Text(text))?,
-        }
+/// The printed statement beside the corrected one, stacked where the page is narrow.
+pub(super) fn correction(out: &mut String, repair: &CorrectionView) -> fmt::Result {
+    out.push_str("<div class=\"sides\">");
+    if let Some(printed) = &repair.printed {
+        out.push_str("<div><span class=\"side\">as printed</span>");
+        formula(out, printed)?;
+        out.push_str("</div>");
     }
-    let others = if repair.unique {
-        "No other repair as small was found."
-    } else {
-        "Other repairs as small exist."
+    out.push_str("<div><span class=\"side\">to be read</span>");
+    formula(out, &repair.statement)?;
+    let others = match repair.unique {
+        true => "No other repair as small was found.",
+        false => "Other repairs as small exist.",
     };
-    writeln!(
+    write!(
         out,
-        "</code></p><p><strong>Changed:</strong> {}. {others}</p></dd>",
-        Prose(&repair.edits.join("; "))
+        "</div></div><p><strong>Changed:</strong> {}. {others}</p>",
+        Listed(&repair.edits)
     )
 }
 
-fn witness(out: &mut String, witness: &Witness, denied: Option<&str>) -> fmt::Result {
+fn witness(out: &mut String, witness: &WitnessView, denied: Option<&Prose>) -> fmt::Result {
     out.push_str("<dt>witness</dt><dd class=\"scroll\" tabindex=\"0\">");
     if let Some(denied) = denied {
-        write!(out, "<p>{}, for instance:</p>", Text(denied))?;
+        write!(out, "<p>{}, for instance:</p>", Sentence(denied))?;
     }
-    out.push_str("<table class=\"witness\"><thead><tr><td></td><th scope=\"col\">exact</th><th scope=\"col\">enclosed by</th></tr></thead><tbody>");
-    for (name, value) in &witness.at {
-        write!(
-            out,
-            "<tr><th scope=\"row\"><code>{}</code></th><td><code>{}</code></td><td></td></tr>",
-            Text(name),
-            Text(value)
-        )?;
+    if !witness.at.is_empty() {
+        out.push_str("<ul class=\"point\">");
+        for equation in &witness.at {
+            write!(out, "<li>{}</li>", Sentence(equation))?;
+        }
+        out.push_str("</ul>");
     }
-    let left = (&witness.left, &witness.left_decimal);
-    let right = (&witness.right, &witness.right_decimal);
-    let sides = match left == right {
-        true => vec![("equal sides", left)],
-        false => vec![("left side", left), ("right side", right)],
-    };
-    for (name, (exact, decimal)) in sides {
-        write!(
-            out,
-            "<tr><th scope=\"row\">{name}</th><td><code>{}</code></td><td><code>{}</code></td></tr>",
-            Text(exact),
-            Text(decimal)
-        )?;
+    let decimals = witness.sides.iter().any(|side| !side.decimal.is_empty());
+    out.push_str("<table class=\"witness\">");
+    if decimals {
+        out.push_str("<thead><tr><td></td><th scope=\"col\">exact</th><th scope=\"col\">decimal</th></tr></thead>");
+    }
+    out.push_str("<tbody>");
+    for side in &witness.sides {
+        let (label, exact) = (side.label, Sentence(&side.exact));
+        write!(out, "<tr><th scope=\"row\">{label}</th><td>{exact}</td>")?;
+        if decimals {
+            write!(out, "<td>{}</td>", Text(&side.decimal))?;
+        }
+        out.push_str("</tr>");
     }
     out.push_str("</tbody></table></dd>\n");
     Ok(())
@@ -251,7 +249,7 @@ fn consequences(
     for consequence in consequences {
         out.push_str("<li>");
         mention(out, &consequence.claim)?;
-        write!(out, " {}", consequence.fate)?;
+        write!(out, " {}", Sentence(&consequence.fate))?;
         if let Some(through) = &consequence.through {
             out.push_str(" (rests on ");
             mention(out, through)?;

@@ -1,7 +1,6 @@
 //! One self-contained page for a browser.
 //!
-//! The page is laid out here rather than by the typesetter's own HTML export, which has no say over
-//! anchors, filter attributes and disclosure; only the formulas are the typesetter's ([`crate::mathml`]).
+//! Three depths: what a reader must know in a minute, the corrections, and every claim, closed until it is asked for.
 //! Style, script and pictures are inside of the page, and its content policy forbids any other source.
 //! Without the script it is a complete report; the script adds filter, search and keys.
 
@@ -9,12 +8,13 @@ mod claim;
 mod moving;
 mod overview;
 mod picture;
+mod text;
 
-use crate::model::{FormulaView, Report};
+use crate::model::Report;
 use crate::words::{self, KINDS, Term};
-use crate::{FigureImage, ReportError, mathml};
+use crate::{FigureImage, ReportError};
 use std::fmt::{self, Write};
-use torse_verdicts::outcome::PaperOutcome;
+use text::{Listed, Sentence, Text, badge};
 
 const STYLE: &str = include_str!("../../assets/page.css");
 const SCRIPT: &str = include_str!("../../assets/page.js");
@@ -23,21 +23,20 @@ const MOVING: &str = include_str!("../../assets/moving.js");
 /// The report of one paper as one HTML file, with its pictures inside.
 ///
 /// Each claim is an `article` with an `id` to link to and with `data-verdict`, `data-kind`,
-/// `data-evidence` and `data-section` to filter by. A formula that cannot be set is shown as plain text.
+/// `data-evidence` and `data-section` to filter by. A formula that cannot be read is shown as code. `figures` are those
+/// that the report was made with.
 ///
 /// # Errors
 ///
-/// [`ReportError::Typeset`] or [`ReportError::Formulas`] when the formulas cannot be written as MathML.
-pub fn html_page(paper: &PaperOutcome, figures: &[FigureImage]) -> Result<String, ReportError> {
-    let report = Report::new(paper, figures);
-    let math = mathml::set(&report.formulas)?;
+/// [`ReportError::Label`] for a label of a picture that does not parse; [`ReportError::Typeset`] when a string refuses to
+/// be written to, which memory does not do.
+pub fn html_page(report: &Report, figures: &[FigureImage]) -> Result<String, ReportError> {
     let page = Page {
-        report: &report,
-        math: &math.formulas,
+        report,
         pictures: figures.iter().map(picture).collect::<Result<_, _>>()?,
     };
     let mut html = String::new();
-    page.write(&mut html, &math.style)
+    page.write(&mut html)
         .map_err(|fmt::Error| ReportError::Typeset {
             document: "the HTML page",
             messages: vec!["a string refused to be written to".to_owned()],
@@ -60,22 +59,21 @@ fn picture(figure: &FigureImage) -> Result<PagePicture, ReportError> {
     })
 }
 
-/// The report with what the page needs besides: formulas as MathML and pictures as addresses.
+/// The report with what the page needs besides: pictures as addresses.
 struct Page<'a> {
     report: &'a Report,
-    math: &'a [Option<String>],
     pictures: Vec<PagePicture>,
 }
 
 impl Page<'_> {
-    fn write(&self, out: &mut String, math_style: &str) -> fmt::Result {
+    fn write(&self, out: &mut String) -> fmt::Result {
         let title = Text(&self.report.title);
         write!(
             out,
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n\
-             <title>Verification report: {title}</title>\n<style>\n{math_style}\n{STYLE}</style>\n</head>\n<body>\n\
+             <title>Verification report: {title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
              <a class=\"skip\" href=\"#claims\">Skip to the claims</a>\n\
              <header class=\"masthead\">\n<p class=\"kicker\">Verification report</p>\n<h1>{title}</h1>\n\
              <p class=\"meta\">{}</p>\n<p class=\"meta\"><em>{}</em></p>\n</header>\n<main>\n",
@@ -83,13 +81,14 @@ impl Page<'_> {
             Text(&self.report.venue),
         )?;
         overview::write(out, self.report)?;
+        out.push_str("<h2 id=\"every-claim\">Every claim</h2>\n");
         self.tools(out)?;
-        out.push_str("<div id=\"claims\">\n");
+        out.push_str("<div id=\"claims\">\n<p id=\"nothing\" hidden>No claim matches. <button type=\"button\" id=\"all\">Show all</button></p>\n");
         for section in &self.report.sections {
             let (anchor, heading) = (&section.anchor, Text(&section.title));
             writeln!(
                 out,
-                "<section id=\"{anchor}\" data-section>\n<h2>{heading}</h2>"
+                "<section id=\"{anchor}\" data-section>\n<h3 class=\"section\">{heading}</h3>"
             )?;
             for claim in &section.claims {
                 claim::write(out, self, claim, anchor)?;
@@ -103,7 +102,7 @@ impl Page<'_> {
                 self.figure(out, *position)?;
             }
         }
-        overview::write_glossary(out)?;
+        overview::write_appendix(out, self.report)?;
         write!(
             out,
             "</main>\n<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
@@ -145,23 +144,15 @@ impl Page<'_> {
             } = row.verdict;
             writeln!(
                 out,
-                "<button class=\"chip v-{key}\" type=\"button\" value=\"{key}\" aria-pressed=\"true\" title=\"{}\">{label} {}</button>",
+                "<button class=\"chip v-{key}\" type=\"button\" value=\"{key}\" aria-pressed=\"false\" title=\"{}\">{label} {}</button>",
                 Text(meaning),
                 row.count
             )?;
         }
         out.push_str(
-            "<button id=\"reset\" type=\"button\">Show all</button>\n<span id=\"shown\" role=\"status\"></span>\n</div>\n</div>\n",
+            "<button id=\"reset\" type=\"button\">Show all</button> <button id=\"unfold\" type=\"button\" aria-pressed=\"false\">Open all</button>\n<span id=\"shown\" role=\"status\"></span>\n</div>\n</div>\n",
         );
         Ok(())
-    }
-
-    /// A formula as MathML, or as plain text where it cannot be set.
-    fn formula(&self, out: &mut String, formula: &FormulaView) -> fmt::Result {
-        match self.math.get(formula.math).and_then(Option::as_ref) {
-            Some(math) => write!(out, "<div class=\"math\" tabindex=\"0\">{math}</div>"),
-            None => write!(out, "<code class=\"plain\">{}</code>", Text(&formula.text)),
-        }
     }
 
     fn figure(&self, out: &mut String, position: usize) -> fmt::Result {
@@ -188,7 +179,7 @@ impl Page<'_> {
             out,
             "<figcaption>Figure {}. {} <span class=\"provenance\">{}",
             position + 1,
-            Text(&figure.caption),
+            Sentence(&figure.caption),
             badge(figure.verdict),
         )?;
         let lists = [
@@ -197,59 +188,10 @@ impl Page<'_> {
         ];
         for (name, list) in lists {
             if !list.is_empty() {
-                write!(
-                    out,
-                    " <strong>{name}:</strong> {}.",
-                    Prose(&list.join("; "))
-                )?;
+                write!(out, " <strong>{name}:</strong> {}.", Listed(list))?;
             }
         }
         out.push_str("</span></figcaption></figure>\n");
-        Ok(())
-    }
-}
-
-/// A verdict as a coloured word.
-fn badge(verdict: Term) -> String {
-    format!(
-        "<span class=\"badge v-{}\">{}</span>",
-        verdict.key, verdict.label
-    )
-}
-
-/// Text in which stretches between backticks are code.
-struct Prose<'a>(&'a str);
-
-impl fmt::Display for Prose<'_> {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.0.matches('`').count() % 2 == 1 {
-            return Text(self.0).fmt(out);
-        }
-        for (number, part) in self.0.split('`').enumerate() {
-            match number % 2 {
-                0 => Text(part).fmt(out)?,
-                _ => write!(out, "<code>{}</code>", Text(part))?,
-            }
-        }
-        Ok(())
-    }
-}
-
-/// A string as text of the page, in an element or in a quoted attribute: never markup.
-struct Text<'a>(&'a str);
-
-impl fmt::Display for Text<'_> {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for character in self.0.chars() {
-            match character {
-                '&' => out.write_str("&amp;")?,
-                '<' => out.write_str("&lt;")?,
-                '>' => out.write_str("&gt;")?,
-                '"' => out.write_str("&quot;")?,
-                '\'' => out.write_str("&#39;")?,
-                _ => out.write_char(character)?,
-            }
-        }
         Ok(())
     }
 }

@@ -1,21 +1,22 @@
-//! The head of the page, counts and findings, and its end, what the words mean.
+//! The head of the page, what a reader must know in a minute and what is to be corrected, and its end: conditions, counts,
+//! what the words mean.
 
-use super::{Prose, Text, badge};
+use super::claim::correction;
+use super::text::{Sentence, Text, badge, formula};
 use crate::Tally;
+use crate::corrections::Corrected;
+use crate::findings::Finding;
 use crate::model::Report;
-use crate::words::{self, EVIDENCE, RULES, VERDICTS};
+use crate::usable::{Answer, Construction};
+use crate::words::{self, EVIDENCE, KERNEL, NETTED, RULES, VERDICTS};
 use std::fmt::{self, Write};
 
-/// What the report is, the counts, and what was found.
+/// In short, whether the paper can be used, and the corrections.
 pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
-    writeln!(
-        out,
-        "<p>This report says, for each of {} statements taken from the paper, what is true of it as printed (the \
-         <em>verdict</em>) and what that answer rests on (the <em>evidence</em>). Verdicts are computed, never typed: \
-         equalities are decided by exact algebra, inequalities and decimals by certified enclosures, and a statement is \
-         called false only with an exact counterexample. <a href=\"#words\">What the words mean.</a></p>",
-        report.tally.total
-    )?;
+    out.push_str(
+        "<nav class=\"depths\" aria-label=\"Parts\"><a href=\"#in-short\">In short</a> <a href=\"#corrections\">Corrections</a> \
+         <a href=\"#every-claim\">Every claim</a> <a href=\"#words\">What the words mean</a></nav>\n",
+    );
     if report.unexpected > 0 {
         writeln!(
             out,
@@ -23,26 +24,175 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
             report.unexpected
         )?;
     }
-    tally(out, &report.tally)?;
-    out.push_str("<h2>Findings</h2>\n");
-    if report.findings.is_empty() {
-        out.push_str("<p>Nothing was refuted, and nothing was left undecided.</p>\n");
-        return Ok(());
+    in_short(out, report)?;
+    usable(out, &report.constructions)?;
+    corrections(out, &report.corrections)?;
+    let others: Vec<&Finding> = (report.findings.iter())
+        .filter(|finding| !matches!(finding.verdict.key, "false" | "misprint"))
+        .collect();
+    findings(out, &others)
+}
+
+fn in_short(out: &mut String, report: &Report) -> fmt::Result {
+    let short = &report.short;
+    writeln!(
+        out,
+        "<section id=\"in-short\" class=\"short\"><h2>In short</h2>\n<p>{}</p>\n<ol>",
+        Text(&short.counts)
+    )?;
+    for point in &short.points {
+        let finding = &point.finding;
+        write!(
+            out,
+            "<li><strong>{}</strong>: {} <span class=\"meta\">{} <a href=\"#{}\"><code>{}</code></a></span>",
+            Text(&finding.at),
+            Sentence(&finding.text),
+            Text(&point.consequence),
+            finding.anchor,
+            Text(&finding.name),
+        )?;
+        if let Some(view) = &point.formula {
+            write!(
+                out,
+                "<div class=\"display\"><span class=\"side\">{}</span>",
+                point.label
+            )?;
+            formula(out, view)?;
+            out.push_str("</div>");
+        }
+        out.push_str("</li>\n");
     }
-    out.push_str("<ul class=\"findings\">\n");
-    for finding in &report.findings {
+    out.push_str("</ol>\n");
+    if let Some(rest) = &short.rest {
         writeln!(
             out,
-            "<li>{}<div><a href=\"#{}\"><code>{}</code></a> <span class=\"meta\">{}</span><br><q>{}</q><br>{}</div></li>",
+            "<p>{rest} All are under <a href=\"#corrections\">Corrections</a>.</p>"
+        )?;
+    }
+    out.push_str("</section>\n");
+    Ok(())
+}
+
+fn usable(out: &mut String, constructions: &[Construction]) -> fmt::Result {
+    const ANSWERS: [Answer; 6] = [
+        Answer::AsPrinted,
+        Answer::UnderCondition,
+        Answer::InOneReading,
+        Answer::Corrected,
+        Answer::Not,
+        Answer::Open,
+    ];
+    if constructions.is_empty() {
+        return Ok(());
+    }
+    out.push_str("<h2 id=\"usable\">Can I use this paper?</h2>\n<table class=\"usable\"><tbody>\n");
+    for answer in ANSWERS {
+        let group: Vec<&Construction> = constructions
+            .iter()
+            .filter(|of| of.answer == answer)
+            .collect();
+        if group.is_empty() {
+            continue;
+        }
+        write!(out, "<tr><th scope=\"row\">{}</th><td>", answer.label())?;
+        for (number, of) in group.iter().enumerate() {
+            let comma = if number > 0 { ", " } else { "" };
+            write!(
+                out,
+                "{comma}<a href=\"#{}\">{}</a>",
+                of.anchor,
+                Text(&of.name)
+            )?;
+            if matches!(answer, Answer::Corrected | Answer::Not) {
+                out.push_str(" <span class=\"meta\">(");
+                for (number, because) in of.because.iter().enumerate() {
+                    let comma = if number > 0 { ", " } else { "" };
+                    let (anchor, name) = (&because.anchor, Text(&because.name));
+                    write!(out, "{comma}<a href=\"#{anchor}\"><code>{name}</code></a>")?;
+                }
+                out.push_str(")</span>");
+            }
+        }
+        out.push_str("</td></tr>\n");
+    }
+    out.push_str("</tbody></table>\n");
+    Ok(())
+}
+
+fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
+    out.push_str("<section id=\"corrections\" class=\"corrections\"><h2>Corrections</h2>\n");
+    if list.is_empty() {
+        out.push_str("<p>No statement was found false as printed.</p></section>\n");
+        return Ok(());
+    }
+    out.push_str("<p>What is false as printed, and what is to be read instead; what most rests on comes first. Struck out is what goes, underlined what comes.</p>\n<ol>");
+    for one in list {
+        let finding = &one.finding;
+        writeln!(
+            out,
+            "<li><p class=\"place\"><strong>{}</strong> <a href=\"#{}\"><code>{}</code></a> {}</p>",
+            Text(&finding.at),
+            finding.anchor,
+            Text(&finding.name),
+            badge(finding.verdict),
+        )?;
+        match &one.correction {
+            Some(repair) => correction(out, repair)?,
+            None => write!(
+                out,
+                "<blockquote class=\"printed v-{}\">{}</blockquote>",
+                finding.verdict.key,
+                Sentence(&finding.printed)
+            )?,
+        }
+        write!(out, "<p>{}", Sentence(&finding.text))?;
+        if let (Some(_), Some(why)) = (&one.correction, &one.why) {
+            write!(out, " {}.", Sentence(why))?;
+        }
+        if let Some(garbled) = &one.garbled {
+            write!(
+                out,
+                " <em>It may be a slip of the copy at hand:</em> {}",
+                Sentence(garbled)
+            )?;
+        }
+        let resting = match (one.resting, one.falling) {
+            (0, _) => "Nothing else rests on it.".to_owned(),
+            (resting, 0) => format!("Statements that rest on it: {resting}; none falls."),
+            (resting, falling) => {
+                format!("Statements that rest on it: {resting}; falling: {falling}.")
+            }
+        };
+        let level = one
+            .level
+            .map_or(String::new(), |level| format!(" Checked: {}.", level.label));
+        writeln!(out, "</p><p class=\"meta\">{resting}{level}</p></li>")?;
+    }
+    out.push_str("</ol></section>\n");
+    Ok(())
+}
+
+fn findings(out: &mut String, findings: &[&Finding]) -> fmt::Result {
+    if findings.is_empty() {
+        return Ok(());
+    }
+    write!(
+        out,
+        "<details class=\"more\"><summary><h2>Conditions that are not printed, and open points ({})</h2></summary>\n<ul class=\"findings\">\n",
+        findings.len()
+    )?;
+    for finding in findings {
+        writeln!(
+            out,
+            "<li>{}<div><a href=\"#{}\"><code>{}</code></a> <span class=\"meta\">{}</span><br>{}</div></li>",
             badge(finding.verdict),
             finding.anchor,
             Text(&finding.name),
             Text(&finding.at),
-            Text(&finding.printed),
-            Prose(&finding.text),
+            Sentence(&finding.text),
         )?;
     }
-    out.push_str("</ul>\n");
+    out.push_str("</ul></details>\n");
     Ok(())
 }
 
@@ -86,8 +236,17 @@ fn tally(out: &mut String, tally: &Tally) -> fmt::Result {
     Ok(())
 }
 
-/// What the words mean, and the rules relied on.
-pub(super) fn write_glossary(out: &mut String) -> fmt::Result {
+/// The counts, what the words mean, and the rules relied on.
+pub(super) fn write_appendix(out: &mut String, report: &Report) -> fmt::Result {
+    if !report.notation.is_empty() {
+        out.push_str("<details class=\"more\"><summary><h2 id=\"notation\">Notation that statements share</h2></summary>\n<ul class=\"rests\">\n");
+        for line in &report.notation {
+            writeln!(out, "<li>{}</li>", Sentence(line))?;
+        }
+        out.push_str("</ul></details>\n");
+    }
+    out.push_str("<h2>Counts</h2>\n");
+    tally(out, &report.tally)?;
     out.push_str("<h2 id=\"words\">What the words mean</h2>\n<h3>Verdicts</h3>\n<div class=\"scroll\" tabindex=\"0\"><table>\n");
     for term in VERDICTS.into_iter().map(words::verdict) {
         writeln!(
@@ -101,6 +260,15 @@ pub(super) fn write_glossary(out: &mut String) -> fmt::Result {
         "</table></div>\n<h3>Evidence</h3>\n<div class=\"scroll\" tabindex=\"0\"><table>\n",
     );
     for term in EVIDENCE.into_iter().map(words::evidence) {
+        writeln!(
+            out,
+            "<tr><th scope=\"row\"><em>{}</em></th><td>{}</td></tr>",
+            term.label,
+            Text(term.meaning)
+        )?;
+    }
+    out.push_str("</table></div>\n<h3>Levels of assurance</h3>\n<div class=\"scroll\" tabindex=\"0\"><table>\n");
+    for term in [KERNEL, NETTED] {
         writeln!(
             out,
             "<tr><th scope=\"row\"><em>{}</em></th><td>{}</td></tr>",

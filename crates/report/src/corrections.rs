@@ -1,0 +1,106 @@
+//! What is false as printed, and what is to be read instead, in the order of what rests on it.
+
+use crate::findings::{self, Finding};
+use crate::math::{Names, Prose, spans};
+use crate::model::{CorrectionView, FormulaView, correction, formula};
+use crate::sentence;
+use crate::text::visible;
+use crate::words::{self, Term};
+use serde::Serialize;
+use std::collections::BTreeSet;
+use torse_language::words::{Kind, Verdict};
+use torse_verdicts::consequences::{Fate, consequences};
+use torse_verdicts::outcome::Outcome;
+
+/// A statement that is false as printed.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Corrected {
+    /// Which it is, what is printed, and what was found.
+    pub finding: Finding,
+    /// What is to be read instead, where a correction or a true form is proved.
+    pub correction: Option<CorrectionView>,
+    /// The statement as understood, where there is no correction.
+    pub stated: Option<FormulaView>,
+    /// Where it fails, and by how much.
+    pub why: Option<Prose>,
+    /// What in it may be a confusion of the copy at hand.
+    pub garbled: Option<Prose>,
+    /// How the verdict was checked.
+    pub level: Option<Term>,
+    /// How many statements rest on it.
+    pub resting: usize,
+    /// How many of them fall.
+    pub falling: usize,
+}
+
+/// Whether a claim of the paper is false as printed.
+pub(crate) fn is_refuted(claim: &Outcome) -> bool {
+    matches!(claim.verdict, Verdict::False | Verdict::Misprint) && claim.kind != Kind::Remark
+}
+
+/// How many statements rest on a claim, and how many of them fall.
+pub(crate) fn weight(claim: &Outcome, all: &[&Outcome]) -> (usize, usize) {
+    let resting = consequences(&claim.id, all);
+    let falling = resting.iter().filter(|of| of.fate == Fate::Falls).count();
+    (resting.len(), falling)
+}
+
+/// The positions of the refuted claims: what most rests on first; what may be a confusion of the copy last.
+pub(crate) fn ranked(claims: &[Outcome]) -> Vec<(usize, (usize, usize))> {
+    let all: Vec<&Outcome> = claims.iter().collect();
+    let refuted = claims.iter().enumerate();
+    let refuted = refuted.filter(|(_, claim)| is_refuted(claim));
+    let mut list: Vec<_> = refuted
+        .map(|(position, claim)| {
+            let weight = weight(claim, &all);
+            (position, weight, rank(claim), claim.garbled.is_some())
+        })
+        .collect();
+    list.sort_by_key(|(position, weight, rank, garbled)| {
+        (*garbled, std::cmp::Reverse(weight.0), *rank, *position)
+    });
+    list.into_iter()
+        .map(|(position, weight, ..)| (position, weight))
+        .collect()
+}
+
+/// Of statements on which as much rests, theorems and formulas come before remarks.
+fn rank(claim: &Outcome) -> usize {
+    let named = ["Theorem", "Proposition", "Algorithm"];
+    let named = named.iter().any(|word| claim.at.contains(word)) && !claim.at.contains("proof of");
+    match claim.kind {
+        _ if named => 0,
+        Kind::Construction | Kind::Property | Kind::Identity | Kind::Inequality => 1,
+        Kind::Value | Kind::Definition => 2,
+        _ => 3,
+    }
+}
+
+/// The corrections of a paper.
+pub(crate) fn of(
+    claims: &[Outcome],
+    anchors: &[String],
+    accepted: &BTreeSet<String>,
+) -> Vec<Corrected> {
+    let view = |(position, (resting, falling)): (usize, (usize, usize))| {
+        let claim = claims.get(position)?;
+        let names = Names::of(claim);
+        let prose = |text: &str| spans(&visible(text), &names);
+        let parsed = claim.parsed.as_ref();
+        Some(Corrected {
+            finding: findings::about(claim, anchors.get(position)?),
+            correction: (claim.correction.as_ref())
+                .map(|repair| correction(parsed, repair, &names)),
+            stated: match claim.correction {
+                Some(_) => None,
+                None => parsed.map(|of| formula(of, &names)),
+            },
+            why: sentence::failure(claim).map(|text| prose(&text)),
+            garbled: claim.garbled.as_deref().map(prose),
+            level: words::level(claim, accepted.contains(&claim.id)),
+            resting,
+            falling,
+        })
+    };
+    ranked(claims).into_iter().filter_map(view).collect()
+}

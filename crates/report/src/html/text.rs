@@ -1,0 +1,89 @@
+//! Words and formulas as text of the page: never markup.
+
+use crate::math::{Prose, Span};
+use crate::model::FormulaView;
+use crate::words::Term;
+use std::fmt::{self, Write};
+
+/// A verdict as a coloured word; its mark is in the style.
+pub(super) fn badge(verdict: Term) -> String {
+    format!(
+        "<span class=\"badge v-{}\" title=\"{}\">{}</span>",
+        verdict.key,
+        Text(verdict.meaning),
+        verdict.label
+    )
+}
+
+/// A formula on lines of its own, or as code where it cannot be read.
+pub(super) fn formula(out: &mut String, view: &FormulaView) -> fmt::Result {
+    match &view.math {
+        Some(math) => {
+            write!(
+                out,
+                "<div class=\"math\" tabindex=\"0\">{}</div>",
+                math.mathml.concat()
+            )
+        }
+        None => write!(out, "<code class=\"plain\">{}</code>", Text(&view.text)),
+    }
+}
+
+/// A sentence with its formulas.
+pub(super) struct Sentence<'a>(pub(super) &'a Prose);
+
+impl fmt::Display for Sentence<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for span in self.0 {
+            match span {
+                Span::Words(text) => Text(text).fmt(out)?,
+                Span::Code(text) => Code(text).fmt(out)?,
+                Span::Math(math) => out.write_str(&math.mathml.concat())?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Sentences with semicolons between.
+pub(super) struct Listed<'a>(pub(super) &'a [Prose]);
+
+impl fmt::Display for Listed<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (number, sentence) in self.0.iter().enumerate() {
+            if number > 0 {
+                out.write_str("; ")?;
+            }
+            Sentence(sentence).fmt(out)?;
+        }
+        Ok(())
+    }
+}
+
+/// What is typed as it stands.
+pub(super) struct Code<'a>(pub(super) &'a str);
+
+impl fmt::Display for Code<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "<code>{}</code>", Text(self.0))
+    }
+}
+
+/// A string as text of the page, in an element or in a quoted attribute: never markup.
+pub(super) struct Text<'a>(pub(super) &'a str);
+
+impl fmt::Display for Text<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for character in self.0.chars() {
+            match character {
+                '&' => out.write_str("&amp;")?,
+                '<' => out.write_str("&lt;")?,
+                '>' => out.write_str("&gt;")?,
+                '"' => out.write_str("&quot;")?,
+                '\'' => out.write_str("&#39;")?,
+                _ => out.write_char(character)?,
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,317 @@
+//! The little LaTeX that files write between dollar signs, and that prints quote: letters, scripts, Greek, signs.
+//!
+//! Anything is read: a command that is not known loses its backslash, a bracket without a partner is a sign.
+
+use super::names::{by_rule, greek, is_function};
+use super::node::{Face, Fence, Node};
+
+/// What stands between dollar signs as boxes; none where there is anything else.
+pub(super) fn dollars(text: &str) -> Option<Node> {
+    let inner = text.trim().strip_prefix('$')?.strip_suffix('$')?;
+    (!inner.contains('$')).then(|| boxes(inner))
+}
+
+/// Mathematics as boxes.
+pub(super) fn boxes(text: &str) -> Node {
+    let mut reader = Reader {
+        rest: text,
+        depth: 0,
+    };
+    reader.row(None)
+}
+
+/// More brackets than this within each other are left as signs.
+const DEEPEST: usize = 40;
+
+struct Reader<'a> {
+    rest: &'a str,
+    depth: usize,
+}
+
+impl<'a> Reader<'a> {
+    fn next(&mut self) -> Option<char> {
+        let next = self.rest.chars().next()?;
+        self.rest = self.rest.get(next.len_utf8()..).unwrap_or_default();
+        Some(next)
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest.chars().next()
+    }
+
+    fn take(&mut self, keep: impl Fn(char) -> bool) -> &'a str {
+        let end = self.rest.find(|c| !keep(c)).unwrap_or(self.rest.len());
+        let (taken, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        taken
+    }
+
+    /// Boxes up to the closing bracket, which is taken, or the end.
+    fn row(&mut self, closing: Option<char>) -> Node {
+        let mut nodes: Vec<Node> = Vec::new();
+        while let Some(next) = self.peek() {
+            if Some(next) == closing {
+                self.next();
+                break;
+            }
+            match next {
+                '_' | '^' => {
+                    self.next();
+                    let script = self.script();
+                    let base = nodes.pop().unwrap_or(Node::Row(vec![]));
+                    nodes.push(match next {
+                        '_' => base.scripted(0, Some(script), None),
+                        _ => base.scripted(0, None, Some(script)),
+                    });
+                }
+                '~' if nodes
+                    .last()
+                    .is_some_and(|node| matches!(node, Node::Letter(..))) =>
+                {
+                    self.next();
+                    let base = nodes.pop().unwrap_or(Node::Row(vec![]));
+                    nodes.push(Node::Accent('~', Box::new(base)));
+                }
+                '\'' | '′' => {
+                    let primes = self.take(|c| matches!(c, '\'' | '′')).chars().count();
+                    let base = nodes.pop().unwrap_or(Node::Row(vec![]));
+                    nodes.push(base.scripted(primes, None, None));
+                }
+                _ => nodes.extend(self.one()),
+            }
+        }
+        Node::row(nodes)
+    }
+
+    /// What stands in a script: a group, a command, a number or a letter.
+    fn script(&mut self) -> Node {
+        match self.peek() {
+            Some('{') => {
+                self.next();
+                self.group('}')
+            }
+            Some(c) if c.is_ascii_digit() => {
+                Node::Number(self.take(|c| c.is_ascii_digit()).to_owned())
+            }
+            Some(_) => self.one().unwrap_or(Node::Row(vec![])),
+            None => Node::Row(vec![]),
+        }
+    }
+
+    fn group(&mut self, closing: char) -> Node {
+        if self.depth >= DEEPEST {
+            return Node::Row(vec![]);
+        }
+        self.depth += 1;
+        let row = self.row(Some(closing));
+        self.depth -= 1;
+        row
+    }
+
+    fn argument(&mut self) -> Node {
+        self.take(|c| c == ' ');
+        self.script()
+    }
+
+    /// One box; none for a blank.
+    fn one(&mut self) -> Option<Node> {
+        let next = self.next()?;
+        let fence = |fence, inner: Node| Node::Fenced(fence, Box::new(inner));
+        Some(match next {
+            c if c.is_whitespace() => return None,
+            '\\' => return self.command(),
+            '{' => self.group('}'),
+            '(' if self.closes('(', ')') => fence(Fence::Round, self.group(')')),
+            '[' if self.closes('[', ']') => fence(Fence::Square, self.group(']')),
+            '√' => Node::Root(Box::new(self.argument())),
+            c if c.is_ascii_digit() => {
+                let more = self.take(|c| c.is_ascii_digit() || c == '.');
+                let digits = format!("{c}{more}");
+                // A full stop that ends the number is none of it.
+                match digits.trim_end_matches('.') {
+                    whole if whole.len() < digits.len() && !digits.ends_with("..") => {
+                        Node::row([Node::Number(whole.to_owned()), Node::Sign('.')])
+                    }
+                    whole if whole.len() < digits.len() => Node::Number(format!("{whole}…")),
+                    whole => Node::Number(whole.to_owned()),
+                }
+            }
+            c if c.is_ascii_alphabetic() => {
+                let more = self.take(|c| c.is_ascii_alphabetic());
+                return Some(self.letters(&format!("{c}{more}")));
+            }
+            c if c.is_alphanumeric() => Node::Letter(c.to_string(), Face::Italic),
+            '/' if matches!(self.peek(), Some('/' | '\\')) => match self.next() {
+                Some('/') => Node::Sign('∥'),
+                _ => Node::Sign('∧'),
+            },
+            '-' if self.peek() == Some('>') => {
+                self.next();
+                Node::Sign('→')
+            }
+            '<' | '>' | '!' | '=' if self.peek() == Some('=') => {
+                self.next();
+                Node::Sign(match next {
+                    '<' => '≤',
+                    '>' => '≥',
+                    '!' => '≠',
+                    _ => '=',
+                })
+            }
+            '-' => Node::Sign('−'),
+            '*' => Node::Sign('·'),
+            '~' => Node::Gap,
+            c => Node::Sign(c),
+        })
+    }
+
+    /// Whether the bracket that was just opened is closed.
+    fn closes(&self, open: char, close: char) -> bool {
+        let mut depth = 1_usize;
+        for c in self.rest.chars() {
+            if c == open {
+                depth += 1;
+            } else if c == close {
+                depth -= 1;
+                if depth == 0 {
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
+    /// Letters without a backslash: a known word, or letters side by side.
+    fn letters(&mut self, letters: &str) -> Node {
+        let root = letters == "sqrt" && self.peek() == Some('(');
+        if root {
+            self.next();
+            return Node::Root(Box::new(self.group(')')));
+        }
+        match letters {
+            "sum" => Node::Sign('∑'),
+            "infinity" => Node::Sign('∞'),
+            "and" | "or" | "not" | "for" | "with" | "in" | "det" | "span" => {
+                Node::row([Node::Gap, Node::word(letters), Node::Gap])
+            }
+            _ if greek(letters).is_some() || is_function(letters) => by_rule(letters),
+            // x1 is typed for x_1.
+            _ if letters.len() == 1 && self.peek().is_some_and(|c| c.is_ascii_digit()) => {
+                let digits = self.take(|c| c.is_ascii_digit());
+                by_rule(&format!("{letters}{digits}"))
+            }
+            _ if letters.len() <= 2 => {
+                Node::row(letters.chars().map(|c| Node::italic(&c.to_string())))
+            }
+            _ => Node::word(letters),
+        }
+    }
+
+    fn command(&mut self) -> Option<Node> {
+        let name = self.take(|c| c.is_ascii_alphabetic());
+        if name.is_empty() {
+            return match self.next()? {
+                ',' | ';' | ':' | ' ' | '!' => None,
+                c => Some(Node::Sign(c)),
+            };
+        }
+        let sign = |sign| Some(Node::Sign(sign));
+        match name {
+            "ne" | "neq" => sign('≠'),
+            "le" | "leq" => sign('≤'),
+            "ge" | "geq" => sign('≥'),
+            "cdot" => sign('⋅'),
+            "times" => sign('×'),
+            "infty" => sign('∞'),
+            "in" => sign('∈'),
+            "to" => sign('→'),
+            "approx" => sign('≈'),
+            "partial" => sign('∂'),
+            "dots" | "ldots" | "cdots" => sign('…'),
+            "sum" => sign('∑'),
+            "mathbf" | "mathrm" | "text" | "operatorname" => {
+                let face = match name {
+                    "mathbf" => Face::Bold,
+                    _ => Face::Upright,
+                };
+                Some(in_face(self.argument(), face))
+            }
+            "hat" | "widehat" => Some(Node::Accent('^', Box::new(self.argument()))),
+            "tilde" | "widetilde" => Some(Node::Accent('~', Box::new(self.argument()))),
+            "bar" | "overline" => Some(Node::Accent('¯', Box::new(self.argument()))),
+            "frac" | "tfrac" => {
+                let (above, below) = (self.argument(), self.argument());
+                Some(Node::Fraction(Box::new(above), Box::new(below)))
+            }
+            "sqrt" => Some(Node::Root(Box::new(self.argument()))),
+            "quad" | "qquad" => Some(Node::Gap),
+            "left" | "right" => None,
+            _ => Some(by_rule(name)),
+        }
+    }
+}
+
+/// The letters of the box in a face.
+fn in_face(node: Node, face: Face) -> Node {
+    match node {
+        Node::Letter(letter, _) => Node::Letter(letter, face),
+        // A word is one box.
+        Node::Row(nodes) => {
+            let letters = nodes.iter().map(|node| match node {
+                Node::Letter(letter, _) => Some(letter.as_str()),
+                _ => None,
+            });
+            match letters.collect::<Option<String>>() {
+                Some(word) => Node::Letter(word, face),
+                None => Node::Row(nodes.into_iter().map(|node| in_face(node, face)).collect()),
+            }
+        }
+        other => other,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::write::{latex, text, typst};
+    use super::*;
+
+    #[test]
+    fn what_files_write_between_dollar_signs_is_read() {
+        for (given, shown) in [
+            (r"$\mathbf{p}_0^u$", "p₀ᵘ"),
+            (r"$Q_{k-2,1}$", "Qₖ₋₂,₁"),
+            (r"$\tilde T^Z_{rotation}$", "T̃ᵣₒₜₐₜᵢₒₙᶻ"),
+            (r"$a'(x) \ne 0$", "a′(x) ≠ 0"),
+            (r"$-16 k^3 (k - 1)$", "−16k³(k − 1)"),
+            (r"$\frac{1}{2} \pi$", "1/2π"),
+        ] {
+            assert_eq!(text(&dollars(given).unwrap()), shown, "{given}");
+        }
+        assert!(dollars("x").is_none() && dollars("$x$ and $y$").is_none());
+    }
+
+    #[test]
+    fn what_is_read_can_be_written_in_every_language() {
+        let node = boxes(r"\mathbf{p}_0^u + \hat G(1)");
+        assert_eq!(typst(&node), "upright(bold(p))_0^u + hat(G) (1)");
+        assert_eq!(latex(&node), r"\mathbf{p}_0^u + \hat{G} (1)");
+    }
+
+    #[test]
+    fn anything_is_read() {
+        for text in [
+            "(",
+            ")(",
+            "\\",
+            "{{{",
+            "_^",
+            "x_{",
+            "√",
+            "'",
+            "[(])",
+            &"(".repeat(500),
+        ] {
+            let _ = typst(&boxes(text));
+        }
+    }
+}

@@ -1,0 +1,283 @@
+//! Boxes written as MathML Core, which every browser shows without a script.
+
+use super::node::{Face, Fence, Mark, Node};
+
+/// The formula as elements between which a line may be broken: before relations, plus and minus, and within brackets
+/// where a piece would be long.
+pub(super) fn pieces(node: &Node) -> Vec<String> {
+    let cuts = cuts(node, LONGEST);
+    let last = cuts.len() - 1;
+    let piece = |(number, piece): (usize, &Vec<Node>)| {
+        let mut out = String::from("<math displaystyle=\"true\">");
+        for (position, node) in piece.iter().enumerate() {
+            // The sign that a line begins with has an operand on the line before.
+            match node {
+                Node::Sign(sign) if position == 0 && number > 0 => {
+                    out.push_str(&format!("<mo form=\"infix\">{}</mo>", escaped(*sign)));
+                }
+                _ => write(node, &mut out),
+            }
+        }
+        out.push_str("</math>");
+        if number < last {
+            out.push(' ');
+        }
+        out
+    };
+    cuts.iter().enumerate().map(piece).collect()
+}
+
+/// The formula as one element.
+pub(super) fn whole(node: &Node) -> String {
+    let mut out = String::from("<math>");
+    write(node, &mut out);
+    out.push_str("</math>");
+    out
+}
+
+/// Pieces wider than about so many letters are cut within their brackets.
+const LONGEST: usize = 36;
+
+/// Brackets are opened to this depth.
+const DEEPEST: usize = 4;
+
+/// The boxes of a formula in pieces: cut before relations, plus and minus, and within brackets where a piece is wider than
+/// `longest` letters.
+pub(super) fn cuts(node: &Node, longest: usize) -> Vec<Vec<Node>> {
+    let nodes = match node {
+        Node::Row(nodes) => nodes.clone(),
+        other => vec![other.clone()],
+    };
+    let mut list = vec![nodes];
+    for _ in 0..DEEPEST {
+        let mut cut = Vec::new();
+        for piece in list {
+            let parts = split(piece);
+            for part in parts {
+                match width(&part) > longest {
+                    true => cut.push(opened(part)),
+                    false => cut.push(part),
+                }
+            }
+        }
+        list = cut.into_iter().flat_map(split).collect();
+    }
+    list
+}
+
+fn width(nodes: &[Node]) -> usize {
+    let letters = |node: &Node| super::write::text(node).chars().count();
+    nodes.iter().map(letters).sum()
+}
+
+/// Cut before each relation, plus and minus that has a left operand.
+fn split(nodes: Vec<Node>) -> Vec<Vec<Node>> {
+    let mut list: Vec<Vec<Node>> = vec![vec![]];
+    for node in nodes {
+        let cuts = match &node {
+            Node::Sign('+' | '−' | '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈' | '⇒') => {
+                true
+            }
+            Node::Marked(_, inner) => {
+                matches!(&**inner, Node::Row(nodes) if matches!(nodes.first(), Some(Node::Sign('+' | '−'))))
+            }
+            _ => false,
+        };
+        let before = list.last().and_then(|piece| piece.last());
+        let operand = !matches!(
+            before,
+            None | Some(Node::Sign(
+                '(' | '[' | ',' | '+' | '−' | '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈'
+            ))
+        );
+        match list.last_mut() {
+            Some(piece) if !(cuts && operand) => piece.push(node),
+            _ => list.push(vec![node]),
+        }
+    }
+    list
+}
+
+/// Round brackets that group a sum as signs of their own.
+fn opened(nodes: Vec<Node>) -> Vec<Node> {
+    let mut list = Vec::new();
+    for node in nodes {
+        match node {
+            Node::Fenced(Fence::Round, inner) if matches!(*inner, Node::Row(_)) => {
+                list.push(Node::Sign('('));
+                match *inner {
+                    Node::Row(nodes) => list.extend(nodes),
+                    other => list.push(other),
+                }
+                list.push(Node::Sign(')'));
+            }
+            other => list.push(other),
+        }
+    }
+    list
+}
+
+fn write(node: &Node, out: &mut String) {
+    match node {
+        Node::Letter(letter, face) => letter_of(letter, *face, out),
+        Node::Function(name) => out.push_str(&format!("<mi>{name}</mi><mo>\u{2061}</mo>")),
+        Node::Number(digits) => out.push_str(&format!("<mn>{digits}</mn>")),
+        Node::Sign(sign @ ('(' | ')' | '[' | ']' | '|')) => {
+            out.push_str(&format!("<mo stretchy=\"false\">{sign}</mo>"));
+        }
+        Node::Sign(sign) => out.push_str(&format!("<mo>{}</mo>", escaped(*sign))),
+        Node::Row(nodes) => {
+            out.push_str("<mrow>");
+            nodes.iter().for_each(|node| write(node, out));
+            out.push_str("</mrow>");
+        }
+        Node::Scripts {
+            base,
+            primes,
+            below,
+            above,
+        } => scripts(base, *primes, below.as_deref(), above.as_deref(), out),
+        Node::Accent(sign, inner) => {
+            let sign = match sign {
+                '^' => 'ˆ',
+                '~' => '˜',
+                _ => '‾',
+            };
+            out.push_str("<mover accent=\"true\">");
+            write(inner, out);
+            out.push_str(&format!("<mo stretchy=\"false\">{sign}</mo></mover>"));
+        }
+        Node::Fraction(above, below) => {
+            element("mfrac", &[above, below], out);
+        }
+        Node::Root(inner) => element("msqrt", &[inner], out),
+        Node::Binomial(n, k) => {
+            out.push_str("<mrow><mo>(</mo><mfrac linethickness=\"0\">");
+            write(n, out);
+            write(k, out);
+            out.push_str("</mfrac><mo>)</mo></mrow>");
+        }
+        Node::Fenced(fence, inner) => {
+            let (open, close) = match fence {
+                Fence::Round => ("(", ")"),
+                Fence::Square => ("[", "]"),
+                Fence::Bars => ("|", "|"),
+                Fence::Length => ("‖", "‖"),
+                Fence::Behind => ("", "|"),
+            };
+            out.push_str("<mrow>");
+            if !open.is_empty() {
+                out.push_str(&format!("<mo form=\"prefix\">{open}</mo>"));
+            }
+            write(inner, out);
+            out.push_str(&format!("<mo form=\"postfix\">{close}</mo></mrow>"));
+        }
+        Node::Matrix(fence, rows) => {
+            let (open, close) = match fence {
+                Fence::Bars => ("|", "|"),
+                _ => ("(", ")"),
+            };
+            out.push_str(&format!("<mrow><mo form=\"prefix\">{open}</mo><mtable>"));
+            for row in rows {
+                out.push_str("<mtr>");
+                for cell in row {
+                    element("mtd", &[cell], out);
+                }
+                out.push_str("</mtr>");
+            }
+            out.push_str(&format!(
+                "</mtable><mo form=\"postfix\">{close}</mo></mrow>"
+            ));
+        }
+        Node::Sum { below, above } => {
+            let name = match above {
+                Some(_) => "munderover",
+                None => "munder",
+            };
+            out.push_str(&format!("<{name}><mo>∑</mo>"));
+            write(below, out);
+            if let Some(above) = above {
+                write(above, out);
+            }
+            out.push_str(&format!("</{name}>"));
+        }
+        Node::Marked(mark, inner) => {
+            let class = match mark {
+                Mark::Added => "added",
+                Mark::Removed => "removed",
+            };
+            out.push_str(&format!("<mrow class=\"{class}\">"));
+            write(inner, out);
+            out.push_str("</mrow>");
+        }
+        Node::Gap => out.push_str("<mspace width=\"0.4em\"/>"),
+    }
+}
+
+fn element(name: &str, parts: &[&Node], out: &mut String) {
+    out.push_str(&format!("<{name}>"));
+    parts.iter().for_each(|part| write(part, out));
+    out.push_str(&format!("</{name}>"));
+}
+
+fn scripts(
+    base: &Node,
+    primes: usize,
+    below: Option<&Node>,
+    above: Option<&Node>,
+    out: &mut String,
+) {
+    let raised = primes > 0 || above.is_some();
+    let name = match (below.is_some(), raised) {
+        (true, true) => "msubsup",
+        (true, false) => "msub",
+        _ => "msup",
+    };
+    out.push_str(&format!("<{name}>"));
+    write(base, out);
+    if let Some(below) = below {
+        write(below, out);
+    }
+    if raised {
+        let signs = match primes {
+            0 => "",
+            1 => "<mo>′</mo>",
+            2 => "<mo>″</mo>",
+            3 => "<mo>‴</mo>",
+            _ => "<mo>⁗</mo>",
+        };
+        match above {
+            Some(above) if primes > 0 => {
+                out.push_str(&format!("<mrow>{signs}"));
+                write(above, out);
+                out.push_str("</mrow>");
+            }
+            Some(above) => write(above, out),
+            None => out.push_str(signs),
+        }
+    }
+    out.push_str(&format!("</{name}>"));
+}
+
+fn letter_of(letter: &str, face: Face, out: &mut String) {
+    let text: String = letter.chars().map(escaped).collect();
+    let single = letter.chars().count() == 1;
+    match face {
+        Face::Bold => out.push_str(&format!(
+            "<mi mathvariant=\"normal\" class=\"bold\">{text}</mi>"
+        )),
+        Face::Upright if single => out.push_str(&format!("<mi mathvariant=\"normal\">{text}</mi>")),
+        _ if single => out.push_str(&format!("<mi>{text}</mi>")),
+        _ => out.push_str(&format!("<mtext>{text}</mtext>")),
+    }
+}
+
+fn escaped(c: char) -> String {
+    match c {
+        '&' => "&amp;".to_owned(),
+        '<' => "&lt;".to_owned(),
+        '>' => "&gt;".to_owned(),
+        '"' => "&quot;".to_owned(),
+        _ => c.to_string(),
+    }
+}

@@ -1,0 +1,126 @@
+//! Mathematics as readers see it, for every output.
+//!
+//! A formula reaches the report in the notation of the derivation files, where it can be read back. It is read, tidied
+//! ([`tidy`]), laid out once as a tree of boxes ([`Node`], by [`layout`]) with the names that the paper prints, and
+//! written as Typst, MathML, LaTeX and plain text. Sentences that hold formulas are taken apart by [`prose`], names
+//! that files give between dollar signs by [`markup`]. So no output shows the notation of the files, and all of them show
+//! the same.
+
+mod change;
+mod layout;
+mod markup;
+mod mathml;
+mod names;
+mod node;
+mod prose;
+mod tidy;
+mod write;
+
+pub(crate) use change::changed;
+pub(crate) use names::Names;
+pub(crate) use node::Node;
+pub use prose::in_words;
+pub(crate) use prose::spans;
+pub(crate) use write::latex_words;
+
+use serde::Serialize;
+use torse_language::syntax::{Expr, parse};
+
+/// A formula in the languages of the outputs.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Mathematics {
+    /// Typst mathematics, without dollar signs.
+    pub typst: String,
+    /// Ways to break a long formula into pieces of Typst mathematics, coarsest first; none for a short one.
+    pub breaks: Vec<Vec<String>>,
+    /// MathML, one element for each piece between which a line may be broken.
+    #[serde(skip)]
+    pub mathml: Vec<String>,
+    /// LaTeX mathematics, without dollar signs.
+    #[serde(skip)]
+    pub latex: String,
+    /// The same in pieces between which a line may be broken, each with about how many letters wide it is.
+    #[serde(skip)]
+    pub latex_pieces: Vec<(String, usize)>,
+    /// Letters and signs on one line.
+    #[serde(skip)]
+    pub text: String,
+}
+
+/// A stretch of a sentence.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "kind", content = "value")]
+pub enum Span {
+    /// Words.
+    Words(String),
+    /// A command or a name of a file, as it is typed.
+    Code(String),
+    /// A formula.
+    Math(Mathematics),
+}
+
+/// A sentence with its formulas.
+pub type Prose = Vec<Span>;
+
+/// Brackets are opened where a piece has more letters than this, tried in turn.
+const WIDTHS: [usize; 4] = [usize::MAX, 90, 45, 20];
+
+impl Mathematics {
+    /// A formula within a sentence.
+    pub(crate) fn inline(node: &Node) -> Self {
+        Mathematics {
+            typst: write::typst(node),
+            breaks: Vec::new(),
+            mathml: vec![mathml::whole(node)],
+            latex: write::latex(node),
+            latex_pieces: Vec::new(),
+            text: write::text(node),
+        }
+    }
+
+    /// A formula on lines of its own.
+    pub(crate) fn display(node: &Node) -> Self {
+        /// No formula of so few letters is wider than the column.
+        const SHORT: usize = 30;
+        let text = write::text(node);
+        let mut breaks: Vec<Vec<String>> = Vec::new();
+        if text.chars().count() > SHORT {
+            let piece = |piece: Vec<Node>| write::typst(&Node::Row(piece));
+            let cut = |width| mathml::cuts(node, width).into_iter().map(piece).collect();
+            breaks.extend(WIDTHS.into_iter().map(cut));
+            breaks.dedup();
+        }
+        Mathematics {
+            typst: write::typst(node),
+            breaks,
+            mathml: mathml::pieces(node),
+            latex: write::latex(node),
+            latex_pieces: (mathml::cuts(node, WIDTHS[1]).into_iter())
+                .map(|piece| {
+                    let row = Node::Row(piece);
+                    (write::latex(&row), write::text(&row).chars().count())
+                })
+                .collect(),
+            text,
+        }
+    }
+}
+
+/// A sentence with its formulas as letters and signs on one line: `q₀ ≠ 0`.
+#[must_use]
+pub fn plain(text: &str) -> String {
+    in_words(&spans(text, &Names::default()))
+}
+
+/// A formula in the notation of the files as boxes; none where it cannot be read.
+pub(crate) fn read(formula: &str, names: &Names) -> Option<Node> {
+    let expr = expression(formula)?;
+    Some(layout::layout(&tidy::tidy(&expr), names))
+}
+
+/// The formula without places, so that equal ones are equal.
+pub(crate) fn expression(formula: &str) -> Option<Expr> {
+    // A member of a family without indices is written with empty brackets.
+    let formula = formula.replace("[]", "");
+    parse(&formula).ok().map(Expr::placeless)
+}

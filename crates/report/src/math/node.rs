@@ -1,0 +1,178 @@
+//! Boxes of mathematics: what is laid out, before any output says how it is written.
+
+/// What a correction did to a box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mark {
+    /// It is not in the corrected formula.
+    Removed,
+    /// It is not in the printed one.
+    Added,
+}
+
+/// What stands around a box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Fence {
+    /// Round brackets.
+    Round,
+    /// Square brackets.
+    Square,
+    /// Bars: a determinant or an absolute value.
+    Bars,
+    /// Double bars: a length.
+    Length,
+    /// Nothing before, a bar behind: a value at a point.
+    Behind,
+}
+
+/// What a letter or word looks like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Face {
+    /// A variable.
+    Italic,
+    /// A vector.
+    Bold,
+    /// A word.
+    Upright,
+}
+
+/// A box.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Node {
+    /// A letter, or a word, in a face.
+    Letter(String, Face),
+    /// The name of a function that typesetters know, such as `sin`.
+    Function(String),
+    /// Digits, perhaps with a point.
+    Number(String),
+    /// An operator, a relation or a punctuation mark.
+    Sign(char),
+    /// Boxes side by side.
+    Row(Vec<Node>),
+    /// A box with primes and scripts.
+    Scripts {
+        base: Box<Node>,
+        primes: usize,
+        below: Option<Box<Node>>,
+        above: Option<Box<Node>>,
+    },
+    /// A letter under a sign: `\hat G`.
+    Accent(char, Box<Node>),
+    Fraction(Box<Node>, Box<Node>),
+    Root(Box<Node>),
+    Binomial(Box<Node>, Box<Node>),
+    Fenced(Fence, Box<Node>),
+    Matrix(Fence, Vec<Vec<Node>>),
+    /// The sign of a sum with its bounds.
+    Sum {
+        below: Box<Node>,
+        above: Option<Box<Node>>,
+    },
+    /// A box that a correction changed.
+    Marked(Mark, Box<Node>),
+    /// A blank as wide as a letter, around words.
+    Gap,
+}
+
+impl Node {
+    pub(crate) fn italic(letter: &str) -> Self {
+        Node::Letter(letter.to_owned(), Face::Italic)
+    }
+
+    pub(crate) fn word(word: &str) -> Self {
+        Node::Letter(word.to_owned(), Face::Upright)
+    }
+
+    pub(crate) fn round(self) -> Self {
+        Node::Fenced(Fence::Round, Box::new(self))
+    }
+
+    /// Boxes side by side; rows within are dissolved.
+    pub(crate) fn row(nodes: impl IntoIterator<Item = Node>) -> Self {
+        let mut all = Vec::new();
+        for node in nodes {
+            match node {
+                Node::Row(inner) => all.extend(inner),
+                other => all.push(other),
+            }
+        }
+        match (all.pop(), all.is_empty()) {
+            (Some(one), true) => one,
+            (Some(last), false) => {
+                all.push(last);
+                Node::Row(all)
+            }
+            (None, _) => Node::Row(all),
+        }
+    }
+
+    /// Boxes with a sign between each two.
+    pub(crate) fn joined(nodes: impl IntoIterator<Item = Node>, sign: char) -> Self {
+        let mut all = Vec::new();
+        for node in nodes {
+            if !all.is_empty() {
+                all.push(Node::Sign(sign));
+            }
+            all.push(node);
+        }
+        Node::row(all)
+    }
+
+    /// A box with scripts; it stays as it is where there are none.
+    pub(crate) fn scripted(self, primes: usize, below: Option<Node>, above: Option<Node>) -> Self {
+        if primes == 0 && below.is_none() && above.is_none() {
+            return self;
+        }
+        match self {
+            // A free place takes the script.
+            Node::Scripts {
+                base,
+                primes: had,
+                below: under,
+                above: over,
+            } if (under.is_none() || below.is_none()) && (over.is_none() || above.is_none()) => {
+                Node::Scripts {
+                    base,
+                    primes: had + primes,
+                    below: under.or(below.map(Box::new)),
+                    above: over.or(above.map(Box::new)),
+                }
+            }
+            base => Node::Scripts {
+                base: Box::new(base),
+                primes,
+                below: below.map(Box::new),
+                above: above.map(Box::new),
+            },
+        }
+    }
+
+    /// Whether the first thing that is seen is a digit.
+    pub(crate) fn begins_with_digit(&self) -> bool {
+        match self {
+            Node::Number(_) => true,
+            Node::Row(nodes) => nodes.first().is_some_and(Node::begins_with_digit),
+            Node::Scripts { base, .. } => base.begins_with_digit(),
+            Node::Marked(_, inner) => inner.begins_with_digit(),
+            _ => false,
+        }
+    }
+
+    /// Whether the last thing that is seen is a number on the line.
+    pub(crate) fn ends_with_number(&self) -> bool {
+        match self {
+            Node::Number(_) | Node::Fraction(..) => true,
+            Node::Row(nodes) => nodes.last().is_some_and(Node::ends_with_number),
+            Node::Marked(_, inner) => inner.ends_with_number(),
+            _ => false,
+        }
+    }
+
+    /// Whether nothing but a fraction is seen.
+    pub(crate) fn is_fraction(&self) -> bool {
+        match self {
+            Node::Fraction(..) => true,
+            Node::Marked(_, inner) => inner.is_fraction(),
+            _ => false,
+        }
+    }
+}

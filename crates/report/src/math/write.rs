@@ -1,0 +1,517 @@
+//! Boxes written as Typst, as LaTeX and on one line of text.
+
+use super::node::{Face, Fence, Mark, Node};
+
+/// Typst mathematics, without dollar signs.
+///
+/// Only functions of the math scope are called, and those of marks, which the templates define; all else is single
+/// letters, signs and quoted text, so that no string of a file can act.
+pub(super) fn typst(node: &Node) -> String {
+    match node {
+        Node::Letter(letter, face) => typst_letter(letter, *face),
+        Node::Function(name) => name.clone(),
+        Node::Number(digits) => digits.clone(),
+        Node::Sign(sign) => typst_sign(*sign),
+        Node::Row(nodes) if nodes.is_empty() => "\"\"".to_owned(),
+        Node::Row(nodes) => nodes.iter().map(typst).collect::<Vec<_>>().join(" "),
+        Node::Scripts {
+            base,
+            primes,
+            below,
+            above,
+        } => {
+            let base = match **base {
+                Node::Row(_) | Node::Scripts { .. } => format!("attach({})", typst(base)),
+                _ => typst(base),
+            };
+            let mut text = format!("{base}{}", "'".repeat(*primes));
+            for (sign, script) in [('_', below), ('^', above)] {
+                if let Some(script) = script {
+                    let script = typst(script);
+                    let single =
+                        script.chars().count() == 1 || script.chars().all(|c| c.is_ascii_digit());
+                    match single {
+                        true => text.push_str(&format!("{sign}{script}")),
+                        false => text.push_str(&format!("{sign}({script})")),
+                    }
+                }
+            }
+            text
+        }
+        Node::Accent(sign, inner) => {
+            let name = match sign {
+                '^' => "hat",
+                '~' => "tilde",
+                _ => "overline",
+            };
+            format!("{name}({})", typst(inner))
+        }
+        Node::Fraction(above, below) => format!("frac({}, {})", typst(above), typst(below)),
+        Node::Root(inner) => format!("sqrt({})", typst(inner)),
+        Node::Binomial(n, k) => format!("binom({}, {})", typst(n), typst(k)),
+        Node::Fenced(fence, inner) => {
+            let inner = typst(inner);
+            match fence {
+                Fence::Round => format!("({inner})"),
+                Fence::Square => format!("[{inner}]"),
+                Fence::Bars => format!("abs({inner})"),
+                Fence::Length => format!("norm({inner})"),
+                Fence::Behind => format!("lr({inner} |)"),
+            }
+        }
+        Node::Matrix(fence, rows) => {
+            let delimiter = match fence {
+                Fence::Bars => "|",
+                _ => "(",
+            };
+            let cells = |row: &Vec<Node>| row.iter().map(typst).collect::<Vec<_>>().join(", ");
+            let rows: Vec<String> = rows.iter().map(cells).collect();
+            format!("mat(delim: \"{delimiter}\", {})", rows.join("; "))
+        }
+        Node::Sum { below, above } => {
+            let above = above.as_ref().map(|above| format!("^({})", typst(above)));
+            format!("sum_({}){}", typst(below), above.unwrap_or_default())
+        }
+        Node::Marked(mark, inner) => {
+            let name = match mark {
+                Mark::Added => "added",
+                Mark::Removed => "removed",
+            };
+            match &**inner {
+                // A sign keeps its distance from the term before.
+                Node::Row(nodes) => match nodes.split_first() {
+                    Some((Node::Sign(sign @ ('+' | '−')), rest)) => {
+                        let term = typst(&Node::row(rest.iter().cloned()));
+                        format!("{name}sign({sign}) {name}({term})")
+                    }
+                    _ => format!("{name}({})", typst(inner)),
+                },
+                _ => format!("{name}({})", typst(inner)),
+            }
+        }
+        Node::Gap => "thick".to_owned(),
+    }
+}
+
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+fn typst_letter(letter: &str, face: Face) -> String {
+    let mut letters = letter.chars();
+    let single = match (letters.next(), letters.next()) {
+        (Some(c), None) if c.is_ascii_alphabetic() || ('Α'..='ω').contains(&c) => Some(c),
+        _ => None,
+    };
+    match (single, face) {
+        (Some(letter), Face::Italic) => letter.to_string(),
+        (Some(letter), Face::Bold) => format!("upright(bold({letter}))"),
+        (Some(letter), Face::Upright) => format!("upright({letter})"),
+        (None, Face::Bold) => format!("bold({})", quoted(letter)),
+        (None, _) => quoted(letter),
+    }
+}
+
+fn typst_sign(sign: char) -> String {
+    match sign {
+        '(' | '[' => format!("class(\"opening\", \"{sign}\")"),
+        ')' | ']' => format!("class(\"closing\", \"{sign}\")"),
+        ',' => "comma".to_owned(),
+        ';' => "semi".to_owned(),
+        ':' => "colon".to_owned(),
+        '·' => "dot.op".to_owned(),
+        '/' => "class(\"normal\", slash)".to_owned(),
+        '=' | '+' | '−' | '<' | '>' | '≤' | '≥' | '≠' | '≈' | '⋅' | '×' | '→' | '⇒' | '∈' | '∞'
+        | '∑' | '∂' | '…' | '±' | '!' | '∥' | '∧' | '⊤' => sign.to_string(),
+        other => quoted(&other.to_string()),
+    }
+}
+
+/// LaTeX mathematics, with the macros of amsmath, without dollar signs.
+pub(super) fn latex(node: &Node) -> String {
+    match node {
+        Node::Letter(letter, face) => latex_letter(letter, *face),
+        Node::Function(name) => format!("\\{name}"),
+        Node::Number(digits) => digits.replace('…', "\\ldots"),
+        Node::Sign(sign) => latex_sign(*sign),
+        Node::Row(nodes) => nodes.iter().map(latex).collect::<Vec<_>>().join(" "),
+        Node::Scripts {
+            base,
+            primes,
+            below,
+            above,
+        } => {
+            let base = match **base {
+                Node::Row(_) | Node::Scripts { .. } => format!("{{{}}}", latex(base)),
+                _ => latex(base),
+            };
+            let mut text = format!("{base}{}", "'".repeat(*primes));
+            for (sign, script) in [('_', below), ('^', above)] {
+                if let Some(script) = script {
+                    let script = latex(script);
+                    match script.chars().count() {
+                        1 => text.push_str(&format!("{sign}{script}")),
+                        _ => text.push_str(&format!("{sign}{{{script}}}")),
+                    }
+                }
+            }
+            text
+        }
+        Node::Accent(sign, inner) => {
+            let name = match sign {
+                '^' => "hat",
+                '~' => "tilde",
+                _ => "overline",
+            };
+            format!("\\{name}{{{}}}", latex(inner))
+        }
+        Node::Fraction(above, below) => format!("\\frac{{{}}}{{{}}}", latex(above), latex(below)),
+        Node::Root(inner) => format!("\\sqrt{{{}}}", latex(inner)),
+        Node::Binomial(n, k) => format!("\\binom{{{}}}{{{}}}", latex(n), latex(k)),
+        Node::Fenced(fence, inner) => {
+            let inner = latex(inner);
+            let (open, close) = match fence {
+                Fence::Round => ("(", ")"),
+                Fence::Square => ("[", "]"),
+                Fence::Bars => ("\\lvert ", " \\rvert"),
+                Fence::Length => ("\\lVert ", " \\rVert"),
+                Fence::Behind => return format!("\\left. {inner} \\right|"),
+            };
+            let tall = ["\\frac", "\\sum", "\\binom", "matrix}"];
+            match tall.iter().any(|part| inner.contains(part)) {
+                true => format!("\\left{open} {inner} \\right{close}"),
+                false => format!("{open}{inner}{close}"),
+            }
+        }
+        Node::Matrix(fence, rows) => {
+            let name = match fence {
+                Fence::Bars => "vmatrix",
+                _ => "pmatrix",
+            };
+            let cells = |row: &Vec<Node>| row.iter().map(latex).collect::<Vec<_>>().join(" & ");
+            let rows: Vec<String> = rows.iter().map(cells).collect();
+            format!("\\begin{{{name}}} {} \\end{{{name}}}", rows.join(" \\\\ "))
+        }
+        Node::Sum { below, above } => {
+            let above = above.as_ref().map(|above| format!("^{{{}}}", latex(above)));
+            format!("\\sum_{{{}}}{}", latex(below), above.unwrap_or_default())
+        }
+        Node::Marked(Mark::Added, inner) => format!("\\underline{{{}}}", latex(inner)),
+        Node::Marked(Mark::Removed, inner) => latex(inner),
+        Node::Gap => "\\ ".to_owned(),
+    }
+}
+
+/// Text with every sign of LaTeX escaped, and every letter that its fonts lack set as mathematics.
+pub(crate) fn latex_words(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        let letter = c.to_string();
+        match c {
+            '\\' => escaped.push_str("\\textbackslash{}"),
+            '{' | '}' | '$' | '&' | '#' | '_' | '%' => {
+                escaped.push('\\');
+                escaped.push(c);
+            }
+            '^' => escaped.push_str("\\textasciicircum{}"),
+            '~' => escaped.push_str("\\textasciitilde{}"),
+            '²' | '³' | '⁰'..='⁹' => {
+                escaped.push_str(&format!("\\textsuperscript{{{}}}", digit(c)))
+            }
+            '₀'..='₉' => escaped.push_str(&format!("\\textsubscript{{{}}}", digit(c))),
+            '√' => escaped.push_str("\\ensuremath{\\surd}"),
+            '’' => escaped.push('\''),
+            '“' => escaped.push_str("``"),
+            '”' => escaped.push_str("\'\'"),
+            _ if GREEK.iter().any(|(sign, _)| *sign == letter) => {
+                escaped.push_str(&format!(
+                    "\\ensuremath{{{}}}",
+                    latex_letter(&letter, Face::Italic)
+                ));
+            }
+            '−' | '≤' | '≥' | '≠' | '≈' | '·' | '⋅' | '×' | '→' | '∈' | '∞' | '∑' | '∂' | '…'
+            | '±' | '∥' => {
+                escaped.push_str(&format!("\\ensuremath{{{}}}", latex_sign(c)));
+            }
+            _ => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+/// The digit of a raised or lowered one.
+fn digit(c: char) -> char {
+    const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉";
+    let position = RAISED.chars().position(|raised| raised == c).unwrap_or(0);
+    char::from_digit(u32::try_from(position % 10).unwrap_or(0), 10).unwrap_or('0')
+}
+
+const GREEK: [(&str, &str); 33] = [
+    ("α", "alpha"),
+    ("β", "beta"),
+    ("γ", "gamma"),
+    ("δ", "delta"),
+    ("ε", "varepsilon"),
+    ("ζ", "zeta"),
+    ("η", "eta"),
+    ("θ", "theta"),
+    ("ι", "iota"),
+    ("κ", "kappa"),
+    ("λ", "lambda"),
+    ("μ", "mu"),
+    ("ν", "nu"),
+    ("ξ", "xi"),
+    ("π", "pi"),
+    ("ρ", "rho"),
+    ("σ", "sigma"),
+    ("τ", "tau"),
+    ("υ", "upsilon"),
+    ("φ", "varphi"),
+    ("χ", "chi"),
+    ("ψ", "psi"),
+    ("ω", "omega"),
+    ("Γ", "Gamma"),
+    ("Δ", "Delta"),
+    ("Θ", "Theta"),
+    ("Λ", "Lambda"),
+    ("Ξ", "Xi"),
+    ("Π", "Pi"),
+    ("Σ", "Sigma"),
+    ("Φ", "Phi"),
+    ("Ψ", "Psi"),
+    ("Ω", "Omega"),
+];
+
+fn latex_letter(letter: &str, face: Face) -> String {
+    let greek = GREEK.iter().find(|(sign, _)| *sign == letter);
+    let single = letter.chars().count() == 1;
+    match (greek, face) {
+        (Some((_, name)), Face::Bold) => format!("\\boldsymbol{{\\{name}}}"),
+        (Some((_, name)), _) => format!("\\{name}"),
+        (None, Face::Bold) => format!("\\mathbf{{{}}}", latex_words(letter)),
+        (None, Face::Italic) if single => latex_words(letter),
+        (None, _) => format!("\\mathrm{{{}}}", latex_words(letter)),
+    }
+}
+
+fn latex_sign(sign: char) -> String {
+    let command = match sign {
+        '−' => "-",
+        '≤' => "\\le",
+        '≥' => "\\ge",
+        '≠' => "\\ne",
+        '≈' => "\\approx",
+        '·' | '⋅' => "\\cdot",
+        '×' => "\\times",
+        '→' => "\\to",
+        '⇒' => "\\implies",
+        '∈' => "\\in",
+        '∞' => "\\infty",
+        '∑' => "\\sum",
+        '∂' => "\\partial",
+        '…' => "\\ldots",
+        '±' => "\\pm",
+        '∥' => "\\parallel",
+        '∧' => "\\wedge",
+        '⊤' => "\\top",
+        other => return latex_words(&other.to_string()),
+    };
+    command.to_owned()
+}
+
+/// Letters and signs on one line.
+pub(super) fn text(node: &Node) -> String {
+    let mut line = String::new();
+    write_text(node, &mut line, false);
+    line
+}
+
+fn write_text(node: &Node, line: &mut String, tight: bool) {
+    match node {
+        Node::Letter(letter, _) => {
+            let wide = letter.chars().count() > 1;
+            if wide && line.ends_with(char::is_alphanumeric) && !tight {
+                line.push(' ');
+            }
+            line.push_str(letter);
+        }
+        Node::Function(name) => {
+            if line.ends_with(char::is_alphanumeric) && !tight {
+                line.push(' ');
+            }
+            line.push_str(name);
+        }
+        Node::Number(digits) => {
+            if line.ends_with(|c: char| c.is_ascii_digit()) {
+                line.push(' ');
+            }
+            line.push_str(digits);
+        }
+        Node::Sign(sign) => text_sign(*sign, line, tight),
+        Node::Row(nodes) => {
+            for (number, node) in nodes.iter().enumerate() {
+                let after_function = number > 0
+                    && matches!(nodes.get(number - 1), Some(Node::Function(_)))
+                    && !matches!(node, Node::Fenced(..));
+                if after_function {
+                    line.push(' ');
+                }
+                write_text(node, line, tight);
+            }
+        }
+        Node::Scripts {
+            base,
+            primes,
+            below,
+            above,
+        } => {
+            write_text(base, line, tight);
+            line.extend(std::iter::repeat_n('′', *primes));
+            if let Some(below) = below {
+                script(below, '_', line);
+            }
+            if let Some(above) = above {
+                script(above, 'ˆ', line);
+            }
+        }
+        Node::Accent(sign, inner) => {
+            write_text(inner, line, tight);
+            line.push(match sign {
+                '^' => '\u{302}',
+                '~' => '\u{303}',
+                _ => '\u{304}',
+            });
+        }
+        Node::Fraction(above, below) => {
+            operand(above, line);
+            line.push('/');
+            operand(below, line);
+        }
+        Node::Root(inner) => {
+            line.push('√');
+            operand(inner, line);
+        }
+        Node::Binomial(n, k) => {
+            line.push('(');
+            write_text(n, line, tight);
+            line.push_str(" over ");
+            write_text(k, line, tight);
+            line.push(')');
+        }
+        Node::Fenced(fence, inner) => {
+            let (open, close) = match fence {
+                Fence::Round => ("(", ")"),
+                Fence::Square => ("[", "]"),
+                Fence::Bars => ("|", "|"),
+                Fence::Length => ("‖", "‖"),
+                Fence::Behind => ("", "|"),
+            };
+            line.push_str(open);
+            write_text(inner, line, tight);
+            line.push_str(close);
+        }
+        Node::Matrix(_, rows) => {
+            line.push('(');
+            for (number, row) in rows.iter().enumerate() {
+                if number > 0 {
+                    line.push_str("; ");
+                }
+                for (number, cell) in row.iter().enumerate() {
+                    if number > 0 {
+                        line.push_str(", ");
+                    }
+                    write_text(cell, line, tight);
+                }
+            }
+            line.push(')');
+        }
+        Node::Sum { below, above } => {
+            line.push('∑');
+            script(below, '_', line);
+            if let Some(above) = above {
+                script(above, 'ˆ', line);
+            }
+            line.push(' ');
+        }
+        Node::Marked(_, inner) => write_text(inner, line, tight),
+        Node::Gap => {
+            if !line.ends_with(' ') {
+                line.push(' ');
+            }
+        }
+    }
+}
+
+/// In brackets, unless it is a letter or a number.
+fn operand(node: &Node, line: &mut String) {
+    match node {
+        Node::Row(_) | Node::Fraction(..) => {
+            line.push('(');
+            write_text(node, line, false);
+            line.push(')');
+        }
+        _ => write_text(node, line, false),
+    }
+}
+
+fn text_sign(sign: char, line: &mut String, tight: bool) {
+    let infix = match sign {
+        '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈' | '→' | '⇒' | '∈' | '×' => true,
+        // A sign has no left operand.
+        '+' | '−' | '±' | '·' | '⋅' => line
+            .trim_end()
+            .ends_with(|c: char| !matches!(c, '(' | '[' | ',' | '=' | '<' | '>' | '≤' | '≥' | '≠')),
+        _ => false,
+    };
+    match sign {
+        _ if tight => line.push(sign),
+        _ if infix => {
+            if !line.is_empty() && !line.ends_with(' ') {
+                line.push(' ');
+            }
+            line.push(sign);
+            line.push(' ');
+        }
+        ',' | ';' => {
+            line.push(sign);
+            line.push(' ');
+        }
+        _ => line.push(sign),
+    }
+}
+
+/// Small letters where there are some for all of the script.
+fn script(node: &Node, sign: char, line: &mut String) {
+    let mut inner = String::new();
+    write_text(node, &mut inner, true);
+    let small = |c: char| match sign {
+        '_' => lowered(c),
+        _ => raised(c),
+    };
+    match inner.chars().map(small).collect::<Option<String>>() {
+        Some(small) => line.push_str(&small),
+        None if inner.chars().count() == 1 => {
+            line.push(sign);
+            line.push_str(&inner);
+        }
+        None => line.push_str(&format!("{sign}({inner})")),
+    }
+}
+
+fn lowered(c: char) -> Option<char> {
+    const FROM: &str = "0123456789+−=()aehijklmnoprstuvxβγρφχ,";
+    const TO: &str = "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ,";
+    FROM.chars()
+        .zip(TO.chars())
+        .find(|(from, _)| *from == c)
+        .map(|(_, to)| to)
+}
+
+fn raised(c: char) -> Option<char> {
+    const FROM: &str = "0123456789+−=()abcdefghijklmnoprstuvwxyzABDEGHIJKLMNOPRTUVWβγδθφχ,⊤XYZ";
+    const TO: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻᴬᴮᴰᴱᴳᴴᴵᴶᴷᴸᴹᴺᴼᴾᴿᵀᵁⱽᵂᵝᵞᵟᶿᵠᵡ,ᵀˣʸᶻ";
+    FROM.chars()
+        .zip(TO.chars())
+        .find(|(from, _)| *from == c)
+        .map(|(_, to)| to)
+}

@@ -1,0 +1,432 @@
+//! From outcomes to the document model.
+
+use super::{
+    ClaimView, ConsequenceView, CorrectionView, FigureView, FormulaView, ReadingView, Reference,
+    Report, RestsView, Section, Side, WitnessView,
+};
+use crate::math::{Mathematics, Names, Node, Prose, changed, plain, read, spans};
+use crate::rests::{concerns, said_by};
+use crate::tally::Tally;
+use crate::text::{anchor, counted, decimal, name, section_rank, section_title, visible};
+use crate::words;
+use crate::{FigureImage, corrections, findings, sentence, short, usable};
+use std::collections::{BTreeMap, BTreeSet};
+use torse_language::notation::Formula;
+use torse_language::words::Verdict;
+use torse_prove::Witness;
+use torse_verdicts::consequences::consequences;
+use torse_verdicts::outcome::{ReadingOutcome, Role};
+use torse_verdicts::table::Defined;
+use torse_verdicts::{Correction, DataCorrection, Outcome, PaperOutcome};
+
+impl Report {
+    /// The report of `paper`, with pictures.
+    #[must_use]
+    pub fn new(paper: &PaperOutcome, figures: &[FigureImage]) -> Self {
+        Self::with_kernel(paper, figures, &BTreeSet::new())
+    }
+
+    /// The report of `paper`, with pictures; the kernel of the proof assistant accepted proofs of the claims whose ids are
+    /// in `accepted`.
+    #[must_use]
+    pub fn with_kernel(
+        paper: &PaperOutcome,
+        figures: &[FigureImage],
+        accepted: &BTreeSet<String>,
+    ) -> Self {
+        let builder = Builder::new(paper, figures);
+        let mut sections: Vec<Section> = Vec::new();
+        for (position, outcome) in paper.claims.iter().enumerate() {
+            let claim = builder.claim(position, outcome, accepted);
+            let title = section_title(&claim.at);
+            match sections.iter_mut().find(|section| section.title == title) {
+                Some(section) => section.claims.push(claim),
+                None => sections.push(Section {
+                    title,
+                    anchor: String::new(),
+                    claims: vec![claim],
+                }),
+            }
+        }
+        sections.sort_by_key(|section| section_rank(&section.title));
+        for (section, number) in sections.iter_mut().zip(1..) {
+            section.anchor = format!("section-{number}");
+        }
+        Report {
+            slug: visible(&paper.slug),
+            title: visible(&paper.title),
+            authors: visible(&paper.authors),
+            venue: visible(&paper.venue),
+            tally: Tally::new(&paper.claims),
+            short: short::of(&paper.claims, &builder.anchors),
+            constructions: usable::of(&paper.claims, &builder.anchors),
+            corrections: corrections::of(&paper.claims, &builder.anchors, accepted),
+            findings: findings::of(&paper.claims, &builder.anchors),
+            unexpected: paper
+                .claims
+                .iter()
+                .filter(|claim| !claim.as_expected())
+                .count(),
+            sections,
+            figures: figures.iter().enumerate().map(figure_view).collect(),
+            further_figures: builder.further_figures(),
+            notation: notation(&paper.claims),
+        }
+    }
+
+    /// The claims, section by section.
+    pub fn claims(&self) -> impl Iterator<Item = &ClaimView> {
+        self.sections.iter().flat_map(|section| &section.claims)
+    }
+}
+
+/// The name under which the typesetter finds picture number `position`.
+pub(crate) fn figure_file(position: usize, image: &FigureImage) -> String {
+    format!("figure-{position}.{}", image.image.extension())
+}
+
+fn figure_view((position, image): (usize, &FigureImage)) -> FigureView {
+    let names = Names::default();
+    let prose = |text: &String| spans(&visible(text), &names);
+    FigureView {
+        file: figure_file(position, image),
+        anchor: format!("figure-{}", position + 1),
+        caption: prose(&image.caption),
+        alt: visible(&image.alt),
+        verdict: words::verdict(image.verdict),
+        assumes: image.assumes.iter().map(prose).collect(),
+        stand_in: image.stand_in.iter().map(prose).collect(),
+    }
+}
+
+struct Builder<'a> {
+    paper: &'a PaperOutcome,
+    figures: &'a [FigureImage],
+    /// One identifier for each claim, by position; where ids differ in signs only, a number is added.
+    anchors: Vec<String>,
+    by_id: BTreeMap<&'a str, usize>,
+}
+
+impl<'a> Builder<'a> {
+    fn new(paper: &'a PaperOutcome, figures: &'a [FigureImage]) -> Self {
+        let mut by_id = BTreeMap::new();
+        let mut anchors: Vec<String> = Vec::new();
+        for (position, claim) in paper.claims.iter().enumerate() {
+            by_id.entry(claim.id.as_str()).or_insert(position);
+            let mut name = format!("claim-{}", anchor(name(&claim.id)));
+            while anchors.contains(&name) {
+                name.push_str(&format!("-{}", position + 1));
+            }
+            anchors.push(name);
+        }
+        Builder {
+            paper,
+            figures,
+            anchors,
+            by_id,
+        }
+    }
+
+    fn claim(&self, position: usize, outcome: &Outcome, accepted: &BTreeSet<String>) -> ClaimView {
+        let names = Names::of(outcome);
+        let prose = |text: &str| spans(&visible(text), &names);
+        let option = |text: Option<&str>| text.map(prose);
+        let (here, elsewhere) = self.figures_of(position, &outcome.id);
+        let refuted = matches!(outcome.verdict, Verdict::False | Verdict::Misprint);
+        let (consequences, distant_survivors) = match refuted {
+            true => self.consequences(&outcome.id),
+            false => (Vec::new(), None),
+        };
+        ClaimView {
+            id: visible(&outcome.id),
+            name: visible(name(&outcome.id)),
+            anchor: self.anchors.get(position).cloned().unwrap_or_default(),
+            at: visible(&plain(&outcome.at)),
+            kind: words::kind(outcome.kind),
+            verdict: words::verdict_on(outcome),
+            evidence: words::evidence_on(outcome),
+            level: words::level(outcome, accepted.contains(&outcome.id)),
+            expected: outcome
+                .expect
+                .filter(|of| *of != outcome.verdict)
+                .map(words::verdict),
+            printed: prose(&outcome.printed),
+            reading: option(outcome.reading.as_deref()),
+            parsed: outcome.parsed.as_ref().map(|of| formula(of, &names)),
+            assumed: assumed(outcome, &names),
+            finding: option(outcome.finding.as_deref()),
+            garbled: option(outcome.garbled.as_deref()),
+            rests: views(outcome, &names),
+            readings: outcome.readings.iter().map(reading).collect(),
+            conditions: conditions(&outcome.conditions, &names),
+            correction: outcome
+                .correction
+                .as_ref()
+                .map(|repair| correction(outcome.parsed.as_ref(), repair, &names)),
+            data: (outcome.data.iter())
+                .flat_map(DataCorrection::in_words)
+                .map(|line| prose(&line))
+                .collect(),
+            derived: outcome.derived.as_ref().map(|of| derived(of, &names)),
+            difference: (outcome.difference.as_ref())
+                .filter(|difference| outcome.derived.as_ref() != Some(difference))
+                .map(|of| derived(of, &names)),
+            witness: outcome.witness.as_ref().map(|of| witness(of, &names)),
+            denied: sentence::denied(outcome).map(|text| prose(&text)),
+            steps: counted(&outcome.steps)
+                .iter()
+                .map(|step| prose(step.strip_suffix('.').unwrap_or(step)))
+                .collect(),
+            note: option(outcome.note.as_deref()),
+            uses: outcome.uses.iter().map(|id| self.reference(id)).collect(),
+            used_by: match refuted {
+                true => Vec::new(),
+                false => self.used_by(&outcome.id),
+            },
+            consequences,
+            distant_survivors,
+            figures: here,
+            see_figures: elsewhere,
+            command: format!("torse explain {}", visible(&outcome.id)),
+        }
+    }
+
+    fn reference(&self, id: &str) -> Reference {
+        let anchor = self
+            .by_id
+            .get(id)
+            .and_then(|position| self.anchors.get(*position))
+            .cloned();
+        let shown = if anchor.is_some() { name(id) } else { id };
+        Reference {
+            id: visible(id),
+            shown: visible(shown),
+            anchor,
+        }
+    }
+
+    fn used_by(&self, id: &str) -> Vec<Reference> {
+        let claims = self.paper.claims.iter();
+        let users = claims.filter(|claim| claim.uses.iter().any(|used| used == id));
+        users.map(|claim| self.reference(&claim.id)).collect()
+    }
+
+    /// What rests on a claim: all that does so directly, and of the rest what does not survive; then the
+    /// number of those left out, in words.
+    fn consequences(&self, id: &str) -> (Vec<ConsequenceView>, Option<String>) {
+        let claims: Vec<&Outcome> = self.paper.claims.iter().collect();
+        let found = consequences(id, &claims);
+        let (distant, listed): (Vec<_>, Vec<_>) = found
+            .iter()
+            .partition(|of| !of.through.is_empty() && of.fate.survives());
+        let views = listed.into_iter().map(|of| ConsequenceView {
+            claim: self.reference(&of.id),
+            fate: spans(&visible(&words::consequence(of)), &Names::default()),
+            through: of.through.last().map(|id| self.reference(id)),
+        });
+        let told = (!distant.is_empty()).then(|| words::distant_survivors(distant.len()));
+        (views.collect(), told)
+    }
+
+    /// The pictures that the claim shows itself, and those that it points to.
+    fn figures_of(&self, claim: usize, id: &str) -> (Vec<usize>, Vec<usize>) {
+        let illustrating = self.figures.iter().enumerate();
+        illustrating
+            .filter(|(_, figure)| figure.claims.iter().any(|illustrated| illustrated == id))
+            .map(|(position, _)| position)
+            .partition(|position| self.shown_at(*position) == Some(claim))
+    }
+
+    /// The claim at which a picture is shown: the first in file order of those that it illustrates.
+    fn shown_at(&self, figure: usize) -> Option<usize> {
+        let claims = self.figures.get(figure)?.claims.iter();
+        claims
+            .filter_map(|id| self.by_id.get(id.as_str()))
+            .min()
+            .copied()
+    }
+
+    fn further_figures(&self) -> Vec<usize> {
+        (0..self.figures.len())
+            .filter(|figure| self.shown_at(*figure).is_none())
+            .collect()
+    }
+}
+
+/// A formula on lines of its own.
+pub(crate) fn formula(of: &Formula, names: &Names) -> FormulaView {
+    FormulaView {
+        math: read(&of.text, names).map(|node| Mathematics::display(&node)),
+        text: visible(&of.text),
+    }
+}
+
+/// A formula that the engine derived: a long one is counted.
+fn derived(of: &Formula, names: &Names) -> FormulaView {
+    match words::long(&of.text) {
+        Some(words) => FormulaView {
+            math: Some(Mathematics::inline(&Node::word(&words.replace('`', "")))),
+            text: words,
+        },
+        None => formula(of, names),
+    }
+}
+
+fn conditions(conditions: &[Formula], names: &Names) -> Vec<FormulaView> {
+    let view = |condition| derived(condition, names);
+    conditions.iter().map(view).collect()
+}
+
+fn assumed(outcome: &Outcome, names: &Names) -> Vec<FormulaView> {
+    let assumed = outcome.assumed.iter();
+    let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
+    assumed.map(|h| formula(&h.formula, names)).collect()
+}
+
+/// What a statement rests on, in small print. Definitions that it shares with others are in the notation of the report.
+fn views(outcome: &Outcome, names: &Names) -> Vec<RestsView> {
+    let table = &outcome.table;
+    let prose = |text: &str| spans(&visible(text), names);
+    let quoted = |formula: &Formula| prose(&format!("`{}`", formula.text));
+    let given = outcome.assumed.iter();
+    let given = given.filter(|hypothesis| hypothesis.role == Role::Given);
+    let sets = table.symbols.iter();
+    let sets = sets.filter(|symbol| symbol.set.contains(" in "));
+    let own = table.definitions.iter().filter(|definition| definition.own);
+    let said = outcome.assumed.iter();
+    let said = said.filter(|hypothesis| concerns(hypothesis, &table.symbols));
+    let groups = [
+        ("given", given.map(|h| quoted(&h.formula)).collect()),
+        ("solved for", table.unknowns.iter().map(quoted).collect()),
+        ("where", sets.map(|symbol| prose(&symbol.set)).collect()),
+        ("with", own.map(|of| defined(of, names)).collect()),
+        (
+            "said by",
+            said.filter_map(|h| Some(prose(&said_by(h, &|code| format!("`{code}`"))?)))
+                .collect::<Vec<Prose>>(),
+        ),
+    ];
+    let groups = groups.into_iter();
+    let groups = groups.map(|(label, lines)| RestsView { label, lines });
+    groups.filter(|group| !group.lines.is_empty()).collect()
+}
+
+/// A definition as an equation.
+fn defined(of: &Defined, names: &Names) -> Prose {
+    let text = format!("`{} == {}`", of.head.text, of.body.text);
+    spans(&visible(&text), names)
+}
+
+/// The definitions and families that statements share, each once, in the order of use.
+fn notation(claims: &[Outcome]) -> Vec<Prose> {
+    let mut seen = BTreeSet::new();
+    let mut list = Vec::new();
+    for claim in claims {
+        let names = Names::of(claim);
+        let table = &claim.table;
+        for of in table.definitions.iter().filter(|of| !of.own) {
+            if seen.insert((of.head.text.clone(), of.body.text.clone())) {
+                list.push(defined(of, &names));
+            }
+        }
+        for family in &table.bases {
+            let seeds: Vec<String> = (family.seeds.iter())
+                .map(|seed| format!("`{}`", seed.text))
+                .collect();
+            let [a, b] = &family.step;
+            let text = format!(
+                "`{}`: in degree {} the functions {}, and from each degree to the next the factors `{}` and `{}`",
+                family.head.text,
+                family.degree,
+                seeds.join(", "),
+                a.text,
+                b.text
+            );
+            if seen.insert((family.head.text.clone(), text.clone())) {
+                list.push(spans(&visible(&text), &names));
+            }
+        }
+    }
+    list
+}
+
+fn reading(reading: &ReadingOutcome) -> ReadingView {
+    let of = &reading.outcome;
+    let names = Names::of(of);
+    ReadingView {
+        name: spans(&visible(&reading.name), &names),
+        says: spans(&visible(&reading.says), &names),
+        verdict: words::verdict_on(of),
+        evidence: words::evidence_on(of),
+        parsed: of.parsed.as_ref().map(|parsed| formula(parsed, &names)),
+        assumed: assumed(of, &names),
+        conditions: conditions(&of.conditions, &names),
+        fails_at: sentence::failure(of).map(|text| spans(&visible(&text), &names)),
+        rests: views(of, &names),
+    }
+}
+
+/// The correction with its change marked.
+pub(crate) fn correction(
+    parsed: Option<&Formula>,
+    repair: &Correction,
+    names: &Names,
+) -> CorrectionView {
+    let marked = parsed.and_then(|parsed| changed(&parsed.text, &repair.statement.text, names));
+    let view = |node: &Node, of: &Formula| FormulaView {
+        math: Some(Mathematics::display(node)),
+        text: visible(&of.text),
+    };
+    let (printed, statement) = match (&marked, parsed) {
+        (Some([old, new]), Some(parsed)) => (Some(view(old, parsed)), view(new, &repair.statement)),
+        _ => (
+            parsed.map(|of| formula(of, names)),
+            formula(&repair.statement, names),
+        ),
+    };
+    let edits = repair.in_words();
+    CorrectionView {
+        printed,
+        statement,
+        edits: (edits.iter())
+            .map(|line| spans(&visible(line), names))
+            .collect(),
+        unique: repair.unique,
+    }
+}
+
+fn witness(of: &Witness, names: &Names) -> WitnessView {
+    /// Values of so many characters stand side by side.
+    const SHORT: usize = 16;
+    let equation =
+        |(name, value): &(String, String)| spans(&visible(&format!("`{name} = {value}`")), names);
+    let side = |label, exact: &str, decimals: &str| Side {
+        label,
+        exact: spans(&visible(&format!("`{}`", exact)), names),
+        decimal: told_anew(exact, decimals),
+    };
+    let sides = match of.left == of.right {
+        true => vec![side("equal sides", &of.left, &of.left_decimal)],
+        false => vec![
+            side("left side", &of.left, &of.left_decimal),
+            side("right side", &of.right, &of.right_decimal),
+        ],
+    };
+    let length = |(name, value): &(String, String)| name.len() + value.len();
+    WitnessView {
+        short: of.at.iter().all(|pair| length(pair) <= SHORT),
+        at: of.at.iter().map(equation).collect(),
+        sides,
+    }
+}
+
+/// The decimals, unless the exact value is as easy to read: made of integers.
+fn told_anew(exact: &str, decimals: &str) -> String {
+    let integers = exact
+        .chars()
+        .all(|c| c.is_ascii_digit() || "-[], ".contains(c));
+    match integers || decimals.is_empty() {
+        true => String::new(),
+        false => visible(&decimal(decimals)),
+    }
+}

@@ -1,0 +1,331 @@
+//! What was found of a claim, as a sentence: the one that its file tells, or one that names the relation that fails and
+//! the values at which it does.
+//!
+//! Formulas stand between backticks, in the notation of the files; [`crate::math`] sets them.
+
+use crate::math::expression;
+use crate::text::decimal;
+use crate::words;
+use torse_language::notation::{Formula, text};
+use torse_language::syntax::{Connective, Expr, Node, Relation};
+use torse_language::words::Verdict;
+use torse_prove::evidence::Witness;
+use torse_verdicts::outcome::{Correction, Outcome};
+
+/// Exact values of more characters than this are told by their decimals.
+const LONGEST_EXACT_VALUE: usize = 24;
+
+/// Sides of more characters than this are called left and right side.
+const LONGEST_SIDE: usize = 48;
+
+/// Points and conditions of more characters than this are left to the claim's own section.
+const LONGEST_LIST: usize = 110;
+
+/// The sentence about a claim, with a full stop.
+pub(crate) fn of(claim: &Outcome) -> String {
+    let told = claim.finding.as_deref().map(sentence);
+    match claim.verdict {
+        Verdict::Misprint => {
+            let repair = claim.correction.as_ref().map(repaired).unwrap_or_default();
+            let told = told.unwrap_or_else(|| "False as printed.".to_owned());
+            format!("{told}{repair}")
+        }
+        Verdict::False => told
+            .or_else(|| failure(claim).map(|text| sentence(&text)))
+            .unwrap_or_else(|| "False as printed.".to_owned()),
+        Verdict::Conditional => {
+            let told = told.map_or_else(String::new, |told| format!(" In words: {told}"));
+            match conjunction(&claim.conditions) {
+                Some(conditions) => format!("True only if {conditions}.{told}"),
+                None => {
+                    format!("True only under a condition, which is stated with the claim.{told}")
+                }
+            }
+        }
+        Verdict::Depends => {
+            let told = told.map_or_else(String::new, |told| format!(" In words: {told}"));
+            let each = claim.readings.iter().map(|reading| {
+                let verdict = words::verdict(reading.outcome.verdict).label;
+                let says = reading.says.trim_end_matches('.');
+                format!("{verdict} if read so: {says}")
+            });
+            let each: Vec<String> = each.collect();
+            format!("{}.{told}", capital(&each.join("; ")))
+        }
+        Verdict::Vacuous => "No point satisfies the assumptions.".to_owned(),
+        _ => match &claim.note {
+            Some(note) => format!("Not decided. {note}"),
+            None => "Not decided.".to_owned(),
+        },
+    }
+}
+
+/// With a capital letter and a full stop.
+fn sentence(text: &str) -> String {
+    let text = capital(text.trim());
+    match text.ends_with(['.', '!', '?']) {
+        true => text,
+        false => format!("{text}."),
+    }
+}
+
+/// With a capital letter, unless the first word is mathematics.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    match letters.next() {
+        Some(first)
+            if first.is_ascii_lowercase() && letters.next().is_some_and(char::is_alphabetic) =>
+        {
+            let rest = text.get(1..).unwrap_or_default();
+            format!("{}{rest}", first.to_ascii_uppercase())
+        }
+        // The article.
+        Some('a') if text.starts_with("a ") => format!("A{}", text.get(1..).unwrap_or_default()),
+        _ => text.to_owned(),
+    }
+}
+
+fn repaired(repair: &Correction) -> String {
+    let edits = repair.edits.join("; ");
+    let others = match repair.unique {
+        true => "",
+        false => " (other repairs as small exist)",
+    };
+    format!(" It is proved with this change: {edits}{others}.")
+}
+
+/// Where a refuted statement fails and by how much; none where nothing is known of it.
+pub(crate) fn failure(claim: &Outcome) -> Option<String> {
+    if let Some(denied) = denied(claim) {
+        return Some(denied);
+    }
+    let witness = claim.witness.as_ref()?;
+    let statement = failing(claim).and_then(|text| expression(&text));
+    let relation = statement
+        .as_ref()
+        .and_then(|statement| match &statement.node {
+            Node::Compare(left, rest) => match rest.as_slice() {
+                [(relation, right)] => Some((&**left, *relation, right)),
+                _ => None,
+            },
+            _ => None,
+        });
+    Some(match relation {
+        Some((left, relation, right)) => compared(left, relation, right, witness),
+        None => fails_at(witness),
+    })
+}
+
+/// The statement that fails: of a conjunction the part of which the steps say so.
+fn failing(claim: &Outcome) -> Option<String> {
+    let part = |step: &String| {
+        let rest = step.strip_prefix("the part `")?;
+        let (part, after) = rest.split_once('`')?;
+        after.starts_with(" fails").then(|| part.to_owned())
+    };
+    let part = claim.steps.iter().find_map(part);
+    part.or_else(|| claim.parsed.as_ref().map(|formula| formula.text.clone()))
+}
+
+/// The relation that fails, with the values of both sides.
+fn compared(left: &Expr, relation: Relation, right: &Expr, witness: &Witness) -> String {
+    let place = place(witness);
+    let name = |side: &Expr, otherwise: &str| {
+        let text = text(side);
+        match text.chars().count() <= LONGEST_SIDE {
+            true => format!("`{text}`"),
+            false => otherwise.to_owned(),
+        }
+    };
+    let (shown_left, shown_right) = (name(left, "the left side"), name(right, "the right side"));
+    // A number is told as it is printed, and a side that is its own value in decimals.
+    let value = |side: &Expr, exact: &str, decimals: &str| match side.node {
+        Node::Number { .. } => format!("`{}`", text(side)),
+        _ if text(side) == exact && !decimals.is_empty() => decimal(decimals),
+        _ => told(exact, decimals),
+    };
+    let value_left = value(left, &witness.left, &witness.left_decimal);
+    let value_right = value(right, &witness.right, &witness.right_decimal);
+    // A side that is printed as its value is not told twice.
+    let number_left = text(left) == witness.left || matches!(left.node, Node::Number { .. });
+    let number = text(right) == witness.right || matches!(right.node, Node::Number { .. });
+    let equal = witness.left == witness.right;
+    let wanted = match relation {
+        Relation::Equal => "equal to",
+        Relation::Different => "different from",
+        Relation::Less => "less than",
+        Relation::AtMost => "at most",
+        Relation::Greater => "greater than",
+        Relation::AtLeast => "at least",
+    };
+    match (relation, equal, number) {
+        (Relation::Equal, true, _) => format!("it fails{}", end(&place)),
+        (Relation::Equal, false, true) => format!(
+            "{shown_left} is {value_left}{}, and not {value_right}{}",
+            end(&place),
+            off(witness)
+        ),
+        (Relation::Equal, false, false) if number_left => {
+            format!(
+                "{shown_right} is {value_right}{}, and not {value_left}{}",
+                end(&place),
+                off(witness)
+            )
+        }
+        (Relation::Equal, false, false) => format!(
+            "{shown_left} is {value_left}{}, and {shown_right} is {value_right}{}",
+            end(&place),
+            off(witness)
+        ),
+        (Relation::Different, ..) => {
+            format!(
+                "{shown_left} is {value_left}{}, and so is {shown_right}",
+                end(&place)
+            )
+        }
+        (_, _, true) => format!(
+            "{shown_left} is {value_left}{}, which is not {wanted} {value_right}",
+            end(&place)
+        ),
+        (_, true, false) => format!(
+            "{shown_left} and {shown_right} are equal{}, so that neither is greater",
+            end(&place)
+        ),
+        (_, false, false) => format!(
+            "{shown_left} is {value_left}{}, which is not {wanted} {shown_right}, that is {value_right}",
+            end(&place)
+        ),
+    }
+}
+
+/// ` at k = 3` behind a value.
+fn end(place: &str) -> String {
+    match place.is_empty() {
+        true => String::new(),
+        false => format!(" {}", place.trim_end()),
+    }
+}
+
+/// By how much two numbers differ, where the exact values do not tell.
+fn off(witness: &Witness) -> String {
+    let number = |decimals: &str| decimals.trim_end_matches('.').parse::<f64>().ok();
+    let plain = |exact: &str| exact.parse::<i64>().is_ok();
+    if plain(&witness.left) && plain(&witness.right) {
+        return String::new();
+    }
+    match (
+        number(&witness.left_decimal),
+        number(&witness.right_decimal),
+    ) {
+        (Some(left), Some(right)) => {
+            let off = (left - right).abs();
+            // Twelve digits are known of both.
+            match off > 1e-6 * left.abs().max(right.abs()) && off.is_finite() {
+                true => format!("; the difference is {}", significant(off)),
+                false => String::new(),
+            }
+        }
+        _ => String::new(),
+    }
+}
+
+/// A number with four digits that count.
+fn significant(number: f64) -> String {
+    let places = 3.0 - number.log10().floor();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped"
+    )]
+    let places = places.clamp(0.0, 12.0) as usize;
+    let text = format!("{number:.places$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// Of a claim that something is not so, refuted by proving that it is so everywhere: just that.
+pub(crate) fn denied(claim: &Outcome) -> Option<String> {
+    const PROVED: &str = "the negated statement is proved";
+    const INSTANCE: &str = "the instance ";
+    let steps = || claim.steps.iter();
+    if !steps().any(|step| step.starts_with(PROVED)) {
+        return None;
+    }
+    let place = match steps().find_map(|step| step.strip_prefix(INSTANCE)) {
+        Some(values) => format!("at {values} "),
+        None => String::new(),
+    };
+    let statement = claim.parsed.as_ref().and_then(|of| expression(&of.text))?;
+    let so = opposite(&statement).map(|so| text(&so));
+    Some(match so {
+        Some(so) if so.chars().count() <= LONGEST_LIST => format!("{place}`{so}` everywhere"),
+        _ => format!("{place}what it denies holds everywhere"),
+    })
+}
+
+/// The statement that is denied.
+fn opposite(statement: &Expr) -> Option<Expr> {
+    match &statement.node {
+        Node::Not(inner) => Some((**inner).clone()),
+        Node::Compare(left, rest) => match rest.as_slice() {
+            [(relation, right)] => {
+                let node = Node::Compare(left.clone(), vec![(relation.opposite(), right.clone())]);
+                Some(Expr::made(node))
+            }
+            _ => None,
+        },
+        Node::Join(Connective::Or, a, b) => {
+            let (a, b) = (opposite(a)?, opposite(b)?);
+            Some(Expr::made(Node::Join(Connective::And, a.into(), b.into())))
+        }
+        _ => None,
+    }
+}
+
+fn place(witness: &Witness) -> String {
+    let values: Vec<String> = witness
+        .at
+        .iter()
+        .map(|(name, value)| format!("`{name} = {value}`"))
+        .collect();
+    match short(values.join(", ")) {
+        Some(values) if values.is_empty() => String::new(),
+        Some(values) => format!("at {values} "),
+        None => "at the point stated with the claim ".to_owned(),
+    }
+}
+
+/// The values of both sides of a statement that is no single relation.
+fn fails_at(witness: &Witness) -> String {
+    let place = place(witness);
+    match witness.left == witness.right {
+        true => format!("it fails{}", end(&place)),
+        false => {
+            let left = told(&witness.left, &witness.left_decimal);
+            let right = told(&witness.right, &witness.right_decimal);
+            format!("{place}the left side is {left}, and the right side is {right}")
+        }
+    }
+}
+
+fn told(exact: &str, decimals: &str) -> String {
+    match exact.chars().count() <= LONGEST_EXACT_VALUE || decimals.is_empty() {
+        true => format!("`{exact}`"),
+        false => decimal(decimals),
+    }
+}
+
+/// The conditions joined, unless there are none or they are long.
+fn conjunction(formulas: &[Formula]) -> Option<String> {
+    let texts: Vec<String> = formulas
+        .iter()
+        .map(|formula| words::quoted(&formula.text))
+        .collect();
+    short(texts.join(" and ")).filter(|text| !text.is_empty())
+}
+
+fn short(list: String) -> Option<String> {
+    (list.chars().count() <= LONGEST_LIST).then_some(list)
+}

@@ -1,0 +1,193 @@
+//! A report in one minute: what stands, and the few things that matter most of what does not.
+
+use crate::corrections::{is_refuted, ranked};
+use crate::findings::{self, Finding};
+use crate::math::Names;
+use crate::model::{FormulaView, correction, formula};
+use crate::tally::Tally;
+use crate::text::visible;
+use crate::usable::title;
+use crate::words;
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+use torse_language::words::Verdict;
+use torse_verdicts::consequences::{resting, users};
+use torse_verdicts::outcome::Outcome;
+
+/// The most sentences about single statements.
+const MOST: usize = 5;
+
+/// What a reader must know, in a minute.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Short {
+    /// How many statements there are and what is true of them, in a sentence.
+    pub counts: String,
+    /// What matters most, first what most rests on.
+    pub points: Vec<Point>,
+    /// How many more statements are false as printed, in words.
+    pub rest: Option<String>,
+}
+
+/// One of the things that matter most.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Point {
+    /// What was found.
+    pub finding: Finding,
+    /// What the formula is.
+    pub label: &'static str,
+    /// The formula in question.
+    pub formula: Option<FormulaView>,
+    /// What rests on it, in words; empty where nothing does.
+    pub consequence: String,
+}
+
+/// The report of `claims` in a minute; `anchors` holds their identifiers for links, by position.
+pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Short {
+    let uses = claims.iter().map(|of| (of.id.as_str(), of.uses.as_slice()));
+    let users = users(uses);
+    let refuted: Vec<&Outcome> = claims.iter().filter(|of| is_refuted(of)).collect();
+    // What rests on another refuted statement is told with that one, and what is told in the same words once.
+    let followers: BTreeSet<&str> = refuted
+        .iter()
+        .filter(|of| of.garbled.is_none())
+        .flat_map(|of| resting(&of.id, &users))
+        .map(|(id, _)| id)
+        .collect();
+    let mut told = BTreeSet::new();
+    let mut points = Vec::new();
+    // What is said of one theorem or example counts together.
+    let mut groups: BTreeMap<String, usize> = BTreeMap::new();
+    for claim in &refuted {
+        *groups.entry(group(claim)).or_insert(0) += 1;
+    }
+    let siblings_of: BTreeMap<String, usize> = groups
+        .iter()
+        .map(|(name, count)| (name.clone(), count - 1))
+        .collect();
+    let mut ranked = ranked(claims);
+    ranked.sort_by_key(|(position, (resting, _))| {
+        let more = claims
+            .get(*position)
+            .and_then(|claim| siblings_of.get(&group(claim)));
+        let more = more.copied().unwrap_or(0);
+        std::cmp::Reverse(resting + more)
+    });
+    for (position, (resting, falling)) in ranked {
+        let (Some(claim), Some(anchor)) = (claims.get(position), anchors.get(position)) else {
+            continue;
+        };
+        let told_already = match &claim.finding {
+            Some(finding) => !told.insert(finding.clone()),
+            None => false,
+        };
+        let follows = followers.contains(claim.id.as_str());
+        let new = !told_already && !follows && claim.garbled.is_none();
+        // One point for one theorem or example.
+        if points.len() < MOST && new && groups.remove(&group(claim)).is_some() {
+            let more = siblings_of.get(&group(claim)).copied().unwrap_or(0);
+            points.push(point(claim, anchor, (resting, falling, more)));
+        }
+    }
+    let left = refuted.len() - points.len();
+    Short {
+        counts: counts(claims),
+        rest: match left {
+            0 => None,
+            1 => Some("One more statement is false as printed.".to_owned()),
+            _ => Some(format!("{left} more statements are false as printed.")),
+        },
+        points,
+    }
+}
+
+/// The theorem or example that a statement is of, or the place of one that is of none.
+fn group(claim: &Outcome) -> String {
+    title(claim).unwrap_or_else(|| claim.at.clone())
+}
+
+fn point(claim: &Outcome, anchor: &str, weight: (usize, usize, usize)) -> Point {
+    let (resting, falling, more) = weight;
+    let names = Names::of(claim);
+    let (label, formula) = match (&claim.correction, &claim.parsed) {
+        (Some(repair), parsed) => {
+            let view = correction(parsed.as_ref(), repair, &names);
+            ("to be read", Some(view.statement))
+        }
+        (None, Some(parsed)) => ("as printed", Some(formula(parsed, &names))),
+        (None, None) => ("", None),
+    };
+    let statements = |count| words::plural(count, "statement");
+    let consequence = match (resting, falling) {
+        (0, _) => None,
+        (1, 0) => Some("One statement rests on it, and survives.".to_owned()),
+        (1, _) => Some("The one statement that rests on it falls.".to_owned()),
+        (_, 0) => Some(format!("{} rest on it; none falls.", statements(resting))),
+        (_, 1) => Some(format!("{} rest on it; one falls.", statements(resting))),
+        _ => Some(format!(
+            "{} rest on it; {falling} fall.",
+            statements(resting)
+        )),
+    };
+    let others = match more {
+        0 => None,
+        1 => Some(format!(
+            "One more statement of {} is false.",
+            visible(&group(claim))
+        )),
+        _ => Some(format!(
+            "{more} more statements of {} are false.",
+            visible(&group(claim))
+        )),
+    };
+    let consequence: Vec<String> = consequence.into_iter().chain(others).collect();
+    Point {
+        finding: findings::about(claim, anchor),
+        label,
+        formula: formula.filter(|view| view.math.is_some()),
+        consequence: consequence.join(" "),
+    }
+}
+
+/// What is true of the statements, counted.
+fn counts(claims: &[Outcome]) -> String {
+    let tally = Tally::new(claims);
+    let count = |verdict| {
+        let key = words::verdict(verdict).key;
+        let rows = tally.rows.iter().filter(|row| row.verdict.key == key);
+        rows.map(|row| row.count).sum::<usize>()
+    };
+    let mut parts = Vec::new();
+    let mut part = |count: usize, one: &str, many: &str| match count {
+        0 => {}
+        1 => parts.push(format!("one {one}")),
+        _ => parts.push(format!("{count} {many}")),
+    };
+    part(count(Verdict::Holds), "holds as printed", "hold as printed");
+    part(
+        count(Verdict::Conditional),
+        "holds under a condition that is not printed",
+        "hold under a condition that is not printed",
+    );
+    part(
+        count(Verdict::Misprint),
+        "is false and has a small correction that is proved",
+        "are false and have a small correction that is proved",
+    );
+    part(count(Verdict::False), "is false", "are false");
+    part(
+        count(Verdict::Depends),
+        "depends on how it is read",
+        "depend on how they are read",
+    );
+    part(
+        count(Verdict::Undecided),
+        "was not decided",
+        "were not decided",
+    );
+    let total = words::plural(tally.total, "statement");
+    match parts.pop() {
+        None => format!("{total}; nothing was to be decided."),
+        Some(only) if parts.is_empty() => format!("Of {total}, {only}."),
+        Some(last) => format!("Of {total}, {} and {last}.", parts.join(", ")),
+    }
+}

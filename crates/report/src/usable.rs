@@ -1,0 +1,178 @@
+//! Whether what a paper builds and states by name can be used: as printed, with a correction, or not.
+//!
+//! A construction is what has a name of its own, `Theorem 4`, `Algorithm 2`, or is of that kind; its answer is that of the
+//! statements made under the name. Proofs do not count: a slip in one says nothing against what is proved.
+
+use crate::text::{name, visible};
+use serde::Serialize;
+use torse_language::words::{Kind, Verdict};
+use torse_verdicts::outcome::Outcome;
+
+/// Whether a construction can be used, best first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Answer {
+    /// All its statements hold.
+    AsPrinted,
+    /// They hold under conditions that are not printed.
+    UnderCondition,
+    /// They hold in one reading of what is printed.
+    InOneReading,
+    /// What is false has a true form that is proved.
+    Corrected,
+    /// Something is false, and no true form is known.
+    Not,
+    /// Nothing was decided.
+    Open,
+}
+
+impl Answer {
+    /// The answer in words.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Answer::AsPrinted => "as printed",
+            Answer::UnderCondition => "under a condition that is not printed",
+            Answer::InOneReading => "in one reading of what is printed",
+            Answer::Corrected => "with a correction",
+            Answer::Not => "not as printed",
+            Answer::Open => "not decided",
+        }
+    }
+}
+
+/// Something that the paper builds or states by name.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Construction {
+    /// Its name.
+    pub name: String,
+    /// Whether it can be used.
+    pub answer: Answer,
+    /// The answer in words.
+    pub label: &'static str,
+    /// The identifier for links of the first of its claims.
+    pub anchor: String,
+    /// The claims that decide the answer: their names and identifiers for links.
+    pub because: Vec<Because>,
+}
+
+/// A claim that decides an answer.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Because {
+    /// The name of the claim.
+    pub name: String,
+    /// Its identifier for links.
+    pub anchor: String,
+}
+
+/// The constructions of `claims` in the order of the paper; `anchors` holds their identifiers for links.
+pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Construction> {
+    let mut groups: Vec<(String, Vec<(&Outcome, &String)>)> = Vec::new();
+    for (claim, anchor) in claims.iter().zip(anchors) {
+        let Some(title) = title(claim) else { continue };
+        match groups.iter_mut().find(|(name, _)| *name == title) {
+            Some((_, group)) => group.push((claim, anchor)),
+            None => groups.push((title, vec![(claim, anchor)])),
+        }
+    }
+    groups
+        .into_iter()
+        .filter_map(|(title, group)| construction(title, &group))
+        .collect()
+}
+
+/// The name under which a claim is made.
+pub(crate) fn title(claim: &Outcome) -> Option<String> {
+    const WORDS: [&str; 5] = [
+        "Theorem",
+        "Proposition",
+        "Algorithm",
+        "Definition",
+        "Example",
+    ];
+    if claim.at.contains("proof of") || claim.at.contains("before") || claim.at.contains("after D")
+    {
+        return None;
+    }
+    for word in WORDS {
+        if let Some((_, after)) = claim.at.split_once(word) {
+            let after = after.trim_start();
+            let number: String = after
+                .chars()
+                .take_while(|c| c.is_ascii_digit() || *c == '.')
+                .collect();
+            let number = number.trim_end_matches('.');
+            if !number.is_empty() {
+                return Some(format!("{word} {number}"));
+            }
+        }
+    }
+    let (section, rest) = claim.at.split_once(", ").unwrap_or((&claim.at, ""));
+    if rest.starts_with("example") {
+        return Some(format!("Example of {section}"));
+    }
+    if claim.kind != Kind::Construction {
+        return None;
+    }
+    let equation = rest
+        .split_once("eq. (")
+        .and_then(|(_, after)| after.split_once(')'));
+    Some(match equation {
+        Some((number, _)) => format!("Equation ({})", visible(number)),
+        None => format!("Construction of {}", visible(section)),
+    })
+}
+
+fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<Construction> {
+    let statements = || {
+        let ours = |(claim, _): &&(&Outcome, &String)| claim.kind != Kind::Remark;
+        group.iter().filter(ours)
+    };
+    let (_, first) = statements().next()?;
+    // A remark of ours with a proof may be the true form of what is false.
+    let true_form = |claim: &Outcome| {
+        let whole = claim.part_of.as_ref().unwrap_or(&claim.id);
+        claim.correction.is_some()
+            || claim.data.is_some()
+            || group.iter().any(|(other, _)| {
+                other.kind == Kind::Remark
+                    && other.id.starts_with(whole.as_str())
+                    && matches!(other.verdict, Verdict::Holds | Verdict::Conditional)
+            })
+    };
+    let answer_of = |claim: &Outcome| match claim.verdict {
+        Verdict::Holds | Verdict::Definition | Verdict::Reproduced => Some(Answer::AsPrinted),
+        Verdict::Conditional => Some(Answer::UnderCondition),
+        Verdict::Depends => Some(Answer::InOneReading),
+        Verdict::Misprint | Verdict::False if true_form(claim) => Some(Answer::Corrected),
+        Verdict::Misprint | Verdict::False | Verdict::Vacuous => Some(Answer::Not),
+        Verdict::Undecided => Some(Answer::Open),
+        _ => None,
+    };
+    let answers: Vec<(Answer, &Outcome, &String)> = statements()
+        .filter_map(|(claim, anchor)| Some((answer_of(claim)?, *claim, *anchor)))
+        .collect();
+    // Definitions that only are well formed are nothing to use.
+    if answers
+        .iter()
+        .all(|(_, claim, _)| claim.verdict == Verdict::Definition)
+    {
+        return None;
+    }
+    let answer = answers.iter().map(|(answer, ..)| *answer).max()?;
+    let because = answers
+        .iter()
+        .filter(|(of, ..)| *of == answer && answer != Answer::AsPrinted);
+    Some(Construction {
+        name: title,
+        answer,
+        label: answer.label(),
+        anchor: (*first).clone(),
+        because: because
+            .map(|(_, claim, anchor)| Because {
+                name: visible(name(&claim.id)),
+                anchor: (*anchor).clone(),
+            })
+            .collect(),
+    })
+}
