@@ -13,15 +13,16 @@ use std::path::{Path, PathBuf};
 use torse_language::derivation::Paper;
 use torse_report::model::Report as Document;
 use torse_report::{
-    FigureImage, ReportError, Typeset, gallery, html_page, verdicts_json_with_kernel, write_file,
+    FigureImage, ReportError, Typeset, gallery, html_page, landing_page, verdicts_json_with_kernel,
+    write_file,
 };
 use torse_verdicts::outcome::PaperOutcome;
 
 /// Decide all claims, draw the figures, and write everything into a folder.
 ///
 /// The folder gets `verdicts.json` and `summary.pdf` over all papers, `PAPER.pdf` and `PAPER.html` for each
-/// paper, the figures as PNG and SVG under `figures/`, and `README.md`, which shows them all. Naming papers
-/// leaves out the reports and figures of the others, and the page of all figures; verdicts and summary are
+/// paper, `index.html`, which leads to them, the figures as PNG and SVG under `figures/`, and `README.md`, which shows
+/// them all. Naming papers leaves out the reports and figures of the others, and the pages of all; verdicts and summary are
 /// always of all. Nothing is written while a derivation file is wrong. Figures that did not change are not drawn again. The same input gives the same bytes.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -169,6 +170,9 @@ impl Report {
         }));
         if self.papers.is_empty() {
             documents.push(File::new("README.md", || Ok(gallery(shown)?.into_bytes())));
+            documents.push(File::new("index.html", || {
+                Ok(landing_page(reports)?.into_bytes())
+            }));
         }
         documents
     }
@@ -201,7 +205,7 @@ impl<'a> File<'a> {
 /// file's name.
 fn check_slug(slug: &str) -> Result<(), Failure> {
     let plain = |character: char| character.is_ascii_alphanumeric() || character == '-';
-    match !slug.is_empty() && slug.chars().all(plain) && slug != "summary" {
+    match !slug.is_empty() && slug.chars().all(plain) && slug != "summary" && slug != "index" {
         true => Ok(()),
         false => Err(Failure::Slug {
             slug: slug.to_owned(),

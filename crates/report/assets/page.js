@@ -110,6 +110,29 @@
     else if (event.key === "j") step(1);
     else if (event.key === "k") step(-1);
   });
+  // Of the drawing, the claims that one rests on and those that rest on it, near and far.
+  for (const graph of document.querySelectorAll(".graph")) {
+    const lines = [...graph.querySelectorAll("path")], nodes = [...graph.querySelectorAll("a")];
+    const reach = (start, from, to) => {
+      const found = new Set([start]);
+      for (const name of found) for (const line of lines) if (line.dataset[from] === name) found.add(line.dataset[to]);
+      return found;
+    };
+    const show = (name) => {
+      graph.classList.toggle("one", !!name);
+      if (!name) return;
+      const below = reach(name, "b", "a"), above = reach(name, "a", "b");
+      for (const node of nodes) node.classList.toggle("near", below.has(node.dataset.claim) || above.has(node.dataset.claim));
+      for (const line of lines) {
+        const { a, b } = line.dataset;
+        line.classList.toggle("near", (below.has(a) && below.has(b)) || (above.has(a) && above.has(b)));
+      }
+    };
+    for (const node of nodes) {
+      for (const event of ["pointerenter", "focus"]) node.addEventListener(event, () => show(node.dataset.claim));
+      for (const event of ["pointerleave", "blur"]) node.addEventListener(event, () => show(null));
+    }
+  }
   addEventListener("hashchange", reveal);
   byId("tools").hidden = false;
   recall();

@@ -5,7 +5,8 @@
 //!
 //! - [`Typeset`] is a typeset document: [`Typeset::paper`] for one paper, [`Typeset::summary`] for
 //!   several, written with [`Typeset::pdf`], looked at with [`Typeset::page_png`];
-//! - [`html_page`] is one self-contained page for a browser, formulas as MathML;
+//! - [`html_page`] is one self-contained page for a browser, formulas as MathML; [`landing_page`] leads to several;
+//! - [`erratum_latex`], [`erratum_markdown`] and [`Typeset::erratum`] are corrections ready to be sent;
 //! - [`gallery`] shows all figures of all papers, in Markdown;
 //! - [`verdicts_json`] is the interface that other programs read;
 //! - [`write_file`] puts bytes in place whole or not at all.
@@ -39,7 +40,7 @@ pub use error::ReportError;
 pub use figure::{FigureImage, Image};
 pub use findings::Finding;
 pub use gallery::gallery;
-pub use html::html_page;
+pub use html::{html_page, landing_page};
 pub use json::{verdicts_json, verdicts_json_with_kernel};
 pub use math::{Mathematics, Prose, Span, in_words, plain};
 pub use rests::{Rests, rests};

@@ -141,7 +141,7 @@ fn compared(left: &Expr, relation: Relation, right: &Expr, witness: &Witness) ->
     // A number is told as it is printed, and a side that is its own value in decimals.
     let value = |side: &Expr, exact: &str, decimals: &str| match side.node {
         Node::Number { .. } => format!("`{}`", text(side)),
-        _ if text(side) == exact && !decimals.is_empty() => decimal(decimals),
+        _ if text(side) == exact && exact.contains(char::is_alphabetic) => decimal(decimals),
         _ => told(exact, decimals),
     };
     let value_left = value(left, &witness.left, &witness.left_decimal);

@@ -65,15 +65,17 @@ impl Typeset {
         )
     }
 
-    /// The summary of several papers: counts, and of each what a reader must know in a minute.
+    /// The summary of several papers: counts, and of each what a reader must know in a minute. Examples of ours are left
+    /// out.
     ///
     /// # Errors
     ///
     /// [`ReportError::Typeset`] when the document cannot be set.
     pub fn summary(reports: &[Report]) -> Result<Self, ReportError> {
+        let papers: Vec<&Report> = reports.iter().filter(|of| !of.is_example()).collect();
         let data = Data {
             glossary: Glossary::new(),
-            content: reports,
+            content: papers,
         };
         Self::set("the summary", SUMMARY, &data, [], "summary")
     }

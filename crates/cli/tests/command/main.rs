@@ -7,6 +7,7 @@ mod audit;
 mod data;
 mod derive;
 mod design;
+mod erratum;
 mod explain;
 mod hostile;
 mod prove;

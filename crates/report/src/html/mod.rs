@@ -5,6 +5,8 @@
 //! Without the script it is a complete report; the script adds filter, search and keys.
 
 mod claim;
+mod graph;
+mod landing;
 mod moving;
 mod overview;
 mod picture;
@@ -13,6 +15,7 @@ mod text;
 use crate::model::Report;
 use crate::words::{self, KINDS, Term};
 use crate::{FigureImage, ReportError};
+pub use landing::landing_page;
 use std::fmt::{self, Write};
 use text::{Listed, Sentence, Text, badge};
 
@@ -81,6 +84,7 @@ impl Page<'_> {
             Text(&self.report.venue),
         )?;
         overview::write(out, self.report)?;
+        graph::write(out, self.report)?;
         out.push_str("<h2 id=\"every-claim\">Every claim</h2>\n");
         self.tools(out)?;
         out.push_str("<div id=\"claims\">\n<p id=\"nothing\" hidden>No claim matches. <button type=\"button\" id=\"all\">Show all</button></p>\n");

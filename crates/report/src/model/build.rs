@@ -74,6 +74,12 @@ impl Report {
         }
     }
 
+    /// Whether the paper is an example of ours, and no publication.
+    #[must_use]
+    pub fn is_example(&self) -> bool {
+        self.authors == "torse"
+    }
+
     /// The claims, section by section.
     pub fn claims(&self) -> impl Iterator<Item = &ClaimView> {
         self.sections.iter().flat_map(|section| &section.claims)

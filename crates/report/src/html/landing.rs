@@ -1,0 +1,121 @@
+//! The landing page: a card for each paper, the worked example apart.
+
+use super::STYLE;
+use super::text::{Sentence, Text, formula};
+use crate::ReportError;
+use crate::model::Report;
+use crate::usable::Answer;
+use std::fmt::{self, Write};
+
+/// Points that a card tells.
+const POINTS: usize = 3;
+
+/// The page that leads to the reports of several papers, which stand beside it.
+///
+/// # Errors
+///
+/// [`ReportError::Typeset`] when a string refuses to be written to, which memory does not do.
+pub fn landing_page(reports: &[Report]) -> Result<String, ReportError> {
+    let mut page = String::new();
+    write(&mut page, reports).map_err(|fmt::Error| ReportError::Typeset {
+        document: "the landing page",
+        messages: vec!["a string refused to be written to".to_owned()],
+    })?;
+    Ok(page)
+}
+
+fn write(out: &mut String, reports: &[Report]) -> fmt::Result {
+    let (examples, papers): (Vec<&Report>, Vec<&Report>) =
+        reports.iter().partition(|report| report.is_example());
+    write!(
+        out,
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
+         <title>What is true of these papers</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <header class=\"masthead\">\n<p class=\"kicker\">Verification reports</p>\n<h1>What is true of these papers</h1>\n\
+         <p>Each statement of each paper was decided by exact computation. A report says what stands, what is to be read instead, \
+         and why; letters of corrections are ready to be sent.</p>\n</header>\n<main>\n"
+    )?;
+    for report in papers {
+        card(out, report)?;
+    }
+    if !examples.is_empty() {
+        out.push_str("<h2>Worked example</h2>\n<p class=\"meta\">Statements of textbooks, and slips that were planted to be found.</p>\n");
+    }
+    for report in examples {
+        card(out, report)?;
+    }
+    out.push_str(
+        "</main>\n<footer><p><a href=\"summary.pdf\">Summary of all papers</a> · <a href=\"README.md\">all figures</a> · \
+         <a href=\"verdicts.json\">verdicts for programs</a></p></footer>\n</body>\n</html>\n",
+    );
+    Ok(())
+}
+
+fn card(out: &mut String, report: &Report) -> fmt::Result {
+    let slug = Text(&report.slug);
+    write!(
+        out,
+        "<section class=\"card\" id=\"{slug}\"><h2><a href=\"{slug}.html\">{}</a></h2>\n<p class=\"meta\">{} · <em>{}</em></p>\n\
+         <p><strong>{}</strong> {}</p>\n<ol>",
+        Text(&report.title),
+        Text(&report.authors),
+        Text(&report.venue),
+        usable(report),
+        Text(&report.short.counts)
+    )?;
+    for point in report.short.points.iter().take(POINTS) {
+        let finding = &point.finding;
+        write!(
+            out,
+            "<li><a href=\"{slug}.html#{}\">{}</a>: {}",
+            finding.anchor,
+            Text(&finding.at),
+            Sentence(&finding.text)
+        )?;
+        if let Some(view) = &point.formula {
+            write!(
+                out,
+                "<div class=\"display\"><span class=\"side\">{}</span>",
+                point.label
+            )?;
+            formula(out, view)?;
+            out.push_str("</div>");
+        }
+        out.push_str("</li>\n");
+    }
+    write!(
+        out,
+        "</ol>\n<p><a href=\"{slug}.html\">report</a> · <a href=\"{slug}.pdf\">as PDF</a></p></section>\n"
+    )
+}
+
+/// Whether the paper can be used, in a sentence.
+fn usable(report: &Report) -> String {
+    let count = |answers: &[Answer]| {
+        let constructions = report.constructions.iter();
+        constructions
+            .filter(|of| answers.contains(&of.answer))
+            .count()
+    };
+    let all = report.constructions.len();
+    let fine = count(&[
+        Answer::AsPrinted,
+        Answer::UnderCondition,
+        Answer::InOneReading,
+    ]);
+    let corrected = count(&[Answer::Corrected]);
+    match (all, all - fine, corrected) {
+        (0, ..) if report.corrections.is_empty() => "Usable as printed.".to_owned(),
+        (0, ..) => "Usable with corrections.".to_owned(),
+        (_, 0, _) => "Usable as printed, under the conditions that the report states.".to_owned(),
+        (_, bad, corrected) if bad == corrected => format!(
+            "Usable with corrections: {corrected} of {all} theorems, algorithms and examples need one."
+        ),
+        (_, bad, corrected) => format!(
+            "Usable in parts: of {all} theorems, algorithms and examples {corrected} need a correction, and {} cannot be used as printed.",
+            bad - corrected
+        ),
+    }
+}
