@@ -37,7 +37,8 @@ addEventListener("load", async () => {
     seen.claims = shown().length;
     const chip = document.querySelector(".chip");
     chip.click();
-    seen.without = { verdict: chip.value, left: shown().length, wrong: shown().filter((claim) => claim.dataset.verdict === chip.value).length };
+    seen.alone = { verdict: chip.value, left: shown().length, wrong: shown().filter((claim) => claim.dataset.verdict !== chip.value).length };
+    seen.address = location.search;
     document.getElementById("reset").click();
     seen.again = shown().length;
     const kind = document.getElementById("kind");
@@ -54,11 +55,23 @@ addEventListener("load", async () => {
     search.value = shown()[0].querySelector("h3").textContent;
     search.dispatchEvent(new Event("input"));
     seen.search = shown().length;
-    document.getElementById("reset").click();
+    search.value = "no claim has these words";
+    search.dispatchEvent(new Event("input"));
+    seen.none = { left: shown().length, told: !document.getElementById("nothing").hidden };
+    document.getElementById("all").click();
+    seen.after = shown().length;
+    const last = shown().at(-1);
+    location.hash = last.id;
+    await frame();
+    seen.opened = last.querySelector("details").open;
+    const cut = (box) => box.scrollWidth - box.clientWidth;
+    seen.cut = all("#in-short .math, #corrections .math").filter((box) => cut(box) > 1).length;
+    seen.short = document.querySelectorAll("#in-short li").length;
     seen.wide = document.documentElement.scrollWidth - innerWidth;
     seen.math = all("math").length;
     seen.moving = [];
     for (const details of all("details.moving")) {
+      for (let part = details.parentElement; part; part = part.parentElement) if (part.tagName === "DETAILS") part.open = true;
       details.open = true;
       await frame();
       await frame();
@@ -115,8 +128,16 @@ def faults(seen):
         return wrong
     if seen["claims"] == 0 or seen["again"] != seen["claims"]:
         wrong.append("claims are missing after the filter is reset")
-    if seen["without"]["wrong"] or seen["without"]["left"] >= seen["claims"]:
-        wrong.append("a verdict that is filtered out is still shown")
+    if seen["alone"]["wrong"] or not seen["alone"]["left"]:
+        wrong.append("a verdict that was asked for alone is not")
+    if f"v={seen['alone']['verdict']}" not in seen["address"]:
+        wrong.append("the address does not say what is shown")
+    if seen["none"]["left"] or not seen["none"]["told"] or seen["after"] != seen["claims"]:
+        wrong.append("an empty result is not told, or not undone")
+    if not seen["opened"]:
+        wrong.append("a link does not open its claim")
+    if seen["cut"]:
+        wrong.append(f"{seen['cut']} formulas of the first parts are cut")
     for name in ("kind", "section"):
         if seen[name]["wrong"] or not 0 < seen[name]["left"] <= seen["claims"]:
             wrong.append(f"the filter by {name} shows something else")

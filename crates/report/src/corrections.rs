@@ -95,7 +95,11 @@ pub(crate) fn of(
                 Some(_) => None,
                 None => parsed.map(|of| formula(of, &names)),
             },
-            why: sentence::failure(claim).map(|text| prose(&text)),
+            // Without a finding and a correction the sentence says where it fails.
+            why: (claim.finding.is_some() || claim.correction.is_some())
+                .then(|| sentence::failure(claim))
+                .flatten()
+                .map(|text| prose(&text)),
             garbled: claim.garbled.as_deref().map(prose),
             level: words::level(claim, accepted.contains(&claim.id)),
             resting,

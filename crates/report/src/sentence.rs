@@ -25,12 +25,12 @@ const LONGEST_LIST: usize = 110;
 pub(crate) fn of(claim: &Outcome) -> String {
     let told = claim.finding.as_deref().map(sentence);
     match claim.verdict {
-        Verdict::Misprint => {
+        Verdict::Misprint | Verdict::False if claim.correction.is_some() => {
             let repair = claim.correction.as_ref().map(repaired).unwrap_or_default();
             let told = told.unwrap_or_else(|| "False as printed.".to_owned());
             format!("{told}{repair}")
         }
-        Verdict::False => told
+        Verdict::Misprint | Verdict::False => told
             .or_else(|| failure(claim).map(|text| sentence(&text)))
             .unwrap_or_else(|| "False as printed.".to_owned()),
         Verdict::Conditional => {

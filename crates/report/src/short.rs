@@ -11,7 +11,7 @@ use crate::words;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_language::words::Verdict;
-use torse_verdicts::consequences::{resting, users};
+use torse_verdicts::consequences::{Fate, consequences, resting, users};
 use torse_verdicts::outcome::Outcome;
 
 /// The most sentences about single statements.
@@ -85,7 +85,7 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Short {
         // One point for one theorem or example.
         if points.len() < MOST && new && groups.remove(&group(claim)).is_some() {
             let more = siblings_of.get(&group(claim)).copied().unwrap_or(0);
-            points.push(point(claim, anchor, (resting, falling, more)));
+            points.push(point(claim, anchor, (resting, falling, more), claims));
         }
     }
     let left = refuted.len() - points.len();
@@ -105,7 +105,34 @@ fn group(claim: &Outcome) -> String {
     title(claim).unwrap_or_else(|| claim.at.clone())
 }
 
-fn point(claim: &Outcome, anchor: &str, weight: (usize, usize, usize)) -> Point {
+/// The theorems and examples with a false statement that rests on a claim.
+fn fallen(claim: &Outcome, claims: &[Outcome]) -> Vec<String> {
+    let all: Vec<&Outcome> = claims.iter().collect();
+    let own = title(claim);
+    let mut names: Vec<String> = Vec::new();
+    for of in consequences(&claim.id, &all) {
+        let fallen = claims.iter().find(|claim| claim.id == of.id);
+        let name = fallen.filter(|_| of.fate == Fate::Falls).and_then(title);
+        if let Some(name) = name
+            && Some(&name) != own.as_ref()
+            && !names.contains(&name)
+        {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// Formulas of more letters than this are left to the corrections: true ones, and those that are printed.
+const LONGEST_TRUE: usize = 320;
+const LONGEST_PRINTED: usize = 130;
+
+fn point(
+    claim: &Outcome,
+    anchor: &str,
+    weight: (usize, usize, usize),
+    claims: &[Outcome],
+) -> Point {
     let (resting, falling, more) = weight;
     let names = Names::of(claim);
     let (label, formula) = match (&claim.correction, &claim.parsed) {
@@ -117,14 +144,24 @@ fn point(claim: &Outcome, anchor: &str, weight: (usize, usize, usize)) -> Point 
         (None, None) => ("", None),
     };
     let statements = |count| words::plural(count, "statement");
+    let places = fallen(claim, claims);
+    let places = match places.is_empty() {
+        true => String::new(),
+        false => format!(" ({})", places.join(", ")),
+    };
     let consequence = match (resting, falling) {
         (0, _) => None,
         (1, 0) => Some("One statement rests on it, and survives.".to_owned()),
-        (1, _) => Some("The one statement that rests on it falls.".to_owned()),
-        (_, 0) => Some(format!("{} rest on it; none falls.", statements(resting))),
-        (_, 1) => Some(format!("{} rest on it; one falls.", statements(resting))),
+        (1, _) => Some(format!(
+            "The one statement that rests on it is false too{places}."
+        )),
+        (_, 0) => Some(format!("{} rest on it, and survive.", statements(resting))),
+        (_, 1) => Some(format!(
+            "{} rest on it; one is false too{places}.",
+            statements(resting)
+        )),
         _ => Some(format!(
-            "{} rest on it; {falling} fall.",
+            "{} rest on it; {falling} are false too{places}.",
             statements(resting)
         )),
     };
@@ -139,11 +176,18 @@ fn point(claim: &Outcome, anchor: &str, weight: (usize, usize, usize)) -> Point 
             visible(&group(claim))
         )),
     };
-    let consequence: Vec<String> = consequence.into_iter().chain(others).collect();
+    let consequence: Vec<String> = (consequence.into_iter().chain(others)).collect();
     Point {
         finding: findings::about(claim, anchor),
         label,
-        formula: formula.filter(|view| view.math.is_some()),
+        formula: formula.filter(|view| {
+            let letters = view.math.as_ref().map(|math| math.text.chars().count());
+            let longest = match claim.correction {
+                Some(_) => LONGEST_TRUE,
+                None => LONGEST_PRINTED,
+            };
+            letters.is_some_and(|letters| letters <= longest)
+        }),
         consequence: consequence.join(" "),
     }
 }

@@ -84,16 +84,37 @@ pub(crate) fn beginning(text: &str, length: usize) -> String {
     format!("{words} …")
 }
 
-/// The steps with each run of equal ones as one, followed by how often it was taken.
+/// The steps with each run of equal ones, or of equal pairs and triples, as one, followed by how often it was taken.
 #[must_use]
 pub fn counted(steps: &[String]) -> Vec<String> {
-    let runs = steps.chunk_by(|one, other| one == other);
-    runs.filter_map(|run| match run {
-        [] => None,
-        [step] => Some(step.clone()),
-        [step, ..] => Some(format!("{step} ({} times)", run.len())),
-    })
-    .collect()
+    let bare = |step: &String| step.trim_end_matches('.').to_owned();
+    let steps: Vec<String> = steps.iter().map(bare).collect();
+    let mut list = Vec::new();
+    let mut rest = steps.as_slice();
+    while !rest.is_empty() {
+        let repeats = |period: usize| {
+            let first = rest.get(..period).unwrap_or_default();
+            rest.chunks_exact(period)
+                .take_while(|chunk| *chunk == first)
+                .count()
+        };
+        // The shortest pattern that covers most.
+        let best = (1..=3_usize.min(rest.len()))
+            .map(|period| (period, repeats(period)))
+            .filter(|(_, times)| *times > 1)
+            .max_by_key(|(period, times)| (period * times, std::cmp::Reverse(*period)));
+        let (period, times) = best.unwrap_or((1, 1));
+        let (taken, _) = rest.split_at(period);
+        list.extend(taken.iter().cloned());
+        if let (Some(last), true) = (list.last_mut(), times > 1) {
+            match period {
+                1 => last.push_str(&format!(" ({times} times)")),
+                _ => last.push_str(&format!(" (these {period} steps {times} times)")),
+            }
+        }
+        rest = rest.get(period * times..).unwrap_or_default();
+    }
+    list
 }
 
 /// The heading under which a claim is listed, from where the paper says it.
@@ -200,6 +221,8 @@ mod tests {
     fn equal_steps_in_a_row_are_counted() {
         let steps = ["a", "a", "a", "b", "a"].map(str::to_owned);
         assert_eq!(counted(&steps), ["a (3 times)", "b", "a"]);
+        let pairs = ["a", "b", "a", "b", "a", "b.", "c"].map(str::to_owned);
+        assert_eq!(counted(&pairs), ["a", "b (these 2 steps 3 times)", "c"]);
         assert!(counted(&[]).is_empty());
     }
 

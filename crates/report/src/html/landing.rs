@@ -1,6 +1,6 @@
 //! The landing page: a card for each paper, the worked example apart.
 
-use super::STYLE;
+use super::style;
 use super::text::{Sentence, Text, formula};
 use crate::ReportError;
 use crate::model::Report;
@@ -31,11 +31,12 @@ fn write(out: &mut String, reports: &[Report]) -> fmt::Result {
         out,
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
-         <title>What is true of these papers</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; font-src data:\">\n\
+         <title>What is true of these papers</title>\n<style>\n{}</style>\n</head>\n<body>\n\
          <header class=\"masthead\">\n<p class=\"kicker\">Verification reports</p>\n<h1>What is true of these papers</h1>\n\
          <p>Each statement of each paper was decided by exact computation. A report says what stands, what is to be read instead, \
-         and why; letters of corrections are ready to be sent.</p>\n</header>\n<main>\n"
+         and why; letters of corrections are ready to be sent.</p>\n</header>\n<main>\n",
+        style()
     )?;
     for report in papers {
         card(out, report)?;

@@ -123,6 +123,7 @@ impl<'a> Reader<'a> {
             '{' => self.group('}'),
             '(' if self.closes('(', ')') => fence(Fence::Round, self.group(')')),
             '[' if self.closes('[', ']') => fence(Fence::Square, self.group(']')),
+            '|' if self.rest.contains('|') => fence(Fence::Bars, self.group('|')),
             '√' => Node::Root(Box::new(self.argument())),
             c if c.is_ascii_digit() => {
                 let more = self.take(|c| c.is_ascii_digit() || c == '.');

@@ -2,13 +2,15 @@
 
 use super::node::{Face, Fence, Mark, Node};
 
-/// The formula as elements between which a line may be broken: before relations, plus and minus, and within brackets
-/// where a piece would be long.
-pub(super) fn pieces(node: &Node) -> Vec<String> {
-    let cuts = cuts(node, LONGEST);
-    let last = cuts.len() - 1;
+/// The formula as elements between which a line may be broken: before relations, plus and minus, within brackets and
+/// between factors where a piece would be long. `style` is an attribute of each.
+pub(super) fn pieces(node: &Node, style: &str) -> Vec<String> {
+    let cuts: Vec<Vec<Node>> = (cuts(node, LONGEST).into_iter())
+        .flat_map(|piece| factors(piece, LONGEST))
+        .collect();
+    let last = cuts.len().saturating_sub(1);
     let piece = |(number, piece): (usize, &Vec<Node>)| {
-        let mut out = String::from("<math displaystyle=\"true\">");
+        let mut out = format!("<math{style}>");
         for (position, node) in piece.iter().enumerate() {
             // The sign that a line begins with has an operand on the line before.
             match node {
@@ -20,23 +22,41 @@ pub(super) fn pieces(node: &Node) -> Vec<String> {
         }
         out.push_str("</math>");
         if number < last {
-            out.push(' ');
+            out.push_str("<wbr>");
         }
         out
     };
     cuts.iter().enumerate().map(piece).collect()
 }
 
-/// The formula as one element.
-pub(super) fn whole(node: &Node) -> String {
-    let mut out = String::from("<math>");
-    write(node, &mut out);
-    out.push_str("</math>");
-    out
+/// A piece that is wider than `longest` letters, cut before factors; never between a function and its argument.
+fn factors(piece: Vec<Node>, longest: usize) -> Vec<Vec<Node>> {
+    let mut list: Vec<Vec<Node>> = vec![vec![]];
+    let mut used = 0;
+    for node in piece {
+        let wide = width(std::slice::from_ref(&node));
+        let factor = !matches!(node, Node::Fenced(..) | Node::Sign(_) | Node::Gap);
+        let before = list.last().and_then(|piece| piece.last());
+        let bound = matches!(
+            before,
+            None | Some(Node::Sign(_) | Node::Function(_) | Node::Sum { .. })
+        );
+        match list.last_mut() {
+            Some(piece) if !(factor && !bound && used + wide > longest) => {
+                piece.push(node);
+                used += wide;
+            }
+            _ => {
+                list.push(vec![node]);
+                used = wide;
+            }
+        }
+    }
+    list
 }
 
 /// Pieces wider than about so many letters are cut within their brackets.
-const LONGEST: usize = 36;
+const LONGEST: usize = 26;
 
 /// Brackets are opened to this depth.
 const DEEPEST: usize = 4;

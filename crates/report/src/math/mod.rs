@@ -71,7 +71,7 @@ impl Mathematics {
         Mathematics {
             typst: write::typst(node),
             breaks: Vec::new(),
-            mathml: vec![mathml::whole(node)],
+            mathml: mathml::pieces(node, ""),
             latex: write::latex(node),
             latex_pieces: Vec::new(),
             text: write::text(node),
@@ -93,7 +93,7 @@ impl Mathematics {
         Mathematics {
             typst: write::typst(node),
             breaks,
-            mathml: mathml::pieces(node),
+            mathml: mathml::pieces(node, " displaystyle=\"true\""),
             latex: write::latex(node),
             latex_pieces: (mathml::cuts(node, WIDTHS[1]).into_iter())
                 .map(|piece| {

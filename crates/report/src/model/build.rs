@@ -304,7 +304,11 @@ fn views(outcome: &Outcome, names: &Names) -> Vec<RestsView> {
     let groups = [
         ("given", given.map(|h| quoted(&h.formula)).collect()),
         ("solved for", table.unknowns.iter().map(quoted).collect()),
-        ("where", sets.map(|symbol| prose(&symbol.set)).collect()),
+        (
+            "where",
+            sets.map(|symbol| prose(&symbol.set.replace(" in ", " ∈ ")))
+                .collect(),
+        ),
         ("with", own.map(|of| defined(of, names)).collect()),
         (
             "said by",
