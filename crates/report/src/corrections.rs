@@ -23,6 +23,8 @@ pub struct Corrected {
     pub stated: Option<FormulaView>,
     /// Where it fails, and by how much.
     pub why: Option<Prose>,
+    /// The same with the whole point.
+    pub why_in_full: Option<Prose>,
     /// What in it may be a confusion of the copy at hand.
     pub garbled: Option<Prose>,
     /// How the verdict was checked.
@@ -100,6 +102,7 @@ pub(crate) fn of(
                 .then(|| sentence::failure(claim))
                 .flatten()
                 .map(|text| prose(&text)),
+            why_in_full: sentence::failure_in_full(claim).map(|text| prose(&text)),
             garbled: claim.garbled.as_deref().map(prose),
             level: words::level(claim, accepted.contains(&claim.id)),
             resting,

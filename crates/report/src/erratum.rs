@@ -82,7 +82,7 @@ fn markdown(out: &mut String, report: &Report) -> fmt::Result {
             None => write!(out, "Printed:\n\n> {}\n\n", Markdown(&finding.printed))?,
         }
         writeln!(out, "{}", Markdown(&finding.text))?;
-        if let Some(why) = &one.why {
+        if let Some(why) = &one.why_in_full {
             write!(out, "\n*Why:* {}.\n", Markdown(why))?;
         }
         if let Some(level) = one.level {
@@ -173,7 +173,7 @@ fn latex_entry(out: &mut String, one: &Corrected) -> fmt::Result {
         None => write!(out, "Printed: ``{quotation}''.\n\n")?,
     }
     writeln!(out, "{}", Latex(&finding.text))?;
-    if let Some(why) = &one.why {
+    if let Some(why) = &one.why_in_full {
         write!(out, "\n\\emph{{Why:}} {}.\n", Latex(why))?;
     }
     if let Some(level) = one.level {
@@ -203,7 +203,7 @@ fn latex_display(out: &mut String, label: &str, view: &FormulaView) -> fmt::Resu
 /// The formula with a line break before pieces that the line has no room for.
 fn lines(math: &Mathematics) -> String {
     /// So many letters fill a line.
-    const WIDTH: usize = 62;
+    const WIDTH: usize = 56;
     let mut text = String::new();
     let mut used = 0;
     for (piece, width) in &math.latex_pieces {

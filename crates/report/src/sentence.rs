@@ -94,12 +94,23 @@ fn repaired(repair: &Correction) -> String {
     format!(" It is proved with this change: {edits}{others}.")
 }
 
-/// Where a refuted statement fails and by how much; none where nothing is known of it.
+/// Where a refuted statement fails and by how much; none where nothing is known of it. A point of many symbols is left to
+/// the claim's own section.
 pub(crate) fn failure(claim: &Outcome) -> Option<String> {
+    failure_with(claim, LONGEST_LIST)
+}
+
+/// The same with the whole point, however many symbols there are.
+pub(crate) fn failure_in_full(claim: &Outcome) -> Option<String> {
+    failure_with(claim, usize::MAX)
+}
+
+fn failure_with(claim: &Outcome, longest_point: usize) -> Option<String> {
     if let Some(denied) = denied(claim) {
         return Some(denied);
     }
     let witness = claim.witness.as_ref()?;
+    let place = place(witness, longest_point);
     let statement = failing(claim).and_then(|text| expression(&text));
     let relation = statement
         .as_ref()
@@ -111,8 +122,8 @@ pub(crate) fn failure(claim: &Outcome) -> Option<String> {
             _ => None,
         });
     Some(match relation {
-        Some((left, relation, right)) => compared(left, relation, right, witness),
-        None => fails_at(witness),
+        Some((left, relation, right)) => compared(left, relation, right, witness, &place),
+        None => fails_at(witness, &place),
     })
 }
 
@@ -128,8 +139,13 @@ fn failing(claim: &Outcome) -> Option<String> {
 }
 
 /// The relation that fails, with the values of both sides.
-fn compared(left: &Expr, relation: Relation, right: &Expr, witness: &Witness) -> String {
-    let place = place(witness);
+fn compared(
+    left: &Expr,
+    relation: Relation,
+    right: &Expr,
+    witness: &Witness,
+    place: &str,
+) -> String {
     let name = |side: &Expr, otherwise: &str| {
         let text = text(side);
         match text.chars().count() <= LONGEST_SIDE {
@@ -159,41 +175,41 @@ fn compared(left: &Expr, relation: Relation, right: &Expr, witness: &Witness) ->
         Relation::AtLeast => "at least",
     };
     match (relation, equal, number) {
-        (Relation::Equal, true, _) => format!("it fails{}", end(&place)),
+        (Relation::Equal, true, _) => format!("it fails{}", end(place)),
         (Relation::Equal, false, true) => format!(
             "{shown_left} is {value_left}{}, and not {value_right}{}",
-            end(&place),
+            end(place),
             off(witness)
         ),
         (Relation::Equal, false, false) if number_left => {
             format!(
                 "{shown_right} is {value_right}{}, and not {value_left}{}",
-                end(&place),
+                end(place),
                 off(witness)
             )
         }
         (Relation::Equal, false, false) => format!(
             "{shown_left} is {value_left}{}, and {shown_right} is {value_right}{}",
-            end(&place),
+            end(place),
             off(witness)
         ),
         (Relation::Different, ..) => {
             format!(
                 "{shown_left} is {value_left}{}, and so is {shown_right}",
-                end(&place)
+                end(place)
             )
         }
         (_, _, true) => format!(
             "{shown_left} is {value_left}{}, which is not {wanted} {value_right}",
-            end(&place)
+            end(place)
         ),
         (_, true, false) => format!(
             "{shown_left} and {shown_right} are equal{}, so that neither is greater",
-            end(&place)
+            end(place)
         ),
         (_, false, false) => format!(
             "{shown_left} is {value_left}{}, which is not {wanted} {shown_right}, that is {value_right}",
-            end(&place)
+            end(place)
         ),
     }
 }
@@ -284,13 +300,16 @@ fn opposite(statement: &Expr) -> Option<Expr> {
     }
 }
 
-fn place(witness: &Witness) -> String {
+/// ` at k = 3, mu = 1 ` in words, unless it is longer than that.
+fn place(witness: &Witness, longest: usize) -> String {
     let values: Vec<String> = witness
         .at
         .iter()
         .map(|(name, value)| format!("`{name} = {value}`"))
         .collect();
-    match short(values.join(", ")) {
+    let values = values.join(", ");
+    let told = (values.chars().count() <= longest).then_some(values);
+    match told {
         Some(values) if values.is_empty() => String::new(),
         Some(values) => format!("at {values} "),
         None => "at the point stated with the claim ".to_owned(),
@@ -298,10 +317,9 @@ fn place(witness: &Witness) -> String {
 }
 
 /// The values of both sides of a statement that is no single relation.
-fn fails_at(witness: &Witness) -> String {
-    let place = place(witness);
+fn fails_at(witness: &Witness, place: &str) -> String {
     match witness.left == witness.right {
-        true => format!("it fails{}", end(&place)),
+        true => format!("it fails{}", end(place)),
         false => {
             let left = told(&witness.left, &witness.left_decimal);
             let right = told(&witness.right, &witness.right_decimal);

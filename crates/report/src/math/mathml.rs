@@ -185,12 +185,17 @@ fn write(node: &Node, out: &mut String) {
                 Fence::Length => ("‖", "‖"),
                 Fence::Behind => ("", "|"),
             };
+            // Brackets that need not grow keep close to what they hold.
+            let fixed = match is_tall(inner) {
+                true => "",
+                false => " stretchy=\"false\"",
+            };
             out.push_str("<mrow>");
             if !open.is_empty() {
-                out.push_str(&format!("<mo form=\"prefix\">{open}</mo>"));
+                out.push_str(&format!("<mo form=\"prefix\"{fixed}>{open}</mo>"));
             }
             write(inner, out);
-            out.push_str(&format!("<mo form=\"postfix\">{close}</mo></mrow>"));
+            out.push_str(&format!("<mo form=\"postfix\"{fixed}>{close}</mo></mrow>"));
         }
         Node::Matrix(fence, rows) => {
             let (open, close) = match fence {
@@ -231,6 +236,20 @@ fn write(node: &Node, out: &mut String) {
             out.push_str("</mrow>");
         }
         Node::Gap => out.push_str("<mspace width=\"0.4em\"/>"),
+    }
+}
+
+/// Whether a box is higher than a line.
+fn is_tall(node: &Node) -> bool {
+    match node {
+        Node::Fraction(..) | Node::Binomial(..) | Node::Matrix(..) | Node::Sum { .. } => true,
+        Node::Row(nodes) => nodes.iter().any(is_tall),
+        Node::Scripts { base, .. } => is_tall(base),
+        Node::Fenced(_, inner)
+        | Node::Marked(_, inner)
+        | Node::Root(inner)
+        | Node::Accent(_, inner) => is_tall(inner),
+        _ => false,
     }
 }
 

@@ -95,7 +95,7 @@ impl Mathematics {
             breaks,
             mathml: mathml::pieces(node, " displaystyle=\"true\""),
             latex: write::latex(node),
-            latex_pieces: (mathml::cuts(node, WIDTHS[1]).into_iter())
+            latex_pieces: (mathml::cuts(node, WIDTHS[2]).into_iter())
                 .map(|piece| {
                     let row = Node::Row(piece);
                     (write::latex(&row), write::text(&row).chars().count())
