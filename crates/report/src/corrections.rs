@@ -35,6 +35,13 @@ pub struct Corrected {
     pub falling: usize,
 }
 
+impl Corrected {
+    /// Whether the finding says more than where the statement fails.
+    pub(crate) fn is_told(&self) -> bool {
+        self.why.is_some() || self.why_in_full.is_none()
+    }
+}
+
 /// Whether a claim of the paper is false as printed.
 pub(crate) fn is_refuted(claim: &Outcome) -> bool {
     matches!(claim.verdict, Verdict::False | Verdict::Misprint) && claim.kind != Kind::Remark

@@ -81,7 +81,9 @@ fn markdown(out: &mut String, report: &Report) -> fmt::Result {
             }
             None => write!(out, "Printed:\n\n> {}\n\n", Markdown(&finding.printed))?,
         }
-        writeln!(out, "{}", Markdown(&finding.text))?;
+        if one.is_told() {
+            writeln!(out, "{}", Markdown(&finding.text))?;
+        }
         if let Some(why) = &one.why_in_full {
             write!(out, "\n*Why:* {}.\n", Markdown(why))?;
         }
@@ -135,7 +137,7 @@ fn latex(out: &mut String, report: &Report) -> fmt::Result {
     write!(
         out,
         "\\documentclass[11pt,a4paper]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage[T1]{{fontenc}}\n\\usepackage{{amsmath,amssymb}}\n\
-         \\allowdisplaybreaks\n\\setlength{{\\parindent}}{{0pt}}\n\\setlength{{\\parskip}}{{6pt}}\n\\emergencystretch=3em\n\n\
+         \\allowdisplaybreaks\n\\setlength{{\\parindent}}{{0pt}}\n\\setlength{{\\parskip}}{{6pt}}\n\\emergencystretch=3em\n\\setlength{{\\textwidth}}{{16cm}}\n\\setlength{{\\oddsidemargin}}{{0pt}}\n\n\
          \\title{{Corrections to ``{}''}}\n\\author{{{}\\\\ \\textit{{{}}}}}\n\\date{{}}\n\n\\begin{{document}}\n\\maketitle\n\n{}\n",
         latex_words(&report.title),
         latex_words(&report.authors),
@@ -172,7 +174,9 @@ fn latex_entry(out: &mut String, one: &Corrected) -> fmt::Result {
         }
         None => write!(out, "Printed: ``{quotation}''.\n\n")?,
     }
-    writeln!(out, "{}", Latex(&finding.text))?;
+    if one.is_told() {
+        writeln!(out, "{}", Latex(&finding.text))?;
+    }
     if let Some(why) = &one.why_in_full {
         write!(out, "\n\\emph{{Why:}} {}.\n", Latex(why))?;
     }
@@ -203,7 +207,7 @@ fn latex_display(out: &mut String, label: &str, view: &FormulaView) -> fmt::Resu
 /// The formula with a line break before pieces that the line has no room for.
 fn lines(math: &Mathematics) -> String {
     /// So many letters fill a line.
-    const WIDTH: usize = 56;
+    const WIDTH: usize = 64;
     let mut text = String::new();
     let mut used = 0;
     for (piece, width) in &math.latex_pieces {

@@ -197,7 +197,7 @@ struct Letter<'a> {
 struct Glossary {
     verdicts: Vec<Term>,
     evidence: Vec<Term>,
-    levels: [Term; 2],
+    levels: [Term; 3],
     rules: [Rule; 7],
 }
 
@@ -206,7 +206,7 @@ impl Glossary {
         Glossary {
             verdicts: VERDICTS.into_iter().map(words::verdict).collect(),
             evidence: EVIDENCE.into_iter().map(words::evidence).collect(),
-            levels: [words::KERNEL, words::NETTED],
+            levels: [words::KERNEL, words::NETTED, words::DECIDED],
             rules: RULES,
         }
     }

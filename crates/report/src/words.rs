@@ -317,9 +317,16 @@ pub fn level(outcome: &Outcome, accepted: bool) -> Option<Term> {
     match (accepted, netted) {
         (true, _) => Some(KERNEL),
         (false, true) => Some(NETTED),
-        (false, false) => None,
+        (false, false) => outcome.evidence.map(|_| DECIDED),
     }
 }
+
+/// Decided, and no more.
+pub const DECIDED: Term = Term {
+    key: "decided",
+    label: "decided",
+    meaning: "The prover decided it by exact computation; no second judge was asked, or had an answer.",
+};
 
 /// Proved once more by the proof assistant.
 pub const KERNEL: Term = Term {

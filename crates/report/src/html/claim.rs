@@ -7,6 +7,7 @@ use crate::model::{
     ClaimView, ConsequenceView, CorrectionView, FormulaView, ReadingView, Reference, RestsView,
     WitnessView,
 };
+use crate::words;
 use std::fmt::{self, Write};
 
 /// The claim as an `article`, closed until it is asked for; `section` is the identifier of the section that it is in.
@@ -35,7 +36,7 @@ pub(super) fn write(
             term.label
         )?;
     }
-    if let Some(term) = claim.level {
+    if let Some(term) = claim.level.filter(|level| *level != words::DECIDED) {
         write!(
             out,
             " <span class=\"evidence\" title=\"{}\">· {}</span>",

@@ -8,7 +8,7 @@ use crate::corrections::Corrected;
 use crate::findings::Finding;
 use crate::model::Report;
 use crate::usable::{Answer, Construction};
-use crate::words::{self, EVIDENCE, KERNEL, NETTED, RULES, VERDICTS};
+use crate::words::{self, DECIDED, EVIDENCE, KERNEL, NETTED, RULES, VERDICTS};
 use std::fmt::{self, Write};
 
 /// In short, whether the paper can be used, and the corrections.
@@ -268,7 +268,7 @@ pub(super) fn write_appendix(out: &mut String, report: &Report) -> fmt::Result {
         )?;
     }
     out.push_str("</table></div>\n<h3>Levels of assurance</h3>\n<div class=\"scroll\" tabindex=\"0\"><table>\n");
-    for term in [KERNEL, NETTED] {
+    for term in [KERNEL, NETTED, DECIDED] {
         writeln!(
             out,
             "<tr><th scope=\"row\"><em>{}</em></th><td>{}</td></tr>",
