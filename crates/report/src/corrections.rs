@@ -2,9 +2,9 @@
 
 use crate::findings::{self, Finding};
 use crate::math::{Names, Prose, spans};
-use crate::model::{CorrectionView, FormulaView, correction, formula};
 use crate::sentence;
 use crate::text::visible;
+use crate::view::{CorrectionView, FormulaView, correction, formula};
 use crate::words::{self, Term};
 use serde::Serialize;
 use std::collections::BTreeSet;

@@ -31,6 +31,7 @@ mod tally;
 mod text;
 mod typeset;
 pub mod usable;
+mod view;
 pub mod words;
 mod world;
 mod write;

@@ -6,14 +6,15 @@
 
 mod build;
 
-pub(crate) use build::{correction, figure_file, formula};
+pub(crate) use build::figure_file;
 
 use crate::corrections::Corrected;
 use crate::findings::Finding;
-use crate::math::{Mathematics, Prose};
+use crate::math::Prose;
 use crate::short::Short;
 use crate::tally::Tally;
 use crate::usable::Construction;
+pub use crate::view::{CorrectionView, FormulaView};
 use crate::words::Term;
 use serde::Serialize;
 
@@ -153,28 +154,6 @@ pub struct ReadingView {
     pub fails_at: Option<Prose>,
     /// What it rests on, in small print.
     pub rests: Vec<RestsView>,
-}
-
-/// A formula on lines of its own.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct FormulaView {
-    /// The formula; none where its notation cannot be read.
-    pub math: Option<Mathematics>,
-    /// The notation of the derivation files, shown where there is no mathematics.
-    pub text: String,
-}
-
-/// A proved correction: the statement as printed with what goes marked, and the corrected one with what comes.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct CorrectionView {
-    /// The statement as printed.
-    pub printed: Option<FormulaView>,
-    /// The corrected statement.
-    pub statement: FormulaView,
-    /// What was changed, and the conditions, one entry each.
-    pub edits: Vec<Prose>,
-    /// Whether no other repair with as few edits was found.
-    pub unique: bool,
 }
 
 /// Lines under one label, of what a statement rests on.

@@ -3,10 +3,10 @@
 use crate::corrections::{is_refuted, ranked};
 use crate::findings::{self, Finding};
 use crate::math::Names;
-use crate::model::{FormulaView, correction, formula};
 use crate::tally::Tally;
 use crate::text::visible;
 use crate::usable::title;
+use crate::view::{FormulaView, correction, formula};
 use crate::words;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};

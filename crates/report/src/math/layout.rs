@@ -3,7 +3,8 @@
 //! Brackets are decided by comparing levels: every box carries how tightly it holds together, every place for an
 //! operand says how tightly it must.
 
-use super::names::{Names, is_function};
+use super::letters::is_function;
+use super::names::Names;
 use super::node::{Fence, Mark, Node as Shown};
 use super::tidy::terms;
 use torse_language::notation::text;

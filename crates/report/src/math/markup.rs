@@ -2,7 +2,7 @@
 //!
 //! Anything is read: a command that is not known loses its backslash, a bracket without a partner is a sign.
 
-use super::names::{by_rule, greek, is_function};
+use super::letters::{by_rule, greek, is_function};
 use super::node::{Face, Fence, Node};
 
 /// What stands between dollar signs as boxes; none where there is anything else.

@@ -8,6 +8,7 @@
 
 mod change;
 mod layout;
+mod letters;
 mod markup;
 mod mathml;
 mod names;

@@ -6,7 +6,7 @@
 //! sign, a script or a Greek letter that words do not have; a word of two letters and more is a word, unless the claim
 //! has a symbol of that name.
 
-use super::names::{greek, is_function};
+use super::letters::{greek, is_function};
 use super::{Mathematics, Names, Span, markup, read};
 
 /// The sentence in stretches; formulas are those of a claim with these names.

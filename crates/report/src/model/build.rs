@@ -1,13 +1,14 @@
 //! From outcomes to the document model.
 
 use super::{
-    ClaimView, ConsequenceView, CorrectionView, FigureView, FormulaView, ReadingView, Reference,
-    Report, RestsView, Section, Side, WitnessView,
+    ClaimView, ConsequenceView, FigureView, FormulaView, ReadingView, Reference, Report, RestsView,
+    Section, Side, WitnessView,
 };
-use crate::math::{Mathematics, Names, Node, Prose, changed, plain, read, spans};
+use crate::math::{Names, Prose, plain, spans};
 use crate::rests::{concerns, said_by};
 use crate::tally::Tally;
 use crate::text::{anchor, counted, decimal, name, section_rank, section_title, visible};
+use crate::view::{correction, derived, formula};
 use crate::words;
 use crate::{FigureImage, corrections, findings, sentence, short, usable};
 use std::collections::{BTreeMap, BTreeSet};
@@ -17,7 +18,7 @@ use torse_prove::Witness;
 use torse_verdicts::consequences::consequences;
 use torse_verdicts::outcome::{ReadingOutcome, Role};
 use torse_verdicts::table::Defined;
-use torse_verdicts::{Correction, DataCorrection, Outcome, PaperOutcome};
+use torse_verdicts::{DataCorrection, Outcome, PaperOutcome};
 
 impl Report {
     /// The report of `paper`, with pictures.
@@ -259,25 +260,6 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// A formula on lines of its own.
-pub(crate) fn formula(of: &Formula, names: &Names) -> FormulaView {
-    FormulaView {
-        math: read(&of.text, names).map(|node| Mathematics::display(&node)),
-        text: visible(&of.text),
-    }
-}
-
-/// A formula that the engine derived: a long one is counted.
-fn derived(of: &Formula, names: &Names) -> FormulaView {
-    match words::long(&of.text) {
-        Some(words) => FormulaView {
-            math: Some(Mathematics::inline(&Node::word(&words.replace('`', "")))),
-            text: words,
-        },
-        None => formula(of, names),
-    }
-}
-
 fn conditions(conditions: &[Formula], names: &Names) -> Vec<FormulaView> {
     let view = |condition| derived(condition, names);
     conditions.iter().map(view).collect()
@@ -373,35 +355,6 @@ fn reading(reading: &ReadingOutcome) -> ReadingView {
         conditions: conditions(&of.conditions, &names),
         fails_at: sentence::failure(of).map(|text| spans(&visible(&text), &names)),
         rests: views(of, &names),
-    }
-}
-
-/// The correction with its change marked.
-pub(crate) fn correction(
-    parsed: Option<&Formula>,
-    repair: &Correction,
-    names: &Names,
-) -> CorrectionView {
-    let marked = parsed.and_then(|parsed| changed(&parsed.text, &repair.statement.text, names));
-    let view = |node: &Node, of: &Formula| FormulaView {
-        math: Some(Mathematics::display(node)),
-        text: visible(&of.text),
-    };
-    let (printed, statement) = match (&marked, parsed) {
-        (Some([old, new]), Some(parsed)) => (Some(view(old, parsed)), view(new, &repair.statement)),
-        _ => (
-            parsed.map(|of| formula(of, names)),
-            formula(&repair.statement, names),
-        ),
-    };
-    let edits = repair.in_words();
-    CorrectionView {
-        printed,
-        statement,
-        edits: (edits.iter())
-            .map(|line| spans(&visible(line), names))
-            .collect(),
-        unique: repair.unique,
     }
 }
 

@@ -1,0 +1,87 @@
+//! Names of which no file says how they are printed, by one rule: trailing digits and what follows an underscore are
+//! subscripts, Greek words are Greek letters, known functions and other words are upright.
+
+use super::node::Node;
+
+/// Greek letters by their names.
+const GREEK: [(&str, &str); 34] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("iota", "ι"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("pi", "π"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("upsilon", "υ"),
+    ("phi", "φ"),
+    ("varphi", "φ"),
+    ("chi", "χ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+    ("Gamma", "Γ"),
+    ("Delta", "Δ"),
+    ("Theta", "Θ"),
+    ("Lambda", "Λ"),
+    ("Xi", "Ξ"),
+    ("Pi", "Π"),
+    ("Sigma", "Σ"),
+    ("Phi", "Φ"),
+    ("Psi", "Ψ"),
+    ("Omega", "Ω"),
+];
+
+/// Functions that typesetters know and set upright.
+const FUNCTIONS: [&str; 13] = [
+    "sin", "cos", "tan", "cot", "sec", "arcsin", "arccos", "arctan", "exp", "log", "ln", "min",
+    "max",
+];
+
+pub(super) fn greek(word: &str) -> Option<&'static str> {
+    let found = GREEK.iter().find(|(name, _)| *name == word);
+    found.map(|(_, letter)| *letter)
+}
+
+pub(super) fn is_function(word: &str) -> bool {
+    FUNCTIONS.contains(&word)
+}
+
+/// A name of which no file says how it is printed.
+pub(super) fn by_rule(name: &str) -> Node {
+    let mut parts = name.split('_');
+    let first = parts.next().unwrap_or(name);
+    let stem = first.trim_end_matches(|c: char| c.is_ascii_digit());
+    if stem.is_empty() {
+        return word(name);
+    }
+    let digits = first.get(stem.len()..).unwrap_or_default();
+    let below = std::iter::once(digits).chain(parts);
+    let below: Vec<Node> = below.filter(|part| !part.is_empty()).map(word).collect();
+    let below = (!below.is_empty()).then(|| Node::joined(below, ','));
+    word(stem).scripted(0, below, None)
+}
+
+/// A letter, a Greek letter, a number, a function or an upright word.
+fn word(word: &str) -> Node {
+    if let Some(letter) = greek(word) {
+        Node::italic(letter)
+    } else if is_function(word) || word == "det" {
+        Node::Function(word.to_owned())
+    } else if word.chars().all(|c| c.is_ascii_digit()) {
+        Node::Number(word.to_owned())
+    } else if word.chars().count() == 1 {
+        Node::italic(word)
+    } else {
+        Node::word(word)
+    }
+}

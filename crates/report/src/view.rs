@@ -1,0 +1,78 @@
+//! Formulas and corrections as every part of a report shows them.
+
+use crate::math::{Mathematics, Names, Node, Prose, changed, read, spans};
+use crate::text::visible;
+use crate::words;
+use serde::Serialize;
+use torse_language::notation::Formula;
+use torse_verdicts::Correction;
+
+/// A formula on lines of its own.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct FormulaView {
+    /// The formula; none where its notation cannot be read.
+    pub math: Option<Mathematics>,
+    /// The notation of the derivation files, shown where there is no mathematics.
+    pub text: String,
+}
+
+/// A proved correction: the statement as printed with what goes marked, and the corrected one with what comes.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct CorrectionView {
+    /// The statement as printed.
+    pub printed: Option<FormulaView>,
+    /// The corrected statement.
+    pub statement: FormulaView,
+    /// What was changed, and the conditions, one entry each.
+    pub edits: Vec<Prose>,
+    /// Whether no other repair with as few edits was found.
+    pub unique: bool,
+}
+
+/// A formula on lines of its own.
+pub(crate) fn formula(of: &Formula, names: &Names) -> FormulaView {
+    FormulaView {
+        math: read(&of.text, names).map(|node| Mathematics::display(&node)),
+        text: visible(&of.text),
+    }
+}
+
+/// A formula that the engine derived: a long one is counted.
+pub(crate) fn derived(of: &Formula, names: &Names) -> FormulaView {
+    match words::long(&of.text) {
+        Some(words) => FormulaView {
+            math: Some(Mathematics::inline(&Node::word(&words.replace('`', "")))),
+            text: words,
+        },
+        None => formula(of, names),
+    }
+}
+
+/// The correction with its change marked.
+pub(crate) fn correction(
+    parsed: Option<&Formula>,
+    repair: &Correction,
+    names: &Names,
+) -> CorrectionView {
+    let marked = parsed.and_then(|parsed| changed(&parsed.text, &repair.statement.text, names));
+    let view = |node: &Node, of: &Formula| FormulaView {
+        math: Some(Mathematics::display(node)),
+        text: visible(&of.text),
+    };
+    let (printed, statement) = match (&marked, parsed) {
+        (Some([old, new]), Some(parsed)) => (Some(view(old, parsed)), view(new, &repair.statement)),
+        _ => (
+            parsed.map(|of| formula(of, names)),
+            formula(&repair.statement, names),
+        ),
+    };
+    let edits = repair.in_words();
+    CorrectionView {
+        printed,
+        statement,
+        edits: (edits.iter())
+            .map(|line| spans(&visible(line), names))
+            .collect(),
+        unique: repair.unique,
+    }
+}
