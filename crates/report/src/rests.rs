@@ -76,13 +76,12 @@ pub(crate) fn concerns(hypothesis: &Assumed, symbols: &[Declared]) -> bool {
     hypothesis.role != Role::Range || words.any(|word| symbols.iter().any(|s| s.name == word))
 }
 
-/// Whose a hypothesis is, where the file says it; formulas and names of claims are written with `code`.
+/// Whose a hypothesis is, where the file says it; formulas are written with `code`.
 pub(crate) fn said_by(hypothesis: &Assumed, code: &dyn Fn(&str) -> String) -> Option<String> {
     let formula = code(&hypothesis.formula.text);
     match &hypothesis.from {
         SaidBy::Stated => None,
         SaidBy::Printed { quote, claim } => {
-            let claim = code(claim);
             Some(format!("{formula}: the paper, “{quote}” ({claim})"))
         }
         SaidBy::Ours { reason } => {

@@ -2,7 +2,7 @@
 
 use crate::corrections::{is_refuted, ranked};
 use crate::findings::{self, Finding};
-use crate::math::Names;
+use crate::math::{Names, Prose};
 use crate::tally::Tally;
 use crate::text::visible;
 use crate::usable::title;
@@ -33,6 +33,8 @@ pub struct Short {
 pub struct Point {
     /// What was found.
     pub finding: Finding,
+    /// A theorem that rests on it and is false too, and what was found of that.
+    pub resting: Option<(String, Prose)>,
     /// What the formula is.
     pub label: &'static str,
     /// The formula in question.
@@ -70,7 +72,11 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Short {
             .get(*position)
             .and_then(|claim| siblings_of.get(&group(claim)));
         let more = more.copied().unwrap_or(0);
-        std::cmp::Reverse(resting + more)
+        // A slip in a proof says nothing against what is proved.
+        let in_proof = claims
+            .get(*position)
+            .is_some_and(|claim| claim.at.contains("proof of"));
+        (in_proof, std::cmp::Reverse(resting + more))
     });
     for (position, (resting, falling)) in ranked {
         let (Some(claim), Some(anchor)) = (claims.get(position), anchors.get(position)) else {
@@ -121,6 +127,23 @@ fn fallen(claim: &Outcome, claims: &[Outcome]) -> Vec<String> {
         }
     }
     names
+}
+
+/// Of a claim of which its file tells no finding, a theorem that rests on it and is false too, with what was found of it.
+fn theorem_on(claim: &Outcome, claims: &[Outcome]) -> Option<(String, Prose)> {
+    if claim.finding.is_some() {
+        return None;
+    }
+    let all: Vec<&Outcome> = claims.iter().collect();
+    let fallen = consequences(&claim.id, &all).into_iter();
+    let mut fallen = fallen
+        .filter(|of| of.fate == Fate::Falls)
+        .filter_map(|of| claims.iter().find(|claim| claim.id == of.id))
+        .filter(|claim| claim.finding.is_some());
+    fallen.find_map(|claim| {
+        let name = title(claim).filter(|name| !name.starts_with("Example"))?;
+        Some((visible(&name), findings::about(claim, "").text))
+    })
 }
 
 /// Formulas of more letters than this are left to the corrections: true ones, and those that are printed.
@@ -179,6 +202,7 @@ fn point(
     let consequence: Vec<String> = (consequence.into_iter().chain(others)).collect();
     Point {
         finding: findings::about(claim, anchor),
+        resting: theorem_on(claim, claims),
         label,
         formula: formula.filter(|view| {
             let letters = view.math.as_ref().map(|math| math.text.chars().count());

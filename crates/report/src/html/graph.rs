@@ -55,11 +55,11 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
     for of in placed.values() {
         let (x, y) = (left(of), middle(of) - HEIGHT / 2);
         let claim = of.claim;
-        write!(
+        writeln!(
             out,
             "<a href=\"#{anchor}\" data-claim=\"{anchor}\" class=\"v-{verdict}\"><title>{name}: {label}</title>\
              <rect x=\"{x}\" y=\"{y}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" rx=\"3\"/>\
-             <text x=\"{}\" y=\"{}\">{} {name}</text></a>\n",
+             <text x=\"{}\" y=\"{}\">{} {name}</text></a>",
             x + 5,
             y + 12,
             mark(claim.verdict.key),

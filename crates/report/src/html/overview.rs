@@ -44,9 +44,21 @@ fn in_short(out: &mut String, report: &Report) -> fmt::Result {
         let finding = &point.finding;
         write!(
             out,
-            "<li><strong>{}</strong>: {} <span class=\"meta\">{} <a href=\"#{}\"><code>{}</code></a></span>",
+            "<li><strong>{}</strong>: {}",
             Text(&finding.at),
             Sentence(&finding.text),
+        )?;
+        if let Some((theorem, found)) = &point.resting {
+            write!(
+                out,
+                " On it rests {}, which is false too: {}",
+                Text(theorem),
+                Sentence(found)
+            )?;
+        }
+        write!(
+            out,
+            " <span class=\"meta\">{} <a href=\"#{}\"><code>{}</code></a></span>",
             Text(&point.consequence),
             finding.anchor,
             Text(&finding.name),

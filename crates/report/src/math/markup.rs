@@ -195,12 +195,14 @@ impl<'a> Reader<'a> {
             "and" | "or" | "not" | "for" | "with" | "in" | "det" | "span" => {
                 Node::row([Node::Gap, Node::word(letters), Node::Gap])
             }
-            _ if greek(letters).is_some() || is_function(letters) => by_rule(letters),
             // x1 is typed for x_1.
-            _ if letters.len() == 1 && self.peek().is_some_and(|c| c.is_ascii_digit()) => {
+            _ if (letters.len() == 1 || greek(letters).is_some())
+                && self.peek().is_some_and(|c| c.is_ascii_digit()) =>
+            {
                 let digits = self.take(|c| c.is_ascii_digit());
                 by_rule(&format!("{letters}{digits}"))
             }
+            _ if greek(letters).is_some() || is_function(letters) => by_rule(letters),
             _ if letters.len() <= 2 => {
                 Node::row(letters.chars().map(|c| Node::italic(&c.to_string())))
             }

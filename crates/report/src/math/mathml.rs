@@ -118,18 +118,24 @@ fn split(nodes: Vec<Node>) -> Vec<Vec<Node>> {
     list
 }
 
-/// Round brackets that group a sum as signs of their own.
+/// Brackets that group a sum as signs of their own.
 fn opened(nodes: Vec<Node>) -> Vec<Node> {
     let mut list = Vec::new();
     for node in nodes {
         match node {
-            Node::Fenced(Fence::Round, inner) if matches!(*inner, Node::Row(_)) => {
-                list.push(Node::Sign('('));
+            Node::Fenced(fence @ (Fence::Round | Fence::Square), inner)
+                if matches!(*inner, Node::Row(_)) =>
+            {
+                let (open, close) = match fence {
+                    Fence::Square => ('[', ']'),
+                    _ => ('(', ')'),
+                };
+                list.push(Node::Sign(open));
                 match *inner {
                     Node::Row(nodes) => list.extend(nodes),
                     other => list.push(other),
                 }
-                list.push(Node::Sign(')'));
+                list.push(Node::Sign(close));
             }
             other => list.push(other),
         }

@@ -288,7 +288,7 @@ fn views(outcome: &Outcome, names: &Names) -> Vec<RestsView> {
         ("solved for", table.unknowns.iter().map(quoted).collect()),
         (
             "where",
-            sets.map(|symbol| prose(&symbol.set.replace(" in ", " ∈ ")))
+            sets.map(|symbol| prose(&symbol.set.replace(" in ", " ∈ ").replace("inf)", "∞)")))
                 .collect(),
         ),
         ("with", own.map(|of| defined(of, names)).collect()),
