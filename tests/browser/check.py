@@ -121,6 +121,19 @@ def run(browser, page, width):
     return json.loads(html.unescape(found.group(1))) if found else None
 
 
+# Mathematics as it is typed, which readers should not see: `mu1`, `x^2`, `Q_{k}`.
+TYPED = re.compile(r"\b(mu|nu|pi|sqrt|lambda|gamma)\d*\b|\^|_\{")
+
+
+def typed(page):
+    """Stretches of a page's words, outside of formulas, code and names of claims, that are typed mathematics."""
+    text = page.read_text(encoding="utf-8")
+    for hidden in ("script", "style", "code", "math", "svg"):
+        text = re.sub(rf"<{hidden}\b.*?</{hidden}>", " ", text, flags=re.S)
+    words = html.unescape(re.sub(r"<[^>]*>", " ", text))
+    return [words[max(0, found.start() - 20):found.end() + 20] for found in TYPED.finditer(words)]
+
+
 def faults(seen):
     """What is wrong with what was seen, in words."""
     if seen is None:
@@ -169,6 +182,10 @@ def main():
         return 2
     failed = False
     for page in pages:
+        found = typed(page)
+        if found:
+            failed = True
+            print(f"{page.name}: {len(found)} stretches of typed mathematics: {found[:3]}")
         for width in (360, 1200):
             seen = run(browser, page, width)
             wrong = faults(seen)
