@@ -3,14 +3,14 @@
 use super::node::{Face, Fence, Mark, Node};
 
 /// The formula as elements between which a line may be broken: before relations, plus and minus, within brackets and
-/// between factors where a piece would be long. `style` is an attribute of each.
-pub(super) fn pieces(node: &Node, style: &str) -> Vec<String> {
+/// between factors where a piece would be long.
+pub(super) fn pieces(node: &Node) -> Vec<String> {
     let cuts: Vec<Vec<Node>> = (cuts(node, LONGEST).into_iter())
         .flat_map(|piece| factors(piece, LONGEST))
         .collect();
     let last = cuts.len().saturating_sub(1);
     let piece = |(number, piece): (usize, &Vec<Node>)| {
-        let mut out = format!("<math{style}>");
+        let mut out = String::from("<math>");
         for (position, node) in piece.iter().enumerate() {
             // The sign that a line begins with has an operand on the line before.
             match node {
@@ -198,17 +198,17 @@ fn write(node: &Node, out: &mut String) {
             };
             out.push_str("<mrow>");
             if !open.is_empty() {
-                out.push_str(&format!("<mo form=\"prefix\"{fixed}>{open}</mo>"));
+                out.push_str(&format!("<mo{fixed}>{open}</mo>"));
             }
             write(inner, out);
-            out.push_str(&format!("<mo form=\"postfix\"{fixed}>{close}</mo></mrow>"));
+            out.push_str(&format!("<mo{fixed}>{close}</mo></mrow>"));
         }
         Node::Matrix(fence, rows) => {
             let (open, close) = match fence {
                 Fence::Bars => ("|", "|"),
                 _ => ("(", ")"),
             };
-            out.push_str(&format!("<mrow><mo form=\"prefix\">{open}</mo><mtable>"));
+            out.push_str(&format!("<mrow><mo>{open}</mo><mtable>"));
             for row in rows {
                 out.push_str("<mtr>");
                 for cell in row {
@@ -216,9 +216,7 @@ fn write(node: &Node, out: &mut String) {
                 }
                 out.push_str("</mtr>");
             }
-            out.push_str(&format!(
-                "</mtable><mo form=\"postfix\">{close}</mo></mrow>"
-            ));
+            out.push_str(&format!("</mtable><mo>{close}</mo></mrow>"));
         }
         Node::Sum { below, above } => {
             let name = match above {

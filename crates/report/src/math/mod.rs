@@ -72,7 +72,7 @@ impl Mathematics {
         Mathematics {
             typst: write::typst(node),
             breaks: Vec::new(),
-            mathml: mathml::pieces(node, ""),
+            mathml: mathml::pieces(node),
             latex: write::latex(node),
             latex_pieces: Vec::new(),
             text: write::text(node),
@@ -94,7 +94,7 @@ impl Mathematics {
         Mathematics {
             typst: write::typst(node),
             breaks,
-            mathml: mathml::pieces(node, " displaystyle=\"true\""),
+            mathml: mathml::pieces(node),
             latex: write::latex(node),
             latex_pieces: (mathml::cuts(node, WIDTHS[2]).into_iter())
                 .map(|piece| {
