@@ -345,11 +345,11 @@ fn a_claim_knows_what_rests_on_it_and_where_its_figures_are() {
     assert_eq!(users, ["thm-2.b", "eq-3.7"]);
     assert_eq!(claim("sample/eq-3.7").uses[2].anchor, None);
     assert_eq!(
-        claim("sample/thm-2.b").figures,
+        claim("sample/fig-1").figures,
         [0],
-        "shown at the first claim in file order"
+        "shown at the first claim that it names"
     );
-    assert_eq!(claim("sample/fig-1").see_figures, [0]);
+    assert_eq!(claim("sample/thm-2.b").see_figures, [0]);
     assert_eq!(report.further_figures, [2]);
 }
 

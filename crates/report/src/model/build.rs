@@ -244,13 +244,11 @@ impl<'a> Builder<'a> {
             .partition(|position| self.shown_at(*position) == Some(claim))
     }
 
-    /// The claim at which a picture is shown: the first in file order of those that it illustrates.
+    /// The claim at which a picture is shown: the first of those that its file names.
     fn shown_at(&self, figure: usize) -> Option<usize> {
         let claims = self.figures.get(figure)?.claims.iter();
-        claims
-            .filter_map(|id| self.by_id.get(id.as_str()))
-            .min()
-            .copied()
+        let mut known = claims.filter_map(|id| self.by_id.get(id.as_str()));
+        known.next().copied()
     }
 
     fn further_figures(&self) -> Vec<usize> {
