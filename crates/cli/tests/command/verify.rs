@@ -120,7 +120,7 @@ fn the_text_is_plain_where_no_terminal_is_and_no_wider_than_100_columns() {
         assert_eq!(line.trim_end(), line);
     }
     assert!(ran.out.contains("2 claims"), "{}", ran.out);
-    assert!(ran.out.contains("False: at x = "), "{}", ran.out);
+    assert!(ran.out.contains(" at x = 1, and not 0."), "{}", ran.out);
 }
 
 #[test]
