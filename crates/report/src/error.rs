@@ -15,14 +15,6 @@ pub enum ReportError {
         /// The typesetter's messages, in its order.
         messages: Vec<String>,
     },
-    /// The typesetter wrote another number of formulas than it was given.
-    #[error("{given} formulas were given to be set as MathML and {written} came back")]
-    Formulas {
-        /// How many formulas were handed over.
-        given: usize,
-        /// How many came back.
-        written: usize,
-    },
     /// The data of the report could not be written as JSON.
     #[error("the data of the report cannot be written as JSON")]
     Json(#[from] serde_json::Error),

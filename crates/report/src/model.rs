@@ -1,7 +1,7 @@
 //! The document model: what a report says about one paper, ready to be laid out.
 //!
 //! Every output is laid out from this one model, so PDF and HTML cannot disagree. It holds strings, positions and
-//! formulas in the languages of the outputs ([`Mathematics`]). Strings are cleared of characters that act on the
+//! formulas in the languages of the outputs ([`Mathematics`](crate::Mathematics)). Strings are cleared of characters that act on the
 //! text around them; they are never read as markup by any output.
 
 mod build;

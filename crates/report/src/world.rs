@@ -5,7 +5,7 @@
 
 use std::{collections::HashMap, path::PathBuf, sync::LazyLock};
 use typst::{
-    Feature, Library, LibraryExt, World,
+    Library, LibraryExt, World,
     diag::{FileError, FileResult, SourceDiagnostic, Warned},
     foundations::{Bytes, Datetime, Duration, Output},
     syntax::{FileId, RootedPath, Source, VirtualPath, VirtualRoot},
@@ -27,11 +27,7 @@ static SHARED: LazyLock<Shared> = LazyLock::new(|| {
         .flat_map(|data| Font::iter(Bytes::new(data)))
         .collect();
     Shared {
-        library: LazyHash::new(
-            Library::builder()
-                .with_features([Feature::Html].into_iter().collect())
-                .build(),
-        ),
+        library: LazyHash::new(Library::builder().build()),
         book: LazyHash::new(FontBook::from_fonts(&fonts)),
         fonts,
     }
