@@ -137,7 +137,8 @@ fn a_run_over_the_time_limit_is_ended_without_verdicts_and_names_the_claim() {
         ]
         .concat(),
     );
-    let ran = on(folder.path(), &["verify", "--time-limit", "1"]);
+    let patient = ["verify", "--time-limit", "1", "--budget", "1000000000"];
+    let ran = on(folder.path(), &patient);
     assert_eq!((ran.code, ran.out.as_str()), (Some(8), ""), "{}", ran.err);
     assert!(ran.err.contains("being decided: mini/slow"), "{}", ran.err);
     assert_eq!(
