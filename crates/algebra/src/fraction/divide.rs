@@ -82,6 +82,10 @@ impl Fraction {
             if exponent == 0 {
                 continue;
             }
+            if factor.is_linear_somewhere() {
+                *reduced.entry(factor).or_insert(0) += exponent;
+                continue;
+            }
             let common = factor.gcd(&self.numerator);
             match factor.exact_quotient(&common) {
                 Some(rest) if common.as_constant().is_none() && rest.as_constant().is_none() => {

@@ -31,9 +31,9 @@ pub(super) fn gcd(a: &Polynomial, b: &Polynomial) {
     spend((number(a.len()) + number(b.len())).saturating_mul(symbols));
 }
 
-/// Spends what one step of a division will cost.
-pub(super) fn division_step(divisor: &Polynomial) {
-    spend(4 * number(divisor.len()));
+/// Spends what one step of a division by so many terms, besides the leading one, will cost.
+pub(super) fn division_step(terms: usize) {
+    spend(4 * (number(terms) + 1));
 }
 
 /// The words of the first and last coefficients, which stand for all.

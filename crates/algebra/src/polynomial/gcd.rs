@@ -133,6 +133,31 @@ impl Polynomial {
         Some(rest)
     }
 
+    /// Whether a symbol occurs in one term alone, and that is a multiple of the symbol. Then the polynomial is
+    /// irreducible, but for a constant: one factor would be free of the symbol and divide its coefficient.
+    #[must_use]
+    pub(crate) fn is_linear_somewhere(&self) -> bool {
+        let alone = |row: &[u16]| {
+            let mut columns = row
+                .iter()
+                .enumerate()
+                .filter(|(_, exponent)| **exponent > 0);
+            match (columns.next(), columns.next()) {
+                (Some((column, 1)), None) => Some(column),
+                _ => None,
+            }
+        };
+        let occurs = |column: usize| {
+            let rows = self
+                .rows()
+                .filter(|row| row.get(column).is_some_and(|e| *e > 0));
+            rows.count()
+        };
+        self.rows()
+            .filter_map(alone)
+            .any(|column| occurs(column) == 1)
+    }
+
     /// Whether the polynomial is the constant one.
     #[must_use]
     pub fn is_one(&self) -> bool {

@@ -13,6 +13,15 @@ pub(super) trait Row: Ord + Clone {
     fn hash(&self) -> u64;
 }
 
+/// Rows that are subtracted.
+pub(super) trait Difference: Row {
+    /// A bit above the exponent of each column, for [`Row::less`].
+    fn guards(widths: &[u32]) -> Self;
+    /// The row that added to `other` gives this one, if there is one. The exponents of both leave the highest bit of each
+    /// column free, and `guards` are those bits.
+    fn less(&self, other: &Self, guards: &Self) -> Option<Self>;
+}
+
 /// An odd number whose bits show no pattern: 2^64 divided by the golden ratio.
 const SPREAD: u64 = 0x9E37_79B9_7F4A_7C15;
 
@@ -61,6 +70,21 @@ macro_rules! packed {
                 self + other
             }
         }
+
+        impl Difference for $word {
+            fn guards(widths: &[u32]) -> Self {
+                widths
+                    .iter()
+                    .fold(0, |word, width| (word << width) | (1 << (width - 1)))
+            }
+
+            fn less(&self, other: &Self, guards: &Self) -> Option<Self> {
+                // Each column of the first has its highest bit, so none borrows from the next one, and the bit is left
+                // where the exponent was not below the other one.
+                let difference = (self | guards) - other;
+                (difference & guards == *guards).then_some(difference & !guards)
+            }
+        }
     };
 }
 packed!(u64, spread);
@@ -84,5 +108,18 @@ impl Row for Box<[u16]> {
 
     fn plus(&self, other: &Self) -> Self {
         self.iter().zip(other).map(|(x, y)| x + y).collect()
+    }
+}
+
+impl Difference for Box<[u16]> {
+    fn guards(_: &[u32]) -> Self {
+        Self::default()
+    }
+
+    fn less(&self, other: &Self, _: &Self) -> Option<Self> {
+        self.iter()
+            .zip(other)
+            .map(|(x, y)| x.checked_sub(*y))
+            .collect()
     }
 }
