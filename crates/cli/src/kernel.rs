@@ -24,9 +24,11 @@ impl Proofs {
             return BTreeSet::new();
         };
         let folder = Folder::new(&findings(papers, run), &unproved(&self.proofs));
+        let fingerprints = accepted.fingerprints();
         let mut fresh: BTreeMap<&str, bool> = BTreeMap::new();
         for theorem in &folder.theorems {
-            *fresh.entry(&theorem.id).or_insert(true) &= accepted.has(theorem);
+            let accepted = accepted.has(theorem, &fingerprints.of(theorem));
+            *fresh.entry(&theorem.id).or_insert(true) &= accepted;
         }
         for missing in &folder.missing {
             fresh.insert(&missing.id, false);

@@ -13,7 +13,7 @@ use tempfile::TempDir;
 use torse_language::derivation::{Claim, Paper};
 use torse_prove::evidence;
 use torse_report::{ReportError, write_file};
-use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Limits, fingerprint};
+use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Fingerprints, Limits};
 use torse_rocq::folder::{ACCEPTED, Folder, Theorem, UNPROVED};
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
@@ -161,11 +161,12 @@ impl Prove {
         let (answers, axioms) = checked?;
         let mut text = String::new();
         let mut counts = [0_usize; 3];
+        let fingerprints = Fingerprints::of_version(&coqc.version);
         let mut accepted = BTreeMap::new();
         for theorem in &folder.theorems {
             let place = match answers.get(&theorem.name()) {
                 Some(Answer::Accepted) => {
-                    let print = fingerprint(theorem, &coqc.version);
+                    let print = fingerprints.of(theorem);
                     accepted.insert(theorem.name(), print);
                     0
                 }

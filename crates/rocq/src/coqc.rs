@@ -1,6 +1,6 @@
 //! Running `coqc`, with limits of time and memory, on a scratch copy of a folder of proofs.
 
-use crate::digest::digest;
+use crate::digest::Digest;
 use crate::folder::{ACCEPTED, Folder, LIBRARY, Theorem};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -83,20 +83,39 @@ impl Accepted {
         serde_json::from_str(&text).ok()
     }
 
-    /// Whether a theorem was accepted as it is now.
+    /// The digests that its theorems have while nothing changes.
     #[must_use]
-    pub fn has(&self, theorem: &Theorem) -> bool {
-        self.theorems.get(&theorem.name()) == Some(&fingerprint(theorem, &self.coq))
+    pub fn fingerprints(&self) -> Fingerprints {
+        Fingerprints::of_version(&self.coq)
+    }
+
+    /// Whether a theorem was accepted with this digest.
+    #[must_use]
+    pub fn has(&self, theorem: &Theorem, fingerprint: &str) -> bool {
+        let accepted = self.theorems.get(&theorem.name());
+        accepted.is_some_and(|accepted| accepted == fingerprint)
     }
 }
 
-/// The digest of a theorem: the version of the program, the library, the statement, the proof.
-#[must_use]
-pub fn fingerprint(theorem: &Theorem, version: &str) -> String {
-    let mut parts = vec![version];
-    parts.extend(LIBRARY.iter().map(|(_, text)| *text));
-    parts.extend([theorem.says.as_str(), theorem.proof.as_str()]);
-    digest(&parts)
+/// Digests of theorems: the version of the program, the library, the statement, the proof. What all theorems share is
+/// digested once.
+#[derive(Debug, Clone)]
+pub struct Fingerprints(Digest);
+
+impl Fingerprints {
+    /// Those of a version of the program.
+    #[must_use]
+    pub fn of_version(version: &str) -> Self {
+        let texts = LIBRARY.iter().map(|(_, text)| *text);
+        Self(texts.fold(Digest::default().and(version), Digest::and))
+    }
+
+    /// The digest of one theorem.
+    #[must_use]
+    pub fn of(&self, theorem: &Theorem) -> String {
+        let shared = self.0.clone();
+        shared.and(&theorem.says).and(&theorem.proof).hexadecimal()
+    }
 }
 
 /// The program, found and asked for its version.

@@ -2,20 +2,25 @@
 
 use sha2::{Digest as _, Sha256};
 
-/// The digest of these parts, each with its length before it, as hexadecimal digits.
-#[must_use]
-pub fn digest(parts: &[&str]) -> String {
-    let mut bytes = vec![];
-    for part in parts {
-        bytes.extend((part.len() as u64).to_be_bytes());
-        bytes.extend(part.as_bytes());
-    }
-    hexadecimal(&bytes)
-}
+/// The digest of parts, each with its length before it.
+#[derive(Debug, Clone, Default)]
+pub struct Digest(Sha256);
 
-fn hexadecimal(bytes: &[u8]) -> String {
-    let digits = |byte: &u8| format!("{byte:02x}");
-    Sha256::digest(bytes).iter().map(digits).collect()
+impl Digest {
+    /// The digest of these parts and one more.
+    #[must_use]
+    pub fn and(mut self, part: &str) -> Self {
+        self.0.update((part.len() as u64).to_be_bytes());
+        self.0.update(part.as_bytes());
+        self
+    }
+
+    /// As hexadecimal digits.
+    #[must_use]
+    pub fn hexadecimal(self) -> String {
+        let digits = |byte: &u8| format!("{byte:02x}");
+        self.0.finalize().iter().map(digits).collect()
+    }
 }
 
 #[cfg(test)]
@@ -24,7 +29,7 @@ mod tests {
 
     #[test]
     fn the_digests_are_those_of_the_standard() {
-        let hex = |text: &str| hexadecimal(text.as_bytes());
+        let hex = |text: &str| Digest(Sha256::new().chain_update(text)).hexadecimal();
         assert_eq!(
             hex("abc"),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
@@ -37,6 +42,7 @@ mod tests {
 
     #[test]
     fn parts_are_told_apart() {
-        assert_ne!(digest(&["ab", "c"]), digest(&["a", "bc"]));
+        let of = |a, b| Digest::default().and(a).and(b).hexadecimal();
+        assert_ne!(of("ab", "c"), of("a", "bc"));
     }
 }
