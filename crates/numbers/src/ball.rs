@@ -163,6 +163,15 @@ impl Ball {
         &self.lo * value.denom() <= scaled && scaled <= &self.hi * value.denom()
     }
 
+    /// Whether all numbers of the ball are at most two to the minus `places` in size.
+    #[must_use]
+    pub fn is_within(&self, places: usize) -> bool {
+        let most = Integer::ONE << self.bits;
+        [&self.lo, &self.hi]
+            .into_iter()
+            .all(|end| end.abs() << places <= most)
+    }
+
     /// Whether zero lies in the ball.
     #[must_use]
     pub fn contains_zero(&self) -> bool {

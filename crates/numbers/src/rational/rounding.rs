@@ -4,8 +4,17 @@ use super::{Integer, Rational};
 use dashu_int::ops::{DivEuclid, RemEuclid};
 use num_traits::Signed;
 
-/// The greatest integer that is at most `numerator / denominator`; the denominator is not zero.
-pub(crate) fn floor_quotient(numerator: &Integer, denominator: &Integer) -> Integer {
+/// The greatest integer that is at most `numerator / denominator`.
+///
+/// ```
+/// use torse_numbers::{Integer, rational::floor_quotient};
+/// assert_eq!(floor_quotient(&Integer::from(-7), &Integer::from(2)), Integer::from(-4));
+/// ```
+///
+/// # Panics
+/// When the denominator is zero.
+#[must_use]
+pub fn floor_quotient(numerator: &Integer, denominator: &Integer) -> Integer {
     // The Euclidean quotient leaves a remainder in [0, abs(denominator)): for a positive denominator
     // that is the floor.
     if denominator.is_negative() {

@@ -14,11 +14,13 @@ use crate::gap::Work;
 use crate::name::Name;
 use crate::real::{Real, Reals, length};
 use crate::scope::Scope;
+use dashu_int::ops::BitTest;
 use num_traits::Signed;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use torse_language::core::{Claim, Statement, Term};
 use torse_language::syntax::{Connective, Relation};
+use torse_numbers::rational::floor_quotient;
 use torse_numbers::{Integer, Rational};
 
 /// Precision of the rounds that are not exact.
@@ -221,30 +223,31 @@ fn snapped(equations: &[(&Term, Option<&Term>)], draft: &Draft<'_>, work: &Work)
 /// The rational number with a small denominator that agrees with a number to many digits, if there is one: a convergent
 /// of its continued fraction.
 fn simple(q: &Rational) -> Option<Rational> {
-    let close = Rational::new(1.into(), Integer::ONE << SNAP_BITS);
-    let largest = Integer::ONE << SIMPLE_BITS;
-    let (mut rest, mut before, mut last) = (
-        q.clone(),
+    let (numerator, denominator) = (q.numer(), q.denom());
+    // Euclid's algorithm: its quotients are the digits of the continued fraction.
+    let (mut above, mut below) = (numerator.clone(), denominator.clone());
+    let (mut before, mut last) = (
         (Integer::ZERO, Integer::ONE),
         (Integer::ONE, Integer::ZERO),
     );
     loop {
-        let whole = rest.floor();
-        let digit = whole.to_integer();
+        let digit = floor_quotient(&above, &below);
         let next = (&digit * &last.0 + &before.0, &digit * &last.1 + &before.1);
-        if next.1 > largest {
+        if next.1.bit_len() > SIMPLE_BITS {
             return None;
         }
-        let convergent = Rational::new(next.0.clone(), next.1.clone());
-        if (&convergent - q).abs() <= close {
-            return Some(convergent);
+        let apart = &next.0 * denominator - numerator * &next.1;
+        if apart.abs() << SNAP_BITS <= &next.1 * denominator {
+            return Some(Rational::new(next.0, next.1));
         }
-        rest = (rest - whole).recip();
+        (above, below) = (below.clone(), above - digit * below);
         (before, last) = (last, next);
     }
 }
 
 fn is_near(gap: &Real) -> bool {
-    let bound = Rational::new(1.into(), Integer::ONE << NEAR_BITS);
-    gap.ball(BITS).abs().upper() <= bound
+    match gap {
+        Real::Rational(gap) => gap.numer().abs() << NEAR_BITS <= *gap.denom(),
+        _ => gap.ball(BITS).is_within(NEAR_BITS),
+    }
 }

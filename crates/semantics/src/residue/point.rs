@@ -18,6 +18,8 @@ const ROUNDS: usize = 5;
 pub(crate) struct Point<'d, 'a> {
     draft: &'d Draft<'a>,
     solved: RefCell<BTreeMap<Name, u64>>,
+    /// The residues of numbers of the draft.
+    drawn: RefCell<BTreeMap<Name, Residue>>,
 }
 
 impl<'d, 'a> Point<'d, 'a> {
@@ -26,6 +28,7 @@ impl<'d, 'a> Point<'d, 'a> {
         Self {
             draft,
             solved: RefCell::default(),
+            drawn: RefCell::default(),
         }
     }
 
@@ -34,7 +37,12 @@ impl<'d, 'a> Point<'d, 'a> {
         if let Some(solved) = self.solved.borrow().get(name) {
             return Some(Residue::Class(*solved));
         }
-        Some(Residue::from(&self.draft.value(name)?))
+        if let Some(known) = self.drawn.borrow().get(name) {
+            return Some(*known);
+        }
+        let residue = Residue::from(&self.draft.value(name)?);
+        self.drawn.borrow_mut().insert(name.clone(), residue);
+        Some(residue)
     }
 
     /// The number itself, unless it was solved for.
@@ -52,19 +60,20 @@ impl<'d, 'a> Point<'d, 'a> {
         let a = Residues { work };
         let unknowns = unknowns(claim, self.draft, work)?;
         let value = |name: &Name| self.residue(name);
-        let mut linear = false;
+        let expanded = |moves: &dyn Fn(&Name) -> bool| expanded(&equations, a, &value, moves).ok();
+        let holds = |gap: &Residue| *gap == Residue::Class(0);
         for round in 0..ROUNDS {
-            let expanded =
-                |moves: &dyn Fn(&Name) -> bool| expanded(&equations, a, &value, moves).ok();
-            let holds = |gap: &Residue| *gap == Residue::Class(0);
+            // The values alone cost a fraction of the rates; numbers that were drawn by chance do not satisfy equations.
+            if round > 0 {
+                let values = expanded(&|_| false)?;
+                if values.gaps.iter().all(|gap| holds(&gap.value)) {
+                    return Some(());
+                }
+            }
             let some = expanded(&|name| unknowns.contains(name))?;
             if some.gaps.iter().all(|gap| holds(&gap.value)) {
-                if round == 1 && linear {
-                    self.draft.determine(self.solved.borrow().keys().cloned());
-                }
                 return Some(());
             }
-
             let changes = |expanded| {
                 let stream = self.draft.stream();
                 changes(claim, expanded, stream, &unknowns, &a, &holds)
@@ -77,7 +86,6 @@ impl<'d, 'a> Point<'d, 'a> {
                     (all, changes)
                 }
             };
-            linear = used.is_linear();
             for (name, change) in changes {
                 let (Residue::Class(before), Residue::Class(change)) =
                     (self.residue(&name)?, change)
@@ -86,6 +94,13 @@ impl<'d, 'a> Point<'d, 'a> {
                 };
                 let moved = super::field::sum(before, change);
                 self.solved.borrow_mut().insert(name, moved);
+            }
+            // One step solves linear equations.
+            if used.is_linear() {
+                if round == 0 {
+                    self.draft.determine(self.solved.borrow().keys().cloned());
+                }
+                return Some(());
             }
         }
         None
