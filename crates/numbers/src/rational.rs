@@ -18,8 +18,8 @@ mod size;
 mod text;
 mod words;
 
-pub use rounding::{floor_quotient, remainder};
 pub(crate) use rounding::ceiling_quotient;
+pub use rounding::{floor_quotient, remainder};
 pub use text::RationalError;
 
 use num_traits::{Signed, ToPrimitive, Zero};

@@ -48,7 +48,7 @@ impl Fraction {
             .map(Polynomial::symbol)
             .chain(self.denominator.keys().cloned());
         for candidate in known.collect::<Vec<_>>() {
-            while rest.as_constant().is_none()
+            while !rest.is_constant()
                 && let Some(quotient) = rest.exact_quotient(&candidate)
             {
                 *factors.entry(candidate.clone()).or_insert(0) += 1;
@@ -57,7 +57,7 @@ impl Fraction {
         }
         // A leftover constant can only be a unit of the primitive part.
         let (more, rest) = rest.primitive();
-        if rest.as_constant().is_none() {
+        if !rest.is_constant() {
             *factors.entry(rest).or_insert(0) += 1;
         }
         (content * more, factors)
@@ -88,7 +88,7 @@ impl Fraction {
             }
             let common = factor.gcd(&self.numerator);
             match factor.exact_quotient(&common) {
-                Some(rest) if common.as_constant().is_none() && rest.as_constant().is_none() => {
+                Some(rest) if !common.is_constant() && !rest.is_constant() => {
                     pending.push((common, exponent));
                     pending.push((rest.primitive().1, exponent));
                     let content = rest.primitive().0;

@@ -156,6 +156,9 @@ impl Polynomial {
         if factor.is_zero() {
             return Self::zero();
         }
+        if factor.is_one() {
+            return self.clone();
+        }
         Self::normalized(
             Arc::clone(&self.symbols),
             self.exponents.clone(),

@@ -123,9 +123,18 @@ impl Polynomial {
     pub fn as_constant(&self) -> Option<Rational> {
         match (&*self.symbols, self.coefficients.as_slice()) {
             (_, []) => Some(Rational::zero()),
+            ([], [value]) if self.denominator.is_one() => {
+                Some(Rational::from_integer(value.clone()))
+            }
             ([], [value]) => Some(Rational::new(value.clone(), self.denominator.clone())),
             _ => None,
         }
+    }
+
+    /// Whether no symbol occurs.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        self.symbols.is_empty()
     }
 
     /// The number of terms.

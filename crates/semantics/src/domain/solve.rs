@@ -226,10 +226,7 @@ fn simple(q: &Rational) -> Option<Rational> {
     let (numerator, denominator) = (q.numer(), q.denom());
     // Euclid's algorithm: its quotients are the digits of the continued fraction.
     let (mut above, mut below) = (numerator.clone(), denominator.clone());
-    let (mut before, mut last) = (
-        (Integer::ZERO, Integer::ONE),
-        (Integer::ONE, Integer::ZERO),
-    );
+    let (mut before, mut last) = ((Integer::ZERO, Integer::ONE), (Integer::ONE, Integer::ZERO));
     loop {
         let digit = floor_quotient(&above, &below);
         let next = (&digit * &last.0 + &before.0, &digit * &last.1 + &before.1);
