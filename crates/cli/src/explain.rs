@@ -103,9 +103,7 @@ impl Explain {
         note.list("steps", counted(&outcome.steps).into_iter());
         self.readings(&mut note, outcome);
         note.gap();
-        if let Some(witness) = &outcome.witness {
-            add_witness(&mut note, witness);
-        }
+        add_witness(&mut note, outcome);
         note.option("left - right", self.formula(outcome.difference.as_ref()));
         note.option("derived right", self.formula(outcome.derived.as_ref()));
         if let Some(correction) = &outcome.correction {
@@ -146,9 +144,7 @@ impl Explain {
             note.add("verdict", &verdict(of));
             note.list("on condition", self.formulas(&of.conditions));
             note.list("steps", counted(&of.steps).into_iter());
-            if let Some(witness) = &of.witness {
-                add_witness(note, witness);
-            }
+            add_witness(note, of);
         }
     }
 
@@ -186,22 +182,46 @@ fn verdict(outcome: &Outcome) -> String {
     }
 }
 
-fn add_witness(note: &mut Note, witness: &Witness) {
+/// The point at which a statement fails, with its sides there; of one that is refuted by a proof, what is proved.
+fn add_witness(note: &mut Note, outcome: &Outcome) {
+    let Some(witness) = &outcome.witness else {
+        return;
+    };
+    if words::denied(outcome) {
+        note.option("proved", torse_report::failure_in_full(outcome));
+        return;
+    }
     let values = witness
         .at
         .iter()
-        .map(|(name, value)| format!("{name} = {value}"));
+        .map(|(name, value)| format!("{} = {value}", name.trim_end_matches("[]")));
     let point: Vec<String> = values.collect();
     if !point.is_empty() {
         note.add("fails at", &point.join(", "));
     }
+    let coordinates = of_one_coordinate(outcome, witness);
+    if !coordinates.is_empty() {
+        let of = coordinates.join(", ");
+        note.add("", &format!("(one coordinate of {of})"));
+    }
     if witness.left == witness.right {
-        let sides = side(&witness.left, &witness.left_decimal);
-        note.add("both sides", &format!("are equal there, {sides}"));
+        note.option("namely", torse_report::failure_in_full(outcome));
         return;
     }
     note.add("left there", &side(&witness.left, &witness.left_decimal));
     note.add("right there", &side(&witness.right, &witness.right_decimal));
+}
+
+/// The points of any dimension of which a witness has a coordinate.
+fn of_one_coordinate<'o>(outcome: &'o Outcome, witness: &Witness) -> Vec<&'o str> {
+    let symbols = outcome.table.symbols.iter();
+    let of_any = symbols.filter(|symbol| symbol.set.ends_with("of any dimension"));
+    let names = of_any.map(|symbol| symbol.name.as_str());
+    let told = |name: &str| {
+        let mut members = witness.at.iter().map(|(of, _)| of.split('[').next());
+        members.any(|of| of == Some(name))
+    };
+    names.filter(|name| told(name)).collect()
 }
 
 fn side(exact: &str, decimal: &str) -> String {

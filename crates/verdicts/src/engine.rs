@@ -272,7 +272,7 @@ fn conclude(outcome: &mut Outcome, decision: Decision) {
         }
         Decision::Refuted(refutation) => {
             outcome.verdict = Verdict::False;
-            outcome.evidence = Some(Evidence::Witness);
+            outcome.evidence = Some(refutation.evidence);
             refute(outcome, *refutation);
         }
         Decision::Vacuous { reason } => {
@@ -289,12 +289,7 @@ fn conclude(outcome: &mut Outcome, decision: Decision) {
 
 /// Searches for what the paper meant. The outcome changes only when something is found.
 fn correct(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
-    // A statement in words is our formula, not the paper's: correcting it would say nothing.
-    let printed_formula = matches!(
-        outcome.kind,
-        Kind::Identity | Kind::Value | Kind::Construction | Kind::Definition
-    );
-    if printed_formula {
+    if repair::is_sought(outcome.kind) {
         outcome.correction = repair::search(claim, statement);
         if outcome.correction.is_some() {
             outcome.verdict = Verdict::Misprint;

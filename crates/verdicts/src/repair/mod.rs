@@ -38,6 +38,7 @@ use torse_algebra::planted::{Planted, planted};
 use torse_language::derivation::{Claim, Written};
 use torse_language::notation::{self, Formula};
 use torse_language::syntax::{Expr, Node, Relation};
+use torse_language::words::Kind;
 use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 
@@ -55,6 +56,16 @@ const MAX_PROOFS: usize = 8;
 const MAX_TAUTOLOGY: usize = 5;
 /// Formulas larger than this are corrected with one edit at most.
 const MAX_SIZE_DOUBLE: usize = 60;
+
+/// Whether a correction of such statements is sought. In the other kinds the formula is ours, not the paper's: correcting
+/// it would say nothing, and a step of an argument that does not follow is no misprint of a letter.
+#[must_use]
+pub fn is_sought(kind: Kind) -> bool {
+    matches!(
+        kind,
+        Kind::Identity | Kind::Value | Kind::Construction | Kind::Definition
+    )
+}
 
 /// Searches a correction of a refuted statement.
 #[must_use]

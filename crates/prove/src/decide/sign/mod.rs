@@ -184,6 +184,7 @@ pub fn compare(
             witness,
             sides: Some((vec![x.clone()], vec![y.clone()])),
             steps: vec!["a point of the domain at which the relation fails".to_owned()],
+            evidence: Evidence::Witness,
         })));
     }
     Ok(Decision::Open {
