@@ -149,7 +149,8 @@ impl Explain {
     }
 
     fn formula(&self, formula: Option<&Formula>) -> Option<String> {
-        formula.map(|formula| self.cut(&formula.text))
+        // A vector of any dimension is its own coordinate.
+        formula.map(|formula| self.cut(&formula.text.replace("[]", "")))
     }
 
     fn formulas(&self, formulas: &[Formula]) -> impl Iterator<Item = String> {
