@@ -104,8 +104,10 @@ impl Explain {
         self.readings(&mut note, outcome);
         note.gap();
         add_witness(&mut note, outcome);
-        note.option("left - right", self.formula(outcome.difference.as_ref()));
-        note.option("derived right", self.formula(outcome.derived.as_ref()));
+        let part = derived_part(outcome);
+        let derived = |formula| Some(self.formula(formula)? + &part);
+        note.option("left - right", derived(outcome.difference.as_ref()));
+        note.option("derived right", derived(outcome.derived.as_ref()));
         if let Some(correction) = &outcome.correction {
             note.gap();
             note.add("corrected", &self.cut(&correction.statement.text));
@@ -211,6 +213,20 @@ fn add_witness(note: &mut Note, outcome: &Outcome) {
     }
     note.add("left there", &side(&witness.left, &witness.left_decimal));
     note.add("right there", &side(&witness.right, &witness.right_decimal));
+}
+
+/// Of what the derived formulas of a refutation are a part: one entry, or one instance of small degrees.
+fn derived_part(outcome: &Outcome) -> String {
+    let steps = || outcome.steps.iter();
+    let instance = steps().find_map(|step| step.strip_prefix("the instance "));
+    let entry = steps().find_map(|step| step.strip_prefix("entry ")?.strip_suffix(" differs"));
+    let mut of = vec![];
+    of.extend(entry.map(|place| format!("entry {place}")));
+    of.extend(instance.map(|values| format!("at {values}")));
+    match of.is_empty() {
+        true => String::new(),
+        false => format!(" ({})", of.join(", ")),
+    }
 }
 
 /// The points of any dimension of which a witness has a coordinate.

@@ -79,6 +79,9 @@ pub fn consequence(of: &Consequence) -> String {
     let conditions: Vec<String> = of.conditions.iter().map(|c| quoted(&c.text)).collect();
     match (of.fate, conditions.is_empty()) {
         (Fate::Open, _) => format!("open: {}", verdict(of.verdict).label),
+        (Fate::Survives, _) if of.verdict == Verdict::Definition => {
+            "stands: a definition".to_owned()
+        }
         (_, true) => fate(of.fate).to_owned(),
         (_, false) => format!("{}: {}", fate(of.fate), conditions.join(" and ")),
     }
