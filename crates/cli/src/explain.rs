@@ -107,7 +107,7 @@ impl Explain {
         let part = derived_part(outcome);
         let derived = |formula| Some(self.formula(formula)? + &part);
         note.option("left - right", derived(outcome.difference.as_ref()));
-        note.option("derived right", derived(outcome.derived.as_ref()));
+        note.option("derived", derived(outcome.derived.as_ref()));
         if let Some(correction) = &outcome.correction {
             note.gap();
             note.add("corrected", &self.cut(&correction.statement.text));

@@ -133,6 +133,20 @@ impl Subject {
         Some(inner)
     }
 
+    /// Whether the printed formula stands on the left: in every equality a definition that holds one does, and on the right
+    /// none.
+    #[must_use]
+    pub fn is_left(statement: &Expr) -> bool {
+        let printed = |side: &Expr| called(side).is_some_and(|(name, _)| Self::is_printed(name));
+        match &statement.node {
+            Node::Join(Connective::And, a, b) => Self::is_left(a) && Self::is_left(b),
+            Node::Compare(left, rest) => {
+                printed(left) && !rest.iter().any(|(_, right)| printed(right))
+            }
+            _ => false,
+        }
+    }
+
     /// Whether a definition of this name holds a printed formula.
     #[must_use]
     pub fn is_printed(name: &str) -> bool {
@@ -268,4 +282,19 @@ fn substituted(expr: &Expr, values: &BTreeMap<&str, &Expr>) -> Expr {
         *part = substituted(part, values);
     }
     result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use torse_language::syntax::parse;
+
+    #[test]
+    fn the_print_is_on_the_left_where_its_definition_is() {
+        let left = |text: &str| Subject::is_left(&parse(text).unwrap());
+        assert!(left("printed(z, 1) == S(z)"));
+        assert!(left("printed(z, 0) == F(z) and printed(z, 1) == G(z)"));
+        assert!(!left("S(z) == printed(z)"));
+        assert!(!left("T(z) == S(z)"));
+    }
 }
