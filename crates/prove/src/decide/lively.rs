@@ -145,7 +145,7 @@ mod tests {
         let mut point = Point::new();
         for (name, values) in vectors {
             for (place, value) in (1..).zip(*values) {
-                let symbol = Symbol::Indexed((*name).into(), vec![Affine::number(place)].into());
+                let symbol = Symbol::Indexed((*name).into(), vec![Affine::number(place)]);
                 point.insert(symbol, Fraction::integer(*value));
             }
         }
