@@ -6,9 +6,12 @@
 //! other by the simplest ones that leave the point a counterexample. One of three or more vectors of space may be the
 //! origin.
 
-use super::witness::Point;
+use std::collections::BTreeMap;
 use torse_algebra::{Affine, Fraction, Symbol};
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
+
+/// A point: exact values of symbols.
+type Point = BTreeMap<Symbol, Fraction>;
 
 /// The most points that are looked at.
 const MAX_TRIES: usize = 60;
