@@ -103,11 +103,11 @@ impl Explain {
         note.list("steps", counted(&outcome.steps).into_iter());
         self.readings(&mut note, outcome);
         note.gap();
-        if let Some(witness) = &outcome.witness {
-            add_witness(&mut note, witness);
-        }
-        note.option("left - right", self.formula(outcome.difference.as_ref()));
-        note.option("derived right", self.formula(outcome.derived.as_ref()));
+        add_witness(&mut note, outcome);
+        let part = derived_part(outcome);
+        let derived = |formula| Some(self.formula(formula)? + &part);
+        note.option("left - right", derived(outcome.difference.as_ref()));
+        note.option("derived", derived(outcome.derived.as_ref()));
         if let Some(correction) = &outcome.correction {
             note.gap();
             note.add("corrected", &self.cut(&correction.statement.text));
@@ -146,14 +146,13 @@ impl Explain {
             note.add("verdict", &verdict(of));
             note.list("on condition", self.formulas(&of.conditions));
             note.list("steps", counted(&of.steps).into_iter());
-            if let Some(witness) = &of.witness {
-                add_witness(note, witness);
-            }
+            add_witness(note, of);
         }
     }
 
     fn formula(&self, formula: Option<&Formula>) -> Option<String> {
-        formula.map(|formula| self.cut(&formula.text))
+        // A vector of any dimension is its own coordinate.
+        formula.map(|formula| self.cut(&formula.text.replace("[]", "")))
     }
 
     fn formulas(&self, formulas: &[Formula]) -> impl Iterator<Item = String> {
@@ -186,22 +185,60 @@ fn verdict(outcome: &Outcome) -> String {
     }
 }
 
-fn add_witness(note: &mut Note, witness: &Witness) {
+/// The point at which a statement fails, with its sides there; of one that is refuted by a proof, what is proved.
+fn add_witness(note: &mut Note, outcome: &Outcome) {
+    let Some(witness) = &outcome.witness else {
+        return;
+    };
+    if words::denied(outcome) {
+        note.option("proved", torse_report::failure_in_full(outcome));
+        return;
+    }
     let values = witness
         .at
         .iter()
-        .map(|(name, value)| format!("{name} = {value}"));
+        .map(|(name, value)| format!("{} = {value}", name.trim_end_matches("[]")));
     let point: Vec<String> = values.collect();
     if !point.is_empty() {
         note.add("fails at", &point.join(", "));
     }
+    let coordinates = of_one_coordinate(outcome, witness);
+    if !coordinates.is_empty() {
+        let of = coordinates.join(", ");
+        note.add("", &format!("(one coordinate of {of})"));
+    }
     if witness.left == witness.right {
-        let sides = side(&witness.left, &witness.left_decimal);
-        note.add("both sides", &format!("are equal there, {sides}"));
+        note.option("namely", torse_report::failure_in_full(outcome));
         return;
     }
     note.add("left there", &side(&witness.left, &witness.left_decimal));
     note.add("right there", &side(&witness.right, &witness.right_decimal));
+}
+
+/// Of what the derived formulas of a refutation are a part: one entry, or one instance of small degrees.
+fn derived_part(outcome: &Outcome) -> String {
+    let steps = || outcome.steps.iter();
+    let instance = steps().find_map(|step| step.strip_prefix("the instance "));
+    let entry = steps().find_map(|step| step.strip_prefix("entry ")?.strip_suffix(" differs"));
+    let mut of = vec![];
+    of.extend(entry.map(|place| format!("entry {place}")));
+    of.extend(instance.map(|values| format!("at {values}")));
+    match of.is_empty() {
+        true => String::new(),
+        false => format!(" ({})", of.join(", ")),
+    }
+}
+
+/// The points of any dimension of which a witness has a coordinate.
+fn of_one_coordinate<'o>(outcome: &'o Outcome, witness: &Witness) -> Vec<&'o str> {
+    let symbols = outcome.table.symbols.iter();
+    let of_any = symbols.filter(|symbol| symbol.set.ends_with("of any dimension"));
+    let names = of_any.map(|symbol| symbol.name.as_str());
+    let told = |name: &str| {
+        let mut members = witness.at.iter().map(|(of, _)| of.split('[').next());
+        members.any(|of| of == Some(name))
+    };
+    names.filter(|name| told(name)).collect()
 }
 
 fn side(exact: &str, decimal: &str) -> String {

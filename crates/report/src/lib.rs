@@ -45,6 +45,7 @@ pub use html::{html_page, landing_page};
 pub use json::{verdicts_json, verdicts_json_with_kernel};
 pub use math::{Mathematics, Prose, Span, in_words, plain};
 pub use rests::{Rests, rests};
+pub use sentence::failure_in_full;
 pub use tally::{Remarks, Row, Tally};
 pub use text::counted;
 pub use typeset::Typeset;

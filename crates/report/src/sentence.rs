@@ -101,7 +101,8 @@ pub(crate) fn failure(claim: &Outcome) -> Option<String> {
 }
 
 /// The same with the whole point, however many symbols there are.
-pub(crate) fn failure_in_full(claim: &Outcome) -> Option<String> {
+#[must_use]
+pub fn failure_in_full(claim: &Outcome) -> Option<String> {
     failure_with(claim, usize::MAX)
 }
 
@@ -263,10 +264,9 @@ fn significant(number: f64) -> String {
 
 /// Of a claim that something is not so, refuted by proving that it is so everywhere: just that.
 pub(crate) fn denied(claim: &Outcome) -> Option<String> {
-    const PROVED: &str = "the negated statement is proved";
     const INSTANCE: &str = "the instance ";
     let steps = || claim.steps.iter();
-    if !steps().any(|step| step.starts_with(PROVED)) {
+    if !words::denied(claim) {
         return None;
     }
     let place = match steps().find_map(|step| step.strip_prefix(INSTANCE)) {

@@ -8,6 +8,7 @@ use torse_language::words::{Flag, Kind, Verdict};
 use torse_prove::evidence::Evidence;
 use torse_verdicts::consequences::{Consequence, Fate};
 use torse_verdicts::outcome::{Outcome, SaidBy};
+use torse_verdicts::repair;
 
 /// A key with its label and its meaning in one sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -76,9 +77,13 @@ pub const fn fate(of: Fate) -> &'static str {
 #[must_use]
 pub fn consequence(of: &Consequence) -> String {
     let conditions: Vec<String> = of.conditions.iter().map(|c| quoted(&c.text)).collect();
-    match conditions.is_empty() {
-        true => fate(of.fate).to_owned(),
-        false => format!("{}: {}", fate(of.fate), conditions.join(" and ")),
+    match (of.fate, conditions.is_empty()) {
+        (Fate::Open, _) => format!("open: {}", verdict(of.verdict).label),
+        (Fate::Survives, _) if of.verdict == Verdict::Definition => {
+            "stands: a definition".to_owned()
+        }
+        (_, true) => fate(of.fate).to_owned(),
+        (_, false) => format!("{}: {}", fate(of.fate), conditions.join(" and ")),
     }
 }
 
@@ -111,6 +116,10 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
             meaning: "True as printed.",
             ..term
         },
+        (Verdict::False, _) if denied(outcome) => Term {
+            meaning: "False as printed: the opposite is proved, everywhere.",
+            ..term
+        },
         (Verdict::False, _) if outcome.correction.is_some() => Term {
             meaning: "False as printed, with an exact counterexample; no small edit repairs it. What is true instead was derived anew and is proved.",
             ..term
@@ -119,8 +128,23 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
             meaning: "False as printed, with exact values; for other data, which are given, the printed value is right.",
             ..term
         },
+        // Of a sentence the formula is ours, and no edit of it was sought.
+        (Verdict::False, _) if !repair::is_sought(outcome.kind) => Term {
+            meaning: "False as printed, with an exact counterexample.",
+            ..term
+        },
+        (Verdict::Definition, _) if outcome.evidence.is_some() => Term {
+            meaning: "A definition; that it agrees with what the paper says of it elsewhere is proved.",
+            ..term
+        },
         _ => term,
     }
+}
+
+/// Whether a statement is refuted by a proof of what it denies, and not by a point.
+#[must_use]
+pub fn denied(outcome: &Outcome) -> bool {
+    outcome.verdict == Verdict::False && outcome.evidence.is_some_and(|of| of != Evidence::Witness)
 }
 
 /// Formulas of more characters than this that nobody printed are counted, not written.
@@ -252,6 +276,9 @@ pub const fn verdict(of: Verdict) -> Term {
 pub fn evidence_on(outcome: &Outcome) -> Option<Term> {
     let term = evidence(outcome.evidence?);
     let meaning = match (outcome.evidence, outcome.verdict) {
+        (Some(Evidence::Identity), Verdict::False) => {
+            "What the statement denies was brought to the normal form of an exact algebra, and is true at every point of the domain."
+        }
         (Some(Evidence::Witness), Verdict::False | Verdict::Misprint) => {
             "An exact point of the domain at which the printed statement fails."
         }

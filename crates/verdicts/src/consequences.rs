@@ -58,6 +58,8 @@ pub struct Consequence {
     pub through: Vec<String>,
     /// What becomes of it.
     pub fate: Fate,
+    /// Its verdict.
+    pub verdict: Verdict,
     /// The conditions under which it survives.
     pub conditions: Vec<Formula>,
 }
@@ -120,6 +122,7 @@ pub fn consequences(id: &str, outcomes: &[&Outcome]) -> Vec<Consequence> {
                 id: user.to_owned(),
                 through: through.into_iter().map(str::to_owned).collect(),
                 fate,
+                verdict: outcome.verdict,
                 conditions,
             })
         })

@@ -3,6 +3,7 @@
 use crate::condition::{self, nonzero};
 use crate::finding;
 use crate::outcome::{Outcome, PaperOutcome, ReadingOutcome, SaidBy};
+use crate::repair::subject::Subject;
 use crate::{conjunction, net, provenance, readings, repair, table};
 use rayon::prelude::*;
 use std::any::Any;
@@ -161,7 +162,7 @@ fn decided(
             let decision =
                 decision.map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
             let weighed = provenance::weigh(claim, statement, decision, budget / 5);
-            conclude(&mut outcome, weighed.decision);
+            conclude(&mut outcome, weighed.decision, statement);
             provenance::record(&mut outcome, claim, &weighed.needed);
             rest_on(&mut outcome, provenance::conditions(claim, &weighed.needed));
             if outcome.verdict == Verdict::False {
@@ -251,7 +252,7 @@ fn drawn(outcome: &mut Outcome, figure: &Figure) {
 }
 
 /// Writes a decision into the outcome.
-fn conclude(outcome: &mut Outcome, decision: Decision) {
+fn conclude(outcome: &mut Outcome, decision: Decision, statement: &Written) {
     match decision {
         Decision::Proven {
             evidence,
@@ -272,8 +273,8 @@ fn conclude(outcome: &mut Outcome, decision: Decision) {
         }
         Decision::Refuted(refutation) => {
             outcome.verdict = Verdict::False;
-            outcome.evidence = Some(Evidence::Witness);
-            refute(outcome, *refutation);
+            outcome.evidence = Some(refutation.evidence);
+            refute(outcome, *refutation, statement);
         }
         Decision::Vacuous { reason } => {
             outcome.verdict = Verdict::Vacuous;
@@ -289,12 +290,7 @@ fn conclude(outcome: &mut Outcome, decision: Decision) {
 
 /// Searches for what the paper meant. The outcome changes only when something is found.
 fn correct(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
-    // A statement in words is our formula, not the paper's: correcting it would say nothing.
-    let printed_formula = matches!(
-        outcome.kind,
-        Kind::Identity | Kind::Value | Kind::Construction | Kind::Definition
-    );
-    if printed_formula {
+    if repair::is_sought(outcome.kind) {
         outcome.correction = repair::search(claim, statement);
         if outcome.correction.is_some() {
             outcome.verdict = Verdict::Misprint;
@@ -310,14 +306,16 @@ fn correct(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
 }
 
 /// Writes a refutation into the outcome.
-fn refute(outcome: &mut Outcome, refutation: Refutation) {
+fn refute(outcome: &mut Outcome, refutation: Refutation, statement: &Written) {
     outcome.steps = refutation.steps;
     outcome.witness = Some(refutation.witness);
     if let Some((left, right)) = refutation.sides {
         let differing = left.iter().zip(&right).find(|(x, y)| x != y);
         if let Some((x, y)) = differing {
             outcome.difference = readable(&(x.clone() - y.clone()));
-            outcome.derived = readable(x);
+            // Derived is the side that is not the print.
+            let left = Subject::is_left(&statement.expr);
+            outcome.derived = readable(if left { y } else { x });
         }
     }
 }

@@ -190,3 +190,75 @@ fn a_wrong_determinant_is_that_of_a_matrix_with_two_other_entries() {
         ["A36[2,1]: 32 -> 32*k", "A36[3,1]: -80 -> -80*k"]
     );
 }
+
+#[test]
+fn one_slip_in_several_places_is_one_correction() {
+    for (id, edit) in [
+        ("slips/exponent", "`c` replaced by `c^2` in both places"),
+        ("slips/factor", "`3` replaced by `5` in both places"),
+        ("slips/names", "`mu1` and `mu2` exchanged"),
+        ("slips/inner", "`i` replaced by `j` in `a^i*P[i]`"),
+    ] {
+        assert_eq!(corrected(id).1, [edit], "{id}");
+    }
+}
+
+#[test]
+fn a_slip_in_a_definition_of_the_printed_side_is_corrected_there() {
+    for (id, edits) in [
+        (
+            "slips/weight",
+            [
+                "`w` replaced by `w^2` in both places",
+                "`S` then is `(A + w^2*B)/(1 + w^2)`",
+            ],
+        ),
+        (
+            "slips/constant",
+            [
+                "`m` replaced by `n` in both places",
+                "`e` then is `(n - 2)*(n - 3)`",
+            ],
+        ),
+    ] {
+        assert_eq!(corrected(id).1, edits, "{id}");
+    }
+}
+
+#[test]
+fn a_factor_on_the_wrong_side_of_a_relation_is_moved() {
+    for (id, statement) in [
+        ("slips/side", "r*F'(1) == G'(0)"),
+        ("slips/side.left", "F'(1) == r*G'(0)"),
+    ] {
+        let edit = "the factor `r` moved to the other side";
+        assert_eq!(corrected(id), (statement.to_owned(), vec![edit.to_owned()]));
+    }
+}
+
+#[test]
+fn the_other_curve_of_a_join_is_one_edit() {
+    let edit = "`G'(0)` replaced by `F'(1)`";
+    assert_eq!(corrected("slips/curve").1, [edit]);
+}
+
+#[test]
+fn one_argument_is_taken_for_another_while_the_others_stay() {
+    let correction = decided("slips/blossom").correction.unwrap();
+    assert_eq!(correction.edits, ["`f(0, 0, s)` replaced by `f(0, s, s)`"]);
+    // The polar form is symmetric.
+    assert!(!correction.unique);
+}
+
+#[test]
+fn a_square_is_split_into_two_factors() {
+    let edit = "`(v - c)^2` replaced by `(v - c)*(v - d)`";
+    assert_eq!(corrected("slips/square").1, [edit]);
+}
+
+#[test]
+fn a_step_that_does_not_follow_is_no_misprint_of_a_letter() {
+    let outcome = decided("slips/step");
+    assert_eq!(outcome.verdict, Verdict::False);
+    assert_eq!(outcome.correction, None);
+}

@@ -133,6 +133,7 @@ pub fn decide(values: &[Fraction], printed: &[Printed]) -> Decision {
             witness,
             sides: None,
             steps,
+            evidence: Evidence::Witness,
         }));
     }
     let exact = found.iter().all(|f| *f == Some(Agreement::Exact));

@@ -1,4 +1,5 @@
-//! Values that are tried for a symbol: simple ones first, then those that its interval suggests.
+//! Values that are tried for a symbol: simple ones first, then those that its interval suggests. A number that has to differ
+//! from 1 is rather 2 than 0: lengths and factors of 0 are degenerate.
 
 use super::domain::{Domain, truth};
 use crate::decide::interval::{Bound, Interval};
@@ -38,7 +39,7 @@ const INTEGERS: Numbers = &[
 ];
 #[rustfmt::skip]
 const SIMPLE: Numbers = &[
-    (1, 1), (0, 1), (2, 1), (1, 2), (-1, 1), (3, 1), (1, 3), (-1, 2), (2, 3), (3, 2), (-2, 1), (1, 4),
+    (1, 1), (2, 1), (0, 1), (1, 2), (-1, 1), (3, 1), (1, 3), (-1, 2), (2, 3), (3, 2), (-2, 1), (1, 4),
     (3, 4), (5, 1), (-3, 1), (1, 5), (4, 1), (-1, 3), (1, 10), (9, 10), (10, 1),
 ];
 

@@ -101,7 +101,7 @@ pub fn decide(
     );
     let completed = point.and_then(|point| witness::described(&point, &lefts, &rights));
     Ok(match completed {
-        Some(witness) => Decision::Refuted(Box::new(Refutation { witness, sides: Some((lefts, rights)), steps })),
+        Some(witness) => Decision::Refuted(Box::new(Refutation { witness, sides: Some((lefts, rights)), steps, evidence: Evidence::Witness })),
         None => Decision::Open {
             reason: "the two sides differ as formulas, but no point of the domain was found where they do".to_owned(),
             tried: vec!["simple rational points of the domain".to_owned()],

@@ -72,6 +72,7 @@ pub fn nonnegative(
                 witness,
                 sides: None,
                 steps,
+                evidence: Evidence::Witness,
             })));
         }
         return Ok(Decision::Open {
@@ -241,7 +242,12 @@ pub fn independent(
                 .iter()
                 .enumerate()
                 .filter(|(_, c)| !c.is_zero())
-                .map(|(i, c)| format!("({c})*{}[{i},{degree}]", basis.name))
+                .map(|(i, c)| match c.as_rational() {
+                    Some(one) if one == torse_algebra::rational::integer(1) => {
+                        format!("{}[{i},{degree}]", basis.name)
+                    }
+                    _ => format!("({c})*{}[{i},{degree}]", basis.name),
+                })
                 .collect();
             let witness = Witness {
                 at,
@@ -258,6 +264,7 @@ pub fn independent(
                 witness,
                 sides: None,
                 steps,
+                evidence: Evidence::Witness,
             })));
         }
         match full_rank(&rows, domain) {

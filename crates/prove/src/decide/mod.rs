@@ -15,6 +15,7 @@ pub mod equality;
 pub mod family;
 pub mod instances;
 pub mod interval;
+pub mod lively;
 pub mod sharpness;
 pub mod sign;
 pub mod variation;
@@ -67,6 +68,8 @@ pub struct Refutation {
     pub sides: Option<(Vec<Fraction>, Vec<Fraction>)>,
     /// The steps, in words.
     pub steps: Vec<String>,
+    /// What it rests on: the point, or, where something is denied, the proof of what is denied.
+    pub evidence: Evidence,
 }
 
 impl Decision {
@@ -250,7 +253,9 @@ pub(crate) fn negated(decided: Decision, anywhere: impl FnOnce() -> Option<Witne
             }
         }
         Decision::Proven {
-            conditions, steps, ..
+            conditions,
+            steps,
+            evidence,
         } if conditions.is_empty() => match anywhere() {
             Some(witness) => {
                 let first = "the negated statement is proved: it holds everywhere".to_owned();
@@ -259,6 +264,7 @@ pub(crate) fn negated(decided: Decision, anywhere: impl FnOnce() -> Option<Witne
                     witness,
                     sides: None,
                     steps,
+                    evidence,
                 }))
             }
             None => Decision::Open {

@@ -121,6 +121,7 @@ pub fn diminishing(
                 witness,
                 sides: None,
                 steps,
+                evidence: Evidence::Witness,
             })));
         }
         tried.push(format!(
@@ -185,6 +186,7 @@ fn not_affine(
                     },
                     sides: None,
                     steps: vec!["the functions do not sum to one".to_owned()],
+                    evidence: Evidence::Witness,
                 }));
             }
         }

@@ -7,11 +7,14 @@
 
 use super::candidates::Turns;
 use super::domain::{Domain, enclosure, truth};
+use super::lively::livened;
 use crate::evidence::Witness;
 use crate::formula;
+use num_traits::Signed;
 use std::collections::BTreeMap;
 use torse_algebra::planted::{Planted, planted};
-use torse_algebra::{Angle, Fraction, Polynomial, Symbol};
+use torse_algebra::rational::integer;
+use torse_algebra::{Angle, Fraction, Polynomial, Rational, Symbol};
 use torse_language::derivation::declarations::SymbolKind;
 use torse_language::notation;
 use torse_language::syntax::Relation;
@@ -129,7 +132,9 @@ pub fn find(
         point: Point::new(),
     };
     let found = search.run(difference.clone(), &constraints, &candidates);
-    let mut point = found.then_some(search.point)?;
+    let point = found.then(|| std::mem::take(&mut search.point))?;
+    let fails = |point: &Point| search.fails_at(difference, &constraints, point);
+    let mut point = livened(point, domain.declarations, &fails);
     for (symbol, value) in &domain.solved {
         let value = at_point(value, &point)?;
         point.insert(symbol.clone(), value);
@@ -189,7 +194,7 @@ impl Search<'_> {
             let settled = |(c, relation): &(Fraction, Relation)| truth(c, *relation) == Some(true);
             return truth(&value, self.wanted) == Some(true)
                 && constraints.iter().all(settled)
-                && self.integers_in_range();
+                && self.integers_in_range(&self.point);
         };
         // A constraint that has become a number must hold.
         let fails = |(c, relation): &(Fraction, Relation)| truth(c, *relation) == Some(false);
@@ -220,12 +225,28 @@ impl Search<'_> {
         false
     }
 
+    /// Whether a point with values for all symbols is one of those that are sought.
+    fn fails_at(
+        &self,
+        value: &Fraction,
+        constraints: &[(Fraction, Relation)],
+        point: &Point,
+    ) -> bool {
+        let settled = |(value, relation): (&Fraction, Relation)| {
+            at_point(value, point).is_some_and(|value| truth(&value, relation) == Some(true))
+        };
+        let met = |(value, relation): &(Fraction, Relation)| settled((value, *relation));
+        settled((value, self.wanted))
+            && constraints.iter().all(met)
+            && self.integers_in_range(point)
+    }
+
     /// Whether every integer of the point respects its bounds, which may name others, and every eliminated one is an
     /// integer.
-    fn integers_in_range(&self) -> bool {
-        let mut all = self.point.clone();
+    fn integers_in_range(&self, point: &Point) -> bool {
+        let mut all = point.clone();
         for (symbol, value) in &self.domain.solved {
-            let Some(value) = at_point(value, &self.point) else {
+            let Some(value) = at_point(value, point) else {
                 return false;
             };
             if self.domain.is_integer(symbol)
@@ -258,8 +279,25 @@ impl Search<'_> {
 /// An exact number as text: the formula, and its decimals.
 fn shown(value: &Fraction) -> (String, String) {
     let text = notation::text(&formula::expression(value));
-    let decimal = enclosure(value, 192).map_or_else(String::new, |ball| ball.decimal(DIGITS));
-    (text, decimal)
+    let terminating = value.as_rational().and_then(|q| terminating(&q));
+    let decimal = terminating.or_else(|| Some(enclosure(value, 192)?.decimal(DIGITS)));
+    (text, decimal.unwrap_or_default())
+}
+
+/// The decimals of a rational number, if they end.
+fn terminating(q: &Rational) -> Option<String> {
+    let shift = integer(10).pow(i32::try_from(DIGITS).ok()?);
+    let shifted = q.abs() * shift;
+    if !shifted.is_integer() {
+        return None;
+    }
+    let digits = shifted.to_integer().to_string();
+    let padded = format!("{digits:0>width$}", width = DIGITS + 1);
+    let (whole, rest) = padded.split_at(padded.len() - DIGITS);
+    let rest = rest.trim_end_matches('0');
+    let sign = if q.is_negative() { "-" } else { "" };
+    let point = if rest.is_empty() { "" } else { "." };
+    Some(format!("{sign}{whole}{point}{rest}"))
 }
 
 /// The witness for two sides at a point.
@@ -308,4 +346,25 @@ pub fn nonconstant(conditions: Vec<Polynomial>) -> Vec<Polynomial> {
                 .all(|s| matches!(s, Symbol::Pi | Symbol::Root(_)))
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use torse_algebra::rational::ratio;
+
+    #[test]
+    fn decimals_that_end_are_told_exactly() {
+        for (n, d, text) in [
+            (0, 1, "0"),
+            (3, 5, "0.6"),
+            (-275, 2, "-137.5"),
+            (12, 1, "12"),
+        ] {
+            let value = Fraction::from(ratio(n, d).unwrap());
+            assert_eq!(shown(&value).1, text);
+        }
+        let third = Fraction::from(ratio(1, 3).unwrap());
+        assert_eq!(shown(&third).1, "0.333333333333...");
+    }
 }

@@ -7,6 +7,8 @@ use torse_language::syntax::{Expr, Node};
 
 /// The most names of a kind that edits may put in.
 const MAX_NAMES: usize = 16;
+/// The most functions, and the most places of them, that edits may put in.
+const MAX_CALLS: usize = 6;
 
 /// The names that an edit may put in.
 #[derive(Debug, Clone, Default)]
@@ -19,6 +21,10 @@ pub struct Alphabet {
     pub members: Vec<Expr>,
     /// Neighbouring names in the arguments of some call of the claim, such as two shape parameters.
     pub pairs: Vec<[String; 2]>,
+    /// Functions of one variable that the claim calls, without primes.
+    pub functions: Vec<String>,
+    /// Where it calls them.
+    pub places: Vec<Expr>,
     /// Basis families: name, lowest degree, number of arguments.
     pub bases: Vec<(String, u8, usize)>,
 }
@@ -44,6 +50,9 @@ pub fn alphabet(claim: &Claim, statement: &Expr, edited: &Expr) -> Alphabet {
         .into_iter()
         .chain(claim.given.iter().map(|h| &h.formula.expr))
         .collect();
+    for expr in &level {
+        collect_calls(expr, claim, &mut alphabet);
+    }
     let mut first = true;
     while !level.is_empty() {
         let mut deeper = vec![];
@@ -115,6 +124,26 @@ fn collect_pairs(expr: &Expr, into: &mut Vec<[String; 2]>) {
     }
     for part in expr.parts() {
         collect_pairs(part, into);
+    }
+}
+
+/// Functions of one variable that are called, and their arguments.
+fn collect_calls(expr: &Expr, claim: &Claim, into: &mut Alphabet) {
+    if let Node::Call(head, arguments) = &expr.node
+        && let (Node::Name(name), [place]) = (&head.node, arguments.as_slice())
+    {
+        let base = name.trim_end_matches('\'');
+        let known = claim.declarations.definition(base).is_some();
+        if known && into.functions.len() < MAX_CALLS && !into.functions.iter().any(|f| f == base) {
+            into.functions.push(base.to_owned());
+        }
+        let place = place.clone().placeless();
+        if known && into.places.len() < MAX_CALLS && !into.places.contains(&place) {
+            into.places.push(place);
+        }
+    }
+    for part in expr.parts() {
+        collect_calls(part, claim, into);
     }
 }
 

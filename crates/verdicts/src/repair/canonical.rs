@@ -6,6 +6,9 @@ use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_language::syntax::{Expr, Node, Operator};
 
+/// The greatest exponent that is written out.
+const MAX_REPEATED: u8 = 4;
+
 /// A text that is the same for formulas that differ only in order, grouping and place of signs.
 #[must_use]
 pub fn canonical(expr: &Expr) -> String {
@@ -77,6 +80,12 @@ fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mu
         }
         Node::Number { value, .. } => into.push(format!("{mark}{value}")),
         Node::Name(name) => into.push(format!("{mark}{name}")),
+        // w^2 and w*w are one thing.
+        Node::Binary(Operator::Power, base, exponent) if repetitions(exponent).is_some() => {
+            for _ in 0..repetitions(exponent).unwrap_or(0) {
+                collect_factors(base, inverted, number, into);
+            }
+        }
         Node::Binary(Operator::Power, base, exponent) => {
             into.push(format!(
                 "{mark}({})^({})",
@@ -91,6 +100,14 @@ fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mu
     }
 }
 
+/// A small whole exponent.
+fn repetitions(exponent: &Expr) -> Option<u8> {
+    let Node::Number { value, .. } = &exponent.node else {
+        return None;
+    };
+    (1..=MAX_REPEATED).find(|n| *value == integer(i64::from(*n)))
+}
+
 fn kind(node: &Node) -> &'static str {
     match node {
         Node::Call(..) => "call",
@@ -100,5 +117,22 @@ fn kind(node: &Node) -> &'static str {
         Node::Join(..) => "join",
         Node::Not(_) => "not",
         _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use torse_language::syntax::parse;
+
+    #[test]
+    fn order_grouping_signs_and_squares_written_out_make_no_difference() {
+        let same =
+            |a: &str, b: &str| canonical(&parse(a).unwrap()) == canonical(&parse(b).unwrap());
+        assert!(same("a - b", "-(b - a)"));
+        assert!(same("2*(a*b)/c", "b*2*a/c"));
+        assert!(same("w^2*a", "a*w*w"));
+        assert!(!same("w^2*a", "w*a"));
+        assert!(!same("a/w^2", "a/w"));
     }
 }

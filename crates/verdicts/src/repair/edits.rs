@@ -62,7 +62,7 @@ fn inside(expr: &Expr, alphabet: &Alphabet, into: &mut Vec<Edit>) {
 }
 
 /// Edits at the top of a formula.
-fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
+pub(super) fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let replaced = |by: Expr| {
         let change = format!("`{}` replaced by `{}`", text(expr), text(&by));
         Edit { expr: by, change }
@@ -275,7 +275,7 @@ fn binary(expr: &Expr, operator: Operator, a: &Expr, b: &Expr, result: &mut Vec<
 }
 
 /// A factor in front of a formula, or its sign changed.
-fn scaled(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
+pub(super) fn scaled(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let mut factors: Vec<Expr> = [
         (2, 1),
         (3, 1),

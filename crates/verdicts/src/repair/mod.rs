@@ -2,17 +2,23 @@
 //!
 //! The printed side of a refuted equality ([`subject`]) is edited, first once, then twice; candidates are
 //! filtered at a sample point ([`target`]) and the survivors **proved** like any statement. The smallest
-//! number of edits wins; whether another correction with as few edits exists is reported. A wrong value
-//! may be the right value of other data, and a wrong determinant that of another matrix: see [`data`] and [`entries`].
+//! number of edits wins; whether another correction with as few edits exists is reported. Between one edit and two comes
+//! one slip that shows in several places ([`repeated`], [`names`], [`arguments`]), in a definition of the printed side
+//! ([`subject`]) or beside the formula ([`across`]). A wrong value may be the right value of other data, and a wrong
+//! determinant that of another matrix: see [`data`] and [`entries`].
 
+pub mod across;
 pub(crate) mod alphabet;
 pub mod ansatz;
+pub mod arguments;
 pub mod canonical;
 pub mod data;
 pub mod edit;
 pub mod edits;
 pub mod entries;
+pub mod names;
 mod rates;
+pub mod repeated;
 mod residue;
 pub mod slips;
 pub mod subject;
@@ -22,15 +28,17 @@ pub mod throughout;
 
 use crate::condition::nonzero;
 use crate::outcome::Correction;
-use edit::Edit;
+use alphabet::Alphabet;
+use edit::{Edit, placed};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use subject::Subject;
 use target::Target;
 use torse_algebra::planted::{Planted, planted};
 use torse_language::derivation::{Claim, Written};
-use torse_language::notation;
-use torse_language::syntax::{Expr, Node};
+use torse_language::notation::{self, Formula};
+use torse_language::syntax::{Expr, Node, Relation};
+use torse_language::words::Kind;
 use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 
@@ -40,12 +48,24 @@ const MAX_SINGLE: usize = 6_000;
 const MAX_FIRST: usize = 150;
 /// The most candidates evaluated with two edits.
 const MAX_DOUBLE: usize = 12_000;
+/// The work for slips that show in several places, in the units of [`target`].
+const MAX_ELSEWHERE: u64 = 300_000;
 /// How many survivors of the sample point are proved before the search ends.
 const MAX_PROOFS: usize = 8;
 /// A comparison whose left side has at most so many nodes is a tautology when both sides are equal.
 const MAX_TAUTOLOGY: usize = 5;
 /// Formulas larger than this are corrected with one edit at most.
 const MAX_SIZE_DOUBLE: usize = 60;
+
+/// Whether a correction of such statements is sought. In the other kinds the formula is ours, not the paper's: correcting
+/// it would say nothing, and a step of an argument that does not follow is no misprint of a letter.
+#[must_use]
+pub fn is_sought(kind: Kind) -> bool {
+    matches!(
+        kind,
+        Kind::Identity | Kind::Value | Kind::Construction | Kind::Definition
+    )
+}
 
 /// Searches a correction of a refuted statement.
 #[must_use]
@@ -68,6 +88,9 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
         singles.push((entries, edit));
     }
     if let Some(found) = proved(claim, statement, &subject, once) {
+        return Some(found);
+    }
+    if let Some(found) = elsewhere(claim, statement, &subject, &target, &alphabet) {
         return Some(found);
     }
     if printed.size() > MAX_SIZE_DOUBLE {
@@ -93,6 +116,91 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     proved(claim, statement, &subject, twice)
 }
 
+/// One slip that shows in several places, in a definition of the printed side, or beside it.
+fn elsewhere(
+    claim: &Claim,
+    statement: &Written,
+    subject: &Subject,
+    target: &Target<'_>,
+    alphabet: &Alphabet,
+) -> Option<Correction> {
+    let agreeing = |subject: &Subject, edits: Vec<Edit>| {
+        let agree = |edit: &Edit| target.agrees(&subject.side(&edit.expr));
+        let found = edits.into_iter().filter(agree);
+        found
+            .map(|edit| (edit.clone(), vec![edit.change]))
+            .collect()
+    };
+    let spread = |formula: &Expr, alphabet: &Alphabet| {
+        let mut edits = repeated::edits(formula, alphabet);
+        edits.extend(names::edits(formula, alphabet));
+        edits.extend(arguments::edits(formula, alphabet));
+        edits
+    };
+    let search = |work: u64, subject: &Subject, edits: Vec<Edit>| {
+        let found = target.apart(work, || agreeing(subject, edits));
+        proved(claim, statement, subject, found)
+    };
+    search(
+        MAX_ELSEWHERE / 3,
+        subject,
+        spread(&subject.formula, alphabet),
+    )
+    .or_else(|| moved(claim, statement, subject, target))
+    .or_else(|| {
+        let definitions = subject.definitions(claim, statement);
+        let each = 2 * MAX_ELSEWHERE / 3 / (definitions.len().max(1) as u64);
+        definitions.iter().find_map(|inner| {
+            let alphabet = alphabet::alphabet(claim, &statement.expr, &inner.formula);
+            let mut edits = edits::single(&inner.formula, &alphabet);
+            edits.extend(spread(&inner.formula, &alphabet));
+            search(each, inner, edits)
+        })
+    })
+}
+
+/// A factor moved across the relation.
+fn moved(
+    claim: &Claim,
+    statement: &Written,
+    subject: &Subject,
+    target: &Target<'_>,
+) -> Option<Correction> {
+    let (_, parent) = subject.path.split_last()?;
+    let comparison = parent.iter().try_fold(&statement.expr, |e, position| {
+        e.parts().into_iter().nth(*position)
+    })?;
+    let (left, right) = across::sides(comparison)?;
+    let candidates = target.apart(MAX_ELSEWHERE / 3, || across::moved(left, right, target));
+    let mut found = candidates.into_iter().filter_map(|moved| {
+        let equation = Node::Compare(moved.left.into(), vec![(Relation::Equal, moved.right)]);
+        let expr = placed(&statement.expr, parent, Expr::made(equation));
+        let conditions = provable(claim, statement, &expr)?;
+        Some(Correction {
+            statement: notation::formula(&expr),
+            conditions,
+            edits: vec![moved.change],
+            unique: true,
+        })
+    });
+    let mut first = found.next()?;
+    first.unique = found.next().is_none();
+    Some(first)
+}
+
+/// The conditions under which a corrected statement is proved, if it is.
+fn provable(claim: &Claim, statement: &Written, expr: &Expr) -> Option<Vec<Formula>> {
+    let trial = Written {
+        expr: expr.clone(),
+        origin: statement.origin.clone(),
+    };
+    match decide_statement(claim, &trial) {
+        Ok(Decision::Proven { conditions, .. }) => Some(conditions.iter().map(nonzero).collect()),
+        _ if planted(Planted::CorrectionUnproved) => Some(vec![]),
+        _ => None,
+    }
+}
+
 /// Proves candidates; the first proved one is the correction, a second essentially different one makes
 /// it not unique.
 fn proved(
@@ -115,14 +223,8 @@ fn proved(
         if is_tautology(&expr, &subject.path) {
             continue;
         }
-        let trial = Written {
-            expr: expr.clone(),
-            origin: statement.origin.clone(),
-        };
-        let conditions = match decide_statement(claim, &trial) {
-            Ok(Decision::Proven { conditions, .. }) => conditions,
-            _ if planted(Planted::CorrectionUnproved) => vec![],
-            _ => continue,
+        let Some(conditions) = provable(claim, statement, &expr) else {
+            continue;
         };
         if let Some(first) = &mut found {
             first.unique = false;
@@ -134,7 +236,7 @@ fn proved(
         }
         found = Some(Correction {
             statement: notation::formula(&expr),
-            conditions: conditions.iter().map(nonzero).collect(),
+            conditions,
             edits,
             unique: true,
         });

@@ -5,13 +5,15 @@
 //! of it, stands for the body: the body is edited, and every call of it in the statement with it.
 
 use super::edit::placed;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use torse_language::derivation::{Claim, Written};
 use torse_language::syntax::{Connective, Expr, Node, Relation};
 use torse_prove::decide_statement;
 
 /// How names of definitions that hold a printed formula begin.
 const PRINTED: &str = "printed";
+/// The most definitions in which a slip is looked for.
+const MAX_DEFINITIONS: usize = 6;
 
 /// A formula to edit, and its place in the statement.
 #[derive(Debug, Clone)]
@@ -20,15 +22,17 @@ pub struct Subject {
     pub path: Vec<usize>,
     /// The formula to edit.
     pub formula: Expr,
-    /// The call that stands for it, if it is the body of a definition.
+    /// The call that stands for it, if it is the body of a definition that holds the printed formula.
     definition: Option<Unfolded>,
+    /// The definitions that lead from the printed side to the formula, outermost first.
+    within: Vec<Unfolded>,
 }
 
 #[derive(Debug, Clone)]
 struct Unfolded {
     name: String,
     parameters: Vec<String>,
-    /// The side as it stands.
+    /// The formula that calls it.
     call: Expr,
 }
 
@@ -60,6 +64,7 @@ impl Subject {
                     path,
                     formula: body,
                     definition: Some(definition),
+                    within: vec![],
                 });
             }
         }
@@ -68,7 +73,78 @@ impl Subject {
             path,
             formula: right.clone(),
             definition: None,
+            within: vec![],
         })
+    }
+
+    /// The definitions that the formula rests on and nothing else of the claim does: a slip may stand in one of them.
+    #[must_use]
+    pub fn definitions(&self, claim: &Claim, statement: &Written) -> Vec<Self> {
+        let other = placed(&statement.expr, &self.path, Expr::name(""));
+        let mut elsewhere = BTreeSet::new();
+        let hypotheses = claim.given.iter().chain(&claim.assumptions);
+        let all = std::iter::once(&other).chain(hypotheses.map(|h| &h.formula.expr));
+        let folded = self.definition.as_ref().map(|d| d.name.as_str());
+        for expr in all {
+            reach(claim, expr, folded, &mut elsewhere);
+        }
+        let mut found: Vec<Self> = vec![];
+        let mut pending = vec![self.clone()];
+        while let Some(outer) = pending.pop() {
+            let mut names = outer.formula.names();
+            names.sort_unstable();
+            names.dedup();
+            for name in names {
+                let known = found.iter().any(|s| s.defined_as() == Some(name));
+                if known || elsewhere.contains(name) || found.len() >= MAX_DEFINITIONS {
+                    continue;
+                }
+                if let Some(inner) = outer.inner(claim, name) {
+                    found.push(inner.clone());
+                    pending.push(inner);
+                }
+            }
+        }
+        found
+    }
+
+    /// The body of a definition that the formula calls.
+    fn inner(&self, claim: &Claim, name: &str) -> Option<Self> {
+        let definition = claim.declarations.definition(name)?;
+        let body = &definition.body.expr;
+        let calls = calls(&self.formula, name);
+        let fits = |arguments: &[Expr]| {
+            arguments.len() == definition.parameters.len()
+                && free(&definition.parameters, arguments, body)
+        };
+        // A derivative of the definition would stay as it is.
+        let derived = self.formula.names().into_iter();
+        let mut derived = derived.filter(|n| *n != name && n.trim_end_matches('\'') == name);
+        if derived.next().is_some() || calls.is_empty() || !calls.into_iter().all(fits) {
+            return None;
+        }
+        let mut inner = self.clone();
+        inner.within.push(Unfolded {
+            name: name.to_owned(),
+            parameters: definition.parameters.clone(),
+            call: self.formula.clone(),
+        });
+        inner.formula = body.clone();
+        Some(inner)
+    }
+
+    /// Whether the printed formula stands on the left: in every equality a definition that holds one does, and on the right
+    /// none.
+    #[must_use]
+    pub fn is_left(statement: &Expr) -> bool {
+        let printed = |side: &Expr| called(side).is_some_and(|(name, _)| Self::is_printed(name));
+        match &statement.node {
+            Node::Join(Connective::And, a, b) => Self::is_left(a) && Self::is_left(b),
+            Node::Compare(left, rest) => {
+                printed(left) && !rest.iter().any(|(_, right)| printed(right))
+            }
+            _ => false,
+        }
     }
 
     /// Whether a definition of this name holds a printed formula.
@@ -80,25 +156,36 @@ impl Subject {
     /// The side with the formula edited.
     #[must_use]
     pub fn side(&self, edited: &Expr) -> Expr {
+        let edited = self.outermost(edited);
         match &self.definition {
-            None => edited.clone(),
-            Some(definition) => definition.folded_out(&definition.call, edited),
+            None => edited,
+            Some(definition) => definition.folded_out(&definition.call, &edited),
         }
+    }
+
+    /// The printed formula with the definition edited.
+    fn outermost(&self, edited: &Expr) -> Expr {
+        let outwards = self.within.iter().rev();
+        outwards.fold(edited.clone(), |body, definition| {
+            definition.folded_out(&definition.call, &body)
+        })
     }
 
     /// The statement with the formula edited.
     #[must_use]
     pub fn statement(&self, statement: &Expr, edited: &Expr) -> Expr {
+        let edited = self.outermost(edited);
         match &self.definition {
-            None => placed(statement, &self.path, edited.clone()),
-            Some(definition) => definition.folded_out(statement, edited),
+            None => placed(statement, &self.path, edited),
+            Some(definition) => definition.folded_out(statement, &edited),
         }
     }
 
-    /// The name of the definition that is edited, as the statement calls it.
+    /// The name of the definition that is edited, as it is called.
     #[must_use]
     pub fn defined_as(&self) -> Option<&str> {
-        self.definition.as_ref().map(|d| d.name.as_str())
+        let innermost = self.within.last().or(self.definition.as_ref());
+        innermost.map(|d| d.name.as_str())
     }
 }
 
@@ -110,18 +197,48 @@ fn unfolded(claim: &Claim, side: &Expr) -> Option<(Unfolded, Expr)> {
     if !Subject::is_printed(name) || definition.parameters.len() != arguments.len() {
         return None;
     }
-    // An argument must not be caught by an index that the body sums over.
-    let mut pairs = definition.parameters.iter().zip(arguments);
-    let free = pairs.all(|(parameter, argument)| {
-        let own = matches!(&argument.node, Node::Name(name) if name == parameter);
-        own || !argument.names().iter().any(|n| body.names().contains(n))
-    });
+    let free = free(&definition.parameters, arguments, body);
     let unfolded = Unfolded {
         name: name.to_owned(),
         parameters: definition.parameters.clone(),
         call: side.clone(),
     };
     free.then(|| (unfolded, body.clone()))
+}
+
+/// Whether no argument is caught by an index that the body sums over.
+fn free(parameters: &[String], arguments: &[Expr], body: &Expr) -> bool {
+    parameters
+        .iter()
+        .zip(arguments)
+        .all(|(parameter, argument)| {
+            let own = matches!(&argument.node, Node::Name(name) if name == parameter);
+            own || !argument.names().iter().any(|n| body.names().contains(n))
+        })
+}
+
+/// The arguments of every call of a name in a formula.
+fn calls<'e>(expr: &'e Expr, name: &str) -> Vec<&'e [Expr]> {
+    if let Some((called, arguments)) = called(expr)
+        && called == name
+    {
+        return vec![arguments];
+    }
+    let parts = expr.parts().into_iter();
+    parts.flat_map(|part| calls(part, name)).collect()
+}
+
+/// Collects the definitions that a formula rests on, other than one that is left out.
+fn reach(claim: &Claim, expr: &Expr, without: Option<&str>, into: &mut BTreeSet<String>) {
+    for name in expr.names() {
+        let name = name.trim_end_matches('\'');
+        if Some(name) == without || !into.insert(name.to_owned()) {
+            continue;
+        }
+        if let Some(definition) = claim.declarations.definition(name) {
+            reach(claim, &definition.body.expr, without, into);
+        }
+    }
 }
 
 /// The name that a formula is, or that it calls with arguments.
@@ -165,4 +282,19 @@ fn substituted(expr: &Expr, values: &BTreeMap<&str, &Expr>) -> Expr {
         *part = substituted(part, values);
     }
     result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use torse_language::syntax::parse;
+
+    #[test]
+    fn the_print_is_on_the_left_where_its_definition_is() {
+        let left = |text: &str| Subject::is_left(&parse(text).unwrap());
+        assert!(left("printed(z, 1) == S(z)"));
+        assert!(left("printed(z, 0) == F(z) and printed(z, 1) == G(z)"));
+        assert!(!left("S(z) == printed(z)"));
+        assert!(!left("T(z) == S(z)"));
+    }
 }

@@ -23,6 +23,8 @@ pub struct Target<'a> {
     instances: Vec<(Evaluator<'a>, Vec<Fraction>)>,
     /// The terms of all values so far.
     terms: Cell<u64>,
+    /// The work that may be done.
+    budget: Cell<u64>,
 }
 
 impl<'a> Target<'a> {
@@ -73,6 +75,7 @@ impl<'a> Target<'a> {
         Some(Self {
             instances,
             terms: Cell::new(0),
+            budget: Cell::new(MAX_WORK),
         })
     }
 
@@ -94,9 +97,23 @@ impl<'a> Target<'a> {
             .unwrap_or(0)
     }
 
-    fn within_budget(&self) -> bool {
+    /// A search of its own with so much work: what it spends is not missing afterwards.
+    pub fn apart<T>(&self, work: u64, search: impl FnOnce() -> T) -> T {
+        let before = self.spent();
+        let budget = self.budget.replace(before.saturating_add(work));
+        let found = search();
+        let own = self.spent().saturating_sub(before);
+        self.budget.set(budget.saturating_add(own));
+        found
+    }
+
+    fn spent(&self) -> u64 {
         let work = self.instances.iter().map(|(e, _)| e.work());
-        work.sum::<u64>().saturating_add(self.terms.get()) <= MAX_WORK
+        work.sum::<u64>().saturating_add(self.terms.get())
+    }
+
+    fn within_budget(&self) -> bool {
+        self.spent() <= self.budget.get()
     }
 
     /// Whether a constraint is not known to fail.

@@ -1,7 +1,7 @@
 //! Edits that change every occurrence at once: one slip of copying, repeated.
 
 use super::alphabet::Alphabet;
-use super::edit::{Edit, placed, text};
+use super::edit::{Edit, placed, text, with_name};
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_language::syntax::{Expr, Node, Operator};
@@ -115,20 +115,6 @@ fn with_part(expr: &Expr, old: &str, new: &Expr) -> Expr {
 
 /// The largest bracket in which names are replaced throughout.
 const MAX_RENAMED: usize = 15;
-
-fn with_name(expr: &Expr, old: &str, new: &str) -> Expr {
-    let mut result = expr.clone();
-    if let Node::Name(name) = &mut result.node {
-        let base = name.trim_end_matches('\'');
-        if base == old {
-            *name = format!("{new}{}", name.get(base.len()..).unwrap_or(""));
-        }
-    }
-    for part in result.parts_mut() {
-        *part = with_name(part, old, new);
-    }
-    result
-}
 
 /// The parts of a formula, itself first.
 fn all_parts(expr: &Expr) -> Vec<&Expr> {

@@ -182,8 +182,10 @@ pub fn compare(
     {
         return Ok(Decision::Refuted(Box::new(Refutation {
             witness,
-            sides: Some((vec![x.clone()], vec![y.clone()])),
+            // No side of a relation of order is that of an equation.
+            sides: None,
             steps: vec!["a point of the domain at which the relation fails".to_owned()],
+            evidence: Evidence::Witness,
         })));
     }
     Ok(Decision::Open {

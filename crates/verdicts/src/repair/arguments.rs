@@ -1,0 +1,97 @@
+//! What stands in brackets: one argument taken for another of the same call while the others stay, one curve or its end
+//! taken for another, and a square where two factors differ by a name.
+
+use super::alphabet::Alphabet;
+use super::edit::{Edit, parts, placed, text, with_name};
+use torse_algebra::rational::integer;
+use torse_language::syntax::{Expr, Node, Operator};
+
+/// All formulas with one such edit.
+#[must_use]
+pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
+    let expr = &expr.clone().placeless();
+    let mut names: Vec<&str> = expr.names();
+    names.extend(alphabet.names.iter().map(String::as_str));
+    names.retain(|name| *name != "pi");
+    names.sort_unstable();
+    names.dedup();
+    let mut result = vec![];
+    for (path, part) in parts(expr) {
+        let found = match &part.node {
+            Node::Call(head, arguments) => match arguments.as_slice() {
+                [_] => other_calls(head, alphabet),
+                _ => other_arguments(head, arguments),
+            },
+            Node::Binary(Operator::Power, base, exponent) => split(base, exponent, &names),
+            _ => continue,
+        };
+        result.extend(found.into_iter().filter(|by| by != part).map(|by| Edit {
+            change: format!("`{}` replaced by `{}`", text(part), text(&by)),
+            expr: placed(expr, &path, by),
+        }));
+    }
+    result
+}
+
+/// The call with one argument in the place of another one.
+fn other_arguments(head: &Expr, arguments: &[Expr]) -> Vec<Expr> {
+    let mut seen: Vec<&Expr> = vec![];
+    for argument in arguments {
+        if !seen.contains(&argument) {
+            seen.push(argument);
+        }
+    }
+    let mut found = vec![];
+    for (position, own) in arguments.iter().enumerate().rev() {
+        for other in seen.iter().filter(|other| **other != own) {
+            let mut changed = arguments.to_vec();
+            if let Some(slot) = changed.get_mut(position) {
+                *slot = (*other).clone();
+            }
+            found.push(Expr::made(Node::Call(head.clone().into(), changed)));
+        }
+    }
+    found
+}
+
+/// `F'(1)` for `G'(0)`: the functions of one variable that the claim calls, and where it calls them, primes kept.
+fn other_calls(head: &Expr, alphabet: &Alphabet) -> Vec<Expr> {
+    let Node::Name(name) = &head.node else {
+        return vec![];
+    };
+    let base = name.trim_end_matches('\'');
+    if !alphabet.functions.iter().any(|known| known == base) {
+        return vec![];
+    }
+    let primes = name.get(base.len()..).unwrap_or("");
+    let functions = alphabet.functions.iter();
+    functions
+        .flat_map(|function| {
+            let head = Expr::name(&format!("{function}{primes}"));
+            let called = alphabet.places.iter();
+            called
+                .map(move |place| Expr::made(Node::Call(head.clone().into(), vec![place.clone()])))
+        })
+        .collect()
+}
+
+/// `(v - c)*(v - d)` for `(v - c)^2`.
+fn split(base: &Expr, exponent: &Expr, names: &[&str]) -> Vec<Expr> {
+    let square = Expr::number(&integer(2));
+    if exponent.node != square.node {
+        return vec![];
+    }
+    let mut own = base.names();
+    own.sort_unstable();
+    own.dedup();
+    let pairs = own
+        .iter()
+        .flat_map(|old| names.iter().map(move |new| (old, new)));
+    pairs
+        .filter(|(old, new)| old != new)
+        .map(|(old, new)| {
+            base.clone()
+                .with(Operator::Multiply, with_name(base, old, new))
+        })
+        .collect()
+}

@@ -1,0 +1,82 @@
+//! One slip that shows in several places: a coefficient, an exponent, a factor or any other part is edited where it
+//! occurs, everywhere at once.
+
+use super::alphabet::Alphabet;
+use super::edit::{Edit, parts};
+use super::edits::{local, scaled};
+use torse_language::syntax::Expr;
+
+/// The largest part that is edited in all its places.
+const MAX_PART: usize = 12;
+/// The most different parts that occur more than once.
+const MAX_PARTS: usize = 24;
+
+/// All formulas in which the equal occurrences of one part have the same edit.
+#[must_use]
+pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
+    let expr = expr.clone().placeless();
+    let mut counts: Vec<(&Expr, usize)> = vec![];
+    for (_, part) in parts(&expr) {
+        if part.size() > MAX_PART {
+            continue;
+        }
+        match counts.iter_mut().find(|(known, _)| *known == part) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((part, 1)),
+        }
+    }
+    counts.retain(|(_, count)| *count > 1);
+    // The smallest part is where the slip was made.
+    counts.sort_by_key(|(part, _)| part.size());
+    counts.truncate(MAX_PARTS);
+    let mut result = vec![];
+    for (part, count) in counts {
+        let places = match count {
+            2 => "in both places".to_owned(),
+            _ => format!("in all {count} places"),
+        };
+        let edits = local(part, alphabet)
+            .into_iter()
+            .chain(scaled(part, alphabet));
+        result.extend(edits.map(|edit| Edit {
+            change: format!("{} {places}", edit.change),
+            expr: replaced(&expr, part, &edit.expr),
+        }));
+    }
+    result
+}
+
+/// The formula with every occurrence of a part replaced.
+fn replaced(expr: &Expr, old: &Expr, new: &Expr) -> Expr {
+    if expr == old {
+        return new.clone();
+    }
+    let mut result = expr.clone();
+    for part in result.parts_mut() {
+        *part = replaced(part, old, new);
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::edit::text;
+    use super::*;
+    use torse_language::syntax::parse;
+
+    #[test]
+    fn an_edit_is_made_in_all_places_or_none() {
+        let expr = parse("(a + c*w*b)/(1 + c*w)").unwrap();
+        let found = edits(&expr, &Alphabet::default());
+        let texts: Vec<String> = found.iter().map(|edit| text(&edit.expr)).collect();
+        assert!(texts.contains(&"(a + c^2*w*b)/(1 + c^2*w)".to_owned()));
+        assert!(texts.contains(&"(a + 2*(c*w)*b)/(1 + 2*(c*w))".to_owned()));
+        assert!(!texts.contains(&"(a + c^2*w*b)/(1 + c*w)".to_owned()));
+    }
+
+    #[test]
+    fn what_occurs_once_is_left_to_single_edits() {
+        let expr = parse("a + 2*b").unwrap();
+        assert!(edits(&expr, &Alphabet::default()).is_empty());
+    }
+}
