@@ -67,7 +67,7 @@ pub fn unexpected(before: Option<&Token>, found: Option<&Token>) -> Option<Strin
 }
 
 /// Functions that are printed without brackets.
-const FUNCTIONS: [&str; 4] = ["sin", "cos", "sqrt", "det"];
+const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "sqrt", "det"];
 
 /// What a formula is, in words, if it can never be a function.
 pub fn no_function(node: &Node) -> Option<String> {
@@ -84,7 +84,6 @@ pub fn no_function(node: &Node) -> Option<String> {
 pub fn name(unknown: &str) -> Option<&'static str> {
     Some(match unknown {
         "\u{3c0}" | "Pi" | "PI" => "the circle number is written `pi`",
-        "tan" => "`tan` is not in the language: write `sin(x)/cos(x)`",
         "cot" => "`cot` is not in the language: write `cos(x)/sin(x)`",
         "sec" => "`sec` is not in the language: write `1/cos(x)`",
         "csc" => "`csc` is not in the language: write `1/sin(x)`",
@@ -92,7 +91,7 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         "exp" | "ln" | "log" | "sinh" | "cosh" | "tanh" | "coth" | "arcsin" | "arccos"
         | "arctan" | "asin" | "acos" | "atan" | "atan2" | "min" | "max" | "floor" | "ceil"
         | "gamma" | "lim" | "int" | "integral" => {
-            "this function is not in the language: its functions are rational, sqrt, sin and cos"
+            "this function is not in the language: its functions are rational, sqrt, sin, cos and tan"
         }
         "inf" | "infinity" => "formulas have no infinity; `inf` is an end of an interval",
         "diff" | "d" => "a derivative is written `D(F, x)`",

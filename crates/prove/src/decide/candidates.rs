@@ -12,10 +12,10 @@ use torse_language::syntax::Relation;
 pub enum Turns {
     /// None.
     None,
-    /// Sine and cosine of a quarter turn times it.
-    Quarter,
-    /// Sine and cosine of it, in radians.
-    Radian,
+    /// Sine and cosine of so many parts of a quarter turn times it.
+    Quarter(u16),
+    /// Sine and cosine of so many parts of it, in radians.
+    Radian(u16),
 }
 
 /// A list of fractions, as numerators and denominators.
@@ -52,20 +52,29 @@ impl Domain<'_> {
         let numbers = match (symbol, turns) {
             (Symbol::Indexed(..), _) => POINTS,
             _ if is_integer => INTEGERS,
-            (_, Turns::Quarter) => QUARTER,
-            (_, Turns::Radian) => RADIAN,
+            (_, Turns::Quarter(_)) => QUARTER,
+            (_, Turns::Radian(_)) => RADIAN,
             _ => SIMPLE,
         };
-        let unit = if turns == Turns::Radian && !is_integer {
-            Fraction::symbol(Symbol::Pi)
-        } else {
-            Fraction::integer(1)
+        let (unit, parts) = match turns {
+            Turns::Radian(parts) if !is_integer => (Fraction::symbol(Symbol::Pi), parts),
+            Turns::Quarter(parts) if !is_integer => (Fraction::integer(1), parts),
+            _ => (Fraction::integer(1), 1),
         };
         let simple = numbers.iter().filter_map(|(n, d)| ratio(*n, *d));
         let mut found: Vec<Fraction> = simple
+            .clone()
             .map(|q| unit.scaled(&q))
             .filter(|value| inside(&interval, value))
             .collect();
+        if parts > 1 {
+            // Where a part of the angle is a simple one.
+            for value in simple.map(|q| unit.scaled(&(q * integer(i64::from(parts))))) {
+                if inside(&interval, &value) && !found.contains(&value) {
+                    found.push(value);
+                }
+            }
+        }
         let own = if is_integer {
             steps(&interval)
         } else {

@@ -44,7 +44,70 @@ pub struct Proof {
     /// What is shown to be zero or more: the polynomial, or its negative.
     pub polynomial: Polynomial,
     /// How.
-    pub certificate: Certificate,
+    pub shown: Shown,
+}
+
+/// What shows a sign.
+#[derive(Debug, Clone)]
+pub enum Shown {
+    /// A certificate for the domain.
+    Whole(Certificate),
+    /// One for each of its [`parts`](Domain::parts).
+    Parts(Vec<Certificate>),
+}
+
+impl Proof {
+    /// A proof that the polynomial is zero or more; one that it is more if there is one.
+    fn of(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Self> {
+        let proof = |shown| Self {
+            polynomial: polynomial.clone(),
+            shown,
+        };
+        let whole = prove(polynomial, domain);
+        if whole.as_ref().is_some_and(|certificate| certificate.strict) {
+            return whole.map(|certificate| proof(Shown::Whole(certificate)));
+        }
+        let parts = domain.parts(polynomial);
+        let shown: Option<Vec<Certificate>> = parts.iter().map(|p| prove(polynomial, p)).collect();
+        match (whole, shown.filter(|shown| !shown.is_empty())) {
+            (None, Some(parts)) => Some(proof(Shown::Parts(parts))),
+            (Some(_), Some(parts)) if parts.iter().all(|part| part.strict) => {
+                Some(proof(Shown::Parts(parts)))
+            }
+            (whole, _) => whole.map(|certificate| proof(Shown::Whole(certificate))),
+        }
+    }
+
+    /// The certificates.
+    fn certificates(&self) -> &[Certificate] {
+        match &self.shown {
+            Shown::Whole(certificate) => std::slice::from_ref(certificate),
+            Shown::Parts(parts) => parts,
+        }
+    }
+
+    /// Whether the polynomial is more than zero.
+    fn strict(&self) -> bool {
+        self.certificates().iter().all(|part| part.strict)
+    }
+
+    /// Replays the certificates.
+    ///
+    /// # Errors
+    /// [`CertificateError`] says where one fails.
+    pub fn check(&self, domain: &Domain<'_>) -> Result<(), CertificateError> {
+        match &self.shown {
+            Shown::Whole(certificate) => certificate::check(&self.polynomial, domain, certificate),
+            Shown::Parts(certificates) => {
+                let parts = domain.parts(&self.polynomial);
+                if parts.is_empty() || parts.len() != certificates.len() {
+                    return Err(CertificateError::Domain);
+                }
+                let mut pairs = parts.iter().zip(certificates);
+                pairs.try_for_each(|(part, own)| certificate::check(&self.polynomial, part, own))
+            }
+        }
+    }
 }
 
 /// A sign of the polynomial on the whole domain, if one can be proved this way.
@@ -57,14 +120,8 @@ pub fn of(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Sign> {
 #[must_use]
 pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
     let shown = |polynomial: &Polynomial| {
-        let certificate = prove(polynomial, domain)?;
-        Some((
-            certificate.strict,
-            Proof {
-                polynomial: polynomial.clone(),
-                certificate,
-            },
-        ))
+        let proof = Proof::of(polynomial, domain)?;
+        Some((proof.strict(), proof))
     };
     let (strict, weak) = match shown(polynomial) {
         Some((true, proof)) => return Some((Sign::Positive, proof)),
@@ -86,9 +143,7 @@ pub fn never_zero(polynomial: &Polynomial, domain: &Domain<'_>) -> bool {
         return true;
     }
     match proof(polynomial, domain) {
-        Some((Sign::Positive | Sign::Negative, proof)) => {
-            certificate::check(&proof.polynomial, domain, &proof.certificate).is_ok()
-        }
+        Some((Sign::Positive | Sign::Negative, proof)) => proof.check(domain).is_ok(),
         _ => false,
     }
 }
@@ -245,7 +300,7 @@ fn different(
 /// Replays the certificates, and says what they rest on.
 fn replayed(proofs: &[Proof], domain: &Domain<'_>) -> Result<Vec<String>, CertificateError> {
     for proof in proofs {
-        certificate::check(&proof.polynomial, domain, &proof.certificate)?;
+        proof.check(domain)?;
     }
     let mut steps = vec![
         "all Bernstein coefficients of the difference on the domain have the right sign".to_owned(),
@@ -256,13 +311,15 @@ fn replayed(proofs: &[Proof], domain: &Domain<'_>) -> Result<Vec<String>, Certif
     };
     let assumes = proofs.iter().any(|proof| {
         let symbols = proof.polynomial.symbols();
-        proof.certificate.rests_on_assumptions() || symbols.iter().any(bounded)
+        let mut certificates = proof.certificates().iter();
+        certificates.any(Certificate::rests_on_assumptions) || symbols.iter().any(bounded)
     });
     if assumes {
         steps.push("the assumptions bound the domain".to_owned());
     }
-    let pieces = proofs.iter().map(|p| p.certificate.pieces.len()).max();
-    if let Some(pieces) = pieces.filter(|n| *n > 1) {
+    let pieces = |p: &Proof| p.certificates().iter().map(|c| c.pieces.len()).sum();
+    let pieces = proofs.iter().map(pieces).max();
+    if let Some(pieces) = pieces.filter(|n: &usize| *n > 1) {
         steps.push(format!("on each of the {pieces} parts of the domain"));
     }
     Ok(steps)
