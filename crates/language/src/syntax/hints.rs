@@ -80,6 +80,30 @@ pub fn no_function(node: &Node) -> Option<String> {
     })
 }
 
+/// The name of a Greek letter.
+pub fn greek(letter: &str) -> Option<&'static str> {
+    const NAMES: [&str; 24] = [
+        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+        "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi",
+        "chi", "psi", "omega",
+    ];
+    let mut letters = letter.chars();
+    let (letter, None) = (letters.next()?, letters.next()) else {
+        return None;
+    };
+    Some(match letter {
+        '\u{3b1}'..='\u{3c9}' => {
+            // The final form of sigma has a place of its own before sigma.
+            let place = u32::from(letter) - 0x3b1 - u32::from(letter >= '\u{3c2}');
+            NAMES.get(usize::try_from(place).ok()?)?
+        }
+        '\u{3d1}' => "theta",
+        '\u{3d5}' => "phi",
+        '\u{3f5}' => "epsilon",
+        _ => return None,
+    })
+}
+
 /// What to write for a name that is not declared.
 pub fn name(unknown: &str) -> Option<&'static str> {
     Some(match unknown {
@@ -93,6 +117,7 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         | "gamma" | "lim" | "int" | "integral" => {
             "this function is not in the language: its functions are rational, sqrt, sin, cos and tan"
         }
+        "e" => "the base of logarithms is not in the language, nor is `exp`",
         "inf" | "infinity" => "formulas have no infinity; `inf` is an end of an interval",
         "diff" | "d" => "a derivative is written `D(F, x)`",
         "prod" | "product" => "products over an index are not in the language",

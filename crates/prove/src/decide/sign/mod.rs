@@ -12,14 +12,16 @@ pub mod certificate;
 pub mod coordinates;
 mod prove;
 mod samples;
+mod squares;
 
 use super::domain::Domain;
 use super::{Decision, Refutation, witness};
 use crate::evaluate::quantity::Quantity;
 use crate::evaluate::value::{NOWHERE, Value};
 use crate::evidence::Evidence;
+use crate::formula::factored;
 use certificate::{Certificate, CertificateError};
-use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
+use torse_algebra::{Fraction, Integer, Polynomial, Rational, Symbol};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
 
@@ -54,6 +56,8 @@ pub enum Shown {
     Whole(Certificate),
     /// One for each of its [`parts`](Domain::parts).
     Parts(Vec<Certificate>),
+    /// Proofs about polynomials whose product it is, up to a positive number.
+    Factors(Vec<Proof>),
 }
 
 impl Proof {
@@ -79,11 +83,40 @@ impl Proof {
     }
 
     /// The certificates.
-    fn certificates(&self) -> &[Certificate] {
+    fn certificates(&self) -> Vec<&Certificate> {
         match &self.shown {
-            Shown::Whole(certificate) => std::slice::from_ref(certificate),
-            Shown::Parts(parts) => parts,
+            Shown::Whole(certificate) => vec![certificate],
+            Shown::Parts(parts) => parts.iter().collect(),
+            Shown::Factors(proofs) => proofs.iter().flat_map(Proof::certificates).collect(),
         }
+    }
+
+    /// The sign of a product from those of its factors.
+    fn of_factors(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Self)> {
+        let (content, factors) = factored(polynomial);
+        if factors.iter().map(|(_, exponent)| exponent).sum::<u32>() < 2 {
+            return None;
+        }
+        let (mut negative, mut strict, mut proofs) = (content < Rational::default(), true, vec![]);
+        for (factor, exponent) in factors {
+            let (sign, proof) = proof(&factor, domain)?;
+            negative ^= matches!(sign, Sign::Negative | Sign::Nonpositive) && exponent % 2 == 1;
+            strict &= matches!(sign, Sign::Positive | Sign::Negative);
+            proofs.extend((0..exponent).map(|_| proof.clone()));
+        }
+        let sign = match (negative, strict) {
+            (false, true) => Sign::Positive,
+            (false, false) => Sign::Nonnegative,
+            (true, true) => Sign::Negative,
+            (true, false) => Sign::Nonpositive,
+        };
+        let polynomial = if negative {
+            -polynomial
+        } else {
+            polynomial.clone()
+        };
+        let shown = Shown::Factors(proofs);
+        Some((sign, Self { polynomial, shown }))
     }
 
     /// Whether the polynomial is more than zero.
@@ -105,6 +138,15 @@ impl Proof {
                 }
                 let mut pairs = parts.iter().zip(certificates);
                 pairs.try_for_each(|(part, own)| certificate::check(&self.polynomial, part, own))
+            }
+            Shown::Factors(proofs) => {
+                let one = Polynomial::integer(1);
+                let product = proofs.iter().fold(one, |p, proof| &p * &proof.polynomial);
+                let ratio = self.polynomial.leading_coefficient() / product.leading_coefficient();
+                if ratio <= Rational::default() || product.scaled(&ratio) != self.polynomial {
+                    return Err(CertificateError::Equation);
+                }
+                proofs.iter().try_for_each(|proof| proof.check(domain))
             }
         }
     }
@@ -131,7 +173,7 @@ pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proo
         (Some((true, proof)), _) => Some((Sign::Negative, proof)),
         (_, Some((_, proof))) => Some((Sign::Nonnegative, proof)),
         (Some((false, proof)), None) => Some((Sign::Nonpositive, proof)),
-        (None, None) => None,
+        (None, None) => Proof::of_factors(polynomial, domain),
     }
 }
 
@@ -302,16 +344,22 @@ fn replayed(proofs: &[Proof], domain: &Domain<'_>) -> Result<Vec<String>, Certif
     for proof in proofs {
         proof.check(domain)?;
     }
-    let mut steps = vec![
-        "all Bernstein coefficients of the difference on the domain have the right sign".to_owned(),
-    ];
+    let certificates = || proofs.iter().flat_map(Proof::certificates);
+    let mut steps = vec![];
+    if certificates().any(|certificate| certificate.squares.is_empty()) {
+        let how = "all Bernstein coefficients of the difference on the domain have the right sign";
+        steps.push(how.to_owned());
+    }
+    if certificates().any(|certificate| !certificate.squares.is_empty()) {
+        steps.push("sums of squares are not negative".to_owned());
+    }
     let bounded = |symbol: &Symbol| {
         let mut constraints = domain.constraints.iter();
         constraints.any(|c| c.bound_of(symbol).is_some())
     };
     let assumes = proofs.iter().any(|proof| {
         let symbols = proof.polynomial.symbols();
-        let mut certificates = proof.certificates().iter();
+        let mut certificates = proof.certificates().into_iter();
         certificates.any(Certificate::rests_on_assumptions) || symbols.iter().any(bounded)
     });
     if assumes {
