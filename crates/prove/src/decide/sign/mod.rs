@@ -10,6 +10,7 @@
 mod bernstein;
 pub mod certificate;
 pub mod coordinates;
+mod proof;
 mod prove;
 mod samples;
 mod squares;
@@ -19,12 +20,12 @@ use super::{Decision, Refutation, witness};
 use crate::evaluate::quantity::Quantity;
 use crate::evaluate::value::{NOWHERE, Value};
 use crate::evidence::Evidence;
-use crate::formula::factored;
 use certificate::{Certificate, CertificateError};
-use torse_algebra::{Fraction, Integer, Polynomial, Rational, Symbol};
+use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
 
+pub use proof::{Proof, Shown};
 pub use prove::prove;
 
 /// A proved sign.
@@ -40,114 +41,15 @@ pub enum Sign {
     Nonpositive,
 }
 
-/// A proof of sign about one polynomial, with what shows it.
-#[derive(Debug, Clone)]
-pub struct Proof {
-    /// What is shown to be zero or more: the polynomial, or its negative.
-    pub polynomial: Polynomial,
-    /// How.
-    pub shown: Shown,
-}
-
-/// What shows a sign.
-#[derive(Debug, Clone)]
-pub enum Shown {
-    /// A certificate for the domain.
-    Whole(Certificate),
-    /// One for each of its [`parts`](Domain::parts).
-    Parts(Vec<Certificate>),
-    /// Proofs about polynomials whose product it is, up to a positive number.
-    Factors(Vec<Proof>),
-}
-
-impl Proof {
-    /// A proof that the polynomial is zero or more; one that it is more if there is one.
-    fn of(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Self> {
-        let proof = |shown| Self {
-            polynomial: polynomial.clone(),
-            shown,
-        };
-        let whole = prove(polynomial, domain);
-        if whole.as_ref().is_some_and(|certificate| certificate.strict) {
-            return whole.map(|certificate| proof(Shown::Whole(certificate)));
-        }
-        let parts = domain.parts(polynomial);
-        let shown: Option<Vec<Certificate>> = parts.iter().map(|p| prove(polynomial, p)).collect();
-        match (whole, shown.filter(|shown| !shown.is_empty())) {
-            (None, Some(parts)) => Some(proof(Shown::Parts(parts))),
-            (Some(_), Some(parts)) if parts.iter().all(|part| part.strict) => {
-                Some(proof(Shown::Parts(parts)))
-            }
-            (whole, _) => whole.map(|certificate| proof(Shown::Whole(certificate))),
-        }
-    }
-
-    /// The certificates.
-    fn certificates(&self) -> Vec<&Certificate> {
-        match &self.shown {
-            Shown::Whole(certificate) => vec![certificate],
-            Shown::Parts(parts) => parts.iter().collect(),
-            Shown::Factors(proofs) => proofs.iter().flat_map(Proof::certificates).collect(),
-        }
-    }
-
-    /// The sign of a product from those of its factors.
-    fn of_factors(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Self)> {
-        let (content, factors) = factored(polynomial);
-        if factors.iter().map(|(_, exponent)| exponent).sum::<u32>() < 2 {
-            return None;
-        }
-        let (mut negative, mut strict, mut proofs) = (content < Rational::default(), true, vec![]);
-        for (factor, exponent) in factors {
-            let (sign, proof) = proof(&factor, domain)?;
-            negative ^= matches!(sign, Sign::Negative | Sign::Nonpositive) && exponent % 2 == 1;
-            strict &= matches!(sign, Sign::Positive | Sign::Negative);
-            proofs.extend((0..exponent).map(|_| proof.clone()));
-        }
-        let sign = match (negative, strict) {
-            (false, true) => Sign::Positive,
-            (false, false) => Sign::Nonnegative,
-            (true, true) => Sign::Negative,
-            (true, false) => Sign::Nonpositive,
-        };
-        let polynomial = if negative {
-            -polynomial
-        } else {
-            polynomial.clone()
-        };
-        let shown = Shown::Factors(proofs);
-        Some((sign, Self { polynomial, shown }))
-    }
-
-    /// Whether the polynomial is more than zero.
-    fn strict(&self) -> bool {
-        self.certificates().iter().all(|part| part.strict)
-    }
-
-    /// Replays the certificates.
-    ///
-    /// # Errors
-    /// [`CertificateError`] says where one fails.
-    pub fn check(&self, domain: &Domain<'_>) -> Result<(), CertificateError> {
-        match &self.shown {
-            Shown::Whole(certificate) => certificate::check(&self.polynomial, domain, certificate),
-            Shown::Parts(certificates) => {
-                let parts = domain.parts(&self.polynomial);
-                if parts.is_empty() || parts.len() != certificates.len() {
-                    return Err(CertificateError::Domain);
-                }
-                let mut pairs = parts.iter().zip(certificates);
-                pairs.try_for_each(|(part, own)| certificate::check(&self.polynomial, part, own))
-            }
-            Shown::Factors(proofs) => {
-                let one = Polynomial::integer(1);
-                let product = proofs.iter().fold(one, |p, proof| &p * &proof.polynomial);
-                let ratio = self.polynomial.leading_coefficient() / product.leading_coefficient();
-                if ratio <= Rational::default() || product.scaled(&ratio) != self.polynomial {
-                    return Err(CertificateError::Equation);
-                }
-                proofs.iter().try_for_each(|proof| proof.check(domain))
-            }
+impl Sign {
+    /// The sign of the negative.
+    #[must_use]
+    pub fn negated(self) -> Self {
+        match self {
+            Self::Positive => Self::Negative,
+            Self::Negative => Self::Positive,
+            Self::Nonnegative => Self::Nonpositive,
+            Self::Nonpositive => Self::Nonnegative,
         }
     }
 }
@@ -173,7 +75,12 @@ pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proo
         (Some((true, proof)), _) => Some((Sign::Negative, proof)),
         (_, Some((_, proof))) => Some((Sign::Nonnegative, proof)),
         (Some((false, proof)), None) => Some((Sign::Nonpositive, proof)),
-        (None, None) => Proof::of_factors(polynomial, domain),
+        (None, None) => Proof::of_factors(polynomial, domain)
+            .or_else(|| Proof::of_rays(polynomial, domain))
+            .or_else(|| {
+                let (sign, proof) = Proof::of_rays(&-polynomial, domain)?;
+                Some((sign.negated(), proof))
+            }),
     }
 }
 
@@ -402,12 +309,6 @@ fn sign_of_parts(value: &Fraction, domain: &Domain<'_>) -> Option<(Sign, Vec<Pro
         }
         proofs.push(proof);
     }
-    let sign = match (above, negative) {
-        (sign, false) => sign,
-        (Sign::Positive, true) => Sign::Negative,
-        (Sign::Negative, true) => Sign::Positive,
-        (Sign::Nonnegative, true) => Sign::Nonpositive,
-        (Sign::Nonpositive, true) => Sign::Nonnegative,
-    };
+    let sign = if negative { above.negated() } else { above };
     Some((sign, proofs))
 }
