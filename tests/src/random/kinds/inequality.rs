@@ -189,7 +189,8 @@ fn definite(stream: &mut Stream) -> Claim {
     } else if strict {
         form = &form + &Polynomial::number(stream.positive());
     }
-    let states = relation(stream, strict, form.text(stream, &names), "0".to_owned());
+    let text = form.text(stream, &names);
+    let states = relation(stream, strict, text, "0".to_owned());
     let claim = Claim::new(Kind::Inequality, states, truth);
     names
         .iter()
@@ -220,7 +221,8 @@ fn knots(stream: &mut Stream) -> Claim {
         true => Truth::Fails("a = 0, b = 1, c = 2, d = 3".to_owned()),
         false => Truth::Holds,
     };
-    let states = relation(stream, strict, form.text(stream, &names), "0".to_owned());
+    let text = form.text(stream, &names);
+    let states = relation(stream, strict, text, "0".to_owned());
     let claim = names.windows(2).fold(
         Claim::new(Kind::Inequality, states, truth),
         |claim, pair| claim.assuming(format!("{} {less} {}", pair[0], pair[1])),
