@@ -114,7 +114,7 @@ CHECKS = {
     "angle.rate": lambda: equal(diff(sin(y / 2), y, 2), -sin(y / 2) / 4),
     "angle.known": lambda: equal(sin(pi / 12), (sqrt(6) - sqrt(2)) / 4),
     "angle.tangent": lambda: equal(tan(y / 2), sin(y) / (1 + cos(y))),
-    "angle.tangent.anywhere": lambda: equal(tan(y / 2), sin(y) / (1 + cos(y))),
+    "angle.tangent.closed": lambda: equal(tan(y / 2), sin(y) / (1 + cos(y))),
     "angle.first": lambda: on_grid(sin(t) + cos(t) - 1, ">=", **first_quarter),
     "angle.first.turned": lambda: on_grid(sin(pi / 2 * t) + cos(pi / 2 * t) - 1, ">=", t=(0, 1)),
     "angle.symmetric": lambda: on_grid(cos(t) - Rational(1, 2), ">=", t=(-pi / 3, pi / 3)),

@@ -93,3 +93,17 @@ fn combinations_on_the_simplex_are_decided_coefficient_by_coefficient() {
         False,
     );
 }
+
+#[test]
+fn equations_with_squares_alone_have_irrational_counterexamples() {
+    let w = "symbols = { w = {}, a = {} }\nassume = ['w^2 == 1/2']\n";
+    verdict(&format!("{w}states = 'w^4 == 1/4'"), Holds);
+    verdict(&format!("{w}states = 'a*w^3 == a*w/2'"), Holds);
+    verdict(&format!("{w}states = 'w^4 == 1/2'"), False);
+    verdict(&format!("{w}states = 'w >= 0'"), False);
+    verdict(&format!("{w}states = 'w <= 3/4'"), Undecided);
+    let h =
+        "symbols = { a = {}, b = {}, h = { in = '(0, inf)' } }\nassume = ['h^2 == a^2 + b^2']\n";
+    verdict(&format!("{h}states = '(a/h)^2 + (b/h)^2 == 1'"), Holds);
+    verdict(&format!("{h}states = '(a/h)^2 - (b/h)^2 == 1'"), False);
+}

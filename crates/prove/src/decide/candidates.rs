@@ -4,7 +4,7 @@ use super::domain::{Domain, truth};
 use crate::decide::interval::{Bound, Interval};
 use num_traits::Signed;
 use torse_algebra::rational::{integer, ratio};
-use torse_algebra::{Fraction, Rational, Scalar as _, Symbol};
+use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_language::syntax::Relation;
 
 /// Under which trigonometric functions a variable stands.
@@ -80,12 +80,39 @@ impl Domain<'_> {
         } else {
             suggested(&interval)
         };
-        for value in own {
+        for value in self.roots(symbol).into_iter().chain(own) {
             if inside(&interval, &value) && !found.contains(&value) {
                 found.push(value);
             }
         }
         found
+    }
+}
+
+impl Domain<'_> {
+    /// The values of a symbol that assumed equations such as `2*w^2 == 3` leave.
+    fn roots(&self, symbol: &Symbol) -> Vec<Fraction> {
+        let equations = self
+            .constraints
+            .iter()
+            .filter(|c| c.relation == Relation::Equal);
+        let square = |value: &Fraction| {
+            let polynomial = value.numerator();
+            if polynomial.symbols() != std::slice::from_ref(symbol) {
+                return None;
+            }
+            match polynomial.coefficients_in(symbol).as_slice() {
+                [constant, linear, square] if linear.is_zero() => {
+                    let radicand = -constant.as_constant()? / square.as_constant()?;
+                    Polynomial::square_root(&radicand).ok()
+                }
+                _ => None,
+            }
+        };
+        let roots = equations.filter_map(|c| square(&c.value));
+        roots
+            .flat_map(|root| [Fraction::from(root.clone()), Fraction::from(-root)])
+            .collect()
     }
 }
 

@@ -184,7 +184,7 @@ fn definite(stream: &mut Stream) -> Claim {
     let strict = stream.once_in(2);
     let mut truth = Truth::Holds;
     if stream.once_in(2) {
-        form = &form - &Polynomial::number(form.value(&point) + Q::new(1, stream.integer(1, 9)));
+        form = &form - &Polynomial::number(form.value(&point) + stream.positive());
         truth = Truth::Fails(at(&names, &point[..2]));
     } else if strict {
         form = &form + &Polynomial::number(stream.positive());
@@ -199,14 +199,14 @@ fn definite(stream: &mut Stream) -> Claim {
 
 /// Products of distances of ordered knots, some in the wrong order.
 fn knots(stream: &mut Stream) -> Claim {
-    let names = ["a", "b", "c", "d"];
+    let names = ["a", "b", "c"];
     let strict = stream.once_in(2);
     let less = if strict { "<" } else { "<=" };
     let mut form = Polynomial::number(stream.positive());
     let mut negative = false;
     for _ in 0..2 {
-        let low = stream.below(3);
-        let high = low + 1 + stream.below(3 - low);
+        let low = stream.below(2);
+        let high = low + 1 + stream.below(2 - low);
         let distance = &Polynomial::variable(high) - &Polynomial::variable(low);
         let turned = stream.once_in(4);
         negative ^= turned;
@@ -218,7 +218,7 @@ fn knots(stream: &mut Stream) -> Claim {
             };
     }
     let truth = match negative {
-        true => Truth::Fails("a = 0, b = 1, c = 2, d = 3".to_owned()),
+        true => Truth::Fails("a = 0, b = 1, c = 2".to_owned()),
         false => Truth::Holds,
     };
     let text = form.text(stream, &names);
