@@ -75,6 +75,7 @@ never_wrong! {
     and_or_and_not_are_never_judged_wrongly: Logic,
     printed_decimals_are_never_judged_wrongly: Decimals,
     properties_of_a_basis_are_never_judged_wrongly: Properties,
+    parts_and_multiples_of_angles_are_never_judged_wrongly: Angles,
 }
 
 /// The first claims of every kind.

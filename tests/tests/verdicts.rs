@@ -65,7 +65,10 @@ fn every_verdict_is_the_expected_one() {
 
 #[test]
 fn the_papers_are_pinned_by_the_snapshot_and_expect_nothing() {
-    let papers = PAPERS.iter().filter(|paper| paper.slug != "bezier");
+    let ours = ["bezier", "trigonometric"];
+    let papers = PAPERS
+        .iter()
+        .filter(|paper| !ours.contains(&paper.slug.as_str()));
     for claim in papers.flat_map(|paper| &paper.claims) {
         assert_eq!(claim.expect, None, "{}", claim.id);
     }

@@ -20,8 +20,9 @@ pub use fraction::Fraction;
 pub use jet::Jet;
 pub use matrix::{Matrix, MatrixError};
 pub use polynomial::Polynomial;
+pub use polynomial::angles::Finest;
 pub use sturm::SturmSequence;
-pub use symbol::{Angle, Symbol};
+pub use symbol::{Angle, Symbol, Unit};
 pub use torse_numbers::{
     Affine, Ball, ExactError, Integer, Rational, Scalar, ZeroTest, affine, ball, planted, rational,
     scalar, work,

@@ -2,20 +2,51 @@
 //!
 //! Independence is what makes a zero normal form decide an identity, so every symbol states its one
 //! relation, if it has any: pi is transcendental; a variable x is algebraically independent of the
-//! pair sin, cos of its quarter turn; the pair satisfies sin^2 + cos^2 = 1; square roots of distinct
+//! pair sin, cos of its quarter turn (or of one part of it); the pair satisfies sin^2 + cos^2 = 1; square roots of distinct
 //! primes satisfy r^2 = p and nothing else; everything named is free.
 
 use crate::affine::Affine;
 use std::fmt;
 use std::sync::Arc;
 
-/// The angle of a sine or cosine, for a variable x.
+/// What a variable counts where it stands in an angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Angle {
-    /// pi/2 times the variable.
+pub enum Unit {
+    /// Quarter turns: the angle is pi/2 times the variable.
     QuarterTurn,
-    /// The variable itself, in radians.
+    /// Radians: the angle is the variable.
     Radian,
+}
+
+/// The angle of a sine or cosine, for a variable x: a part of `pi/2*x` or of `x`.
+///
+/// The sines of x and of x/2 are not independent; of one variable and unit the finest part that occurs makes all others
+/// by the addition theorems ([`Finest`](crate::Finest)).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Angle {
+    /// What the variable counts.
+    pub unit: Unit,
+    /// Into how many parts the angle is divided.
+    pub parts: u16,
+}
+
+impl Angle {
+    /// pi/2 times the variable.
+    pub const QUARTER_TURN: Self = Self {
+        unit: Unit::QuarterTurn,
+        parts: 1,
+    };
+    /// The variable itself, in radians.
+    pub const RADIAN: Self = Self {
+        unit: Unit::Radian,
+        parts: 1,
+    };
+
+    /// The same divided into so many parts.
+    #[must_use]
+    pub const fn over(self, parts: u16) -> Self {
+        Self { parts, ..self }
+    }
 }
 
 /// One symbol of a polynomial ring. The order of the variants is the order in which terms sort:
@@ -70,9 +101,10 @@ impl Symbol {
 
 impl fmt::Display for Symbol {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let angle = |name: &str, angle: Angle| match angle {
-            Angle::QuarterTurn => format!("pi/2*{name}"),
-            Angle::Radian => name.to_owned(),
+        let angle = |name: &str, Angle { unit, parts }: Angle| match (unit, parts) {
+            (Unit::QuarterTurn, parts) => format!("pi/{}*{name}", 2 * u32::from(parts)),
+            (Unit::Radian, 1) => name.to_owned(),
+            (Unit::Radian, parts) => format!("1/{parts}*{name}"),
         };
         match self {
             Self::Named(name) => f.write_str(name),

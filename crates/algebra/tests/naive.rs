@@ -13,11 +13,11 @@ type Monomial = BTreeMap<Symbol, u32>;
 struct Naive(BTreeMap<Monomial, Rational>);
 
 fn sine() -> Symbol {
-    Symbol::Sin("x".into(), Angle::QuarterTurn)
+    Symbol::Sin("x".into(), Angle::QUARTER_TURN)
 }
 
 fn cosine() -> Symbol {
-    Symbol::Cos("x".into(), Angle::QuarterTurn)
+    Symbol::Cos("x".into(), Angle::QUARTER_TURN)
 }
 
 fn alphabet() -> Vec<Symbol> {

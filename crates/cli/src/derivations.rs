@@ -48,6 +48,18 @@ impl Derivations {
         Ok((papers, found.mistakes))
     }
 
+    /// Where a new paper belongs: the folder that is named, or the one that is found, or `derivations` here.
+    pub fn place(&self) -> Result<PathBuf, Failure> {
+        match &self.folder {
+            Some(path) if path.exists() => self.find(),
+            Some(path) => Ok(path.clone()),
+            None => match self.find() {
+                Err(Failure::NoDerivations) => Ok(PathBuf::from("derivations")),
+                found => found,
+            },
+        }
+    }
+
     fn find(&self) -> Result<PathBuf, Failure> {
         match &self.folder {
             Some(path) if path.is_dir() => Ok(path.clone()),

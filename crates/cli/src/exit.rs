@@ -88,6 +88,13 @@ pub enum Failure {
         /// The path as given.
         path: PathBuf,
     },
+    /// Something is where a new folder should be.
+    #[error("{} exists", path.display())]
+    #[diagnostic(help("nothing is overwritten: take another name"))]
+    Exists {
+        /// The path.
+        path: PathBuf,
+    },
     /// A name that no paper and no claim has.
     #[error("no paper and no claim is called `{name}`")]
     UnknownName {
@@ -222,6 +229,7 @@ impl Failure {
         match self {
             Failure::NoDerivations
             | Failure::NotAFolder { .. }
+            | Failure::Exists { .. }
             | Failure::UnknownName { .. }
             | Failure::Against { .. }
             | Failure::UnknownBasis { .. }

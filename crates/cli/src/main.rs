@@ -16,6 +16,7 @@ mod format;
 mod guard;
 mod kernel;
 mod mistakes;
+mod new;
 mod prove;
 mod recheck;
 mod report;
@@ -56,6 +57,7 @@ Examples:
   torse recheck                          every verdict again, by the semantics
   torse prove --check                    proofs of the verdicts, checked by the Rocq kernel
   torse audit gbt-developable            signs that a statement is not what is printed
+  torse new my-paper                     a folder that verifies, to begin from
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
 
@@ -73,6 +75,7 @@ Examples:
   torse recheck                          every verdict again, by the semantics
   torse prove --check                    proofs of the verdicts, checked by the Rocq kernel
   torse audit gbt-developable            signs that a statement is not what is printed
+  torse new my-paper                     a folder that verifies, to begin from
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
 
@@ -100,6 +103,7 @@ enum Command {
     Recheck(recheck::Replay),
     Prove(prove::Prove),
     Audit(audit::Audit),
+    New(new::New),
     Inspect(design::Inspect),
     Unroll(design::Unroll),
     Fold(design::Fold),
@@ -119,6 +123,7 @@ impl Command {
             Command::Recheck(command) => command.run(),
             Command::Prove(command) => command.run(),
             Command::Audit(command) => command.run(),
+            Command::New(command) => command.run(),
             Command::Inspect(command) => command.run(),
             Command::Unroll(command) => command.run(),
             Command::Fold(command) => command.run(),

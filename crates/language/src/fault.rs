@@ -155,6 +155,10 @@ fn help(problem: &Problem) -> Option<String> {
         } if wanted.contains("ind") => {
             Some("the coordinate of a member stands in brackets of its own: `P[i][2]`".to_owned())
         }
+        Problem::WrongType {
+            wanted: "a function",
+            ..
+        } => Some("a product is written with `*`".to_owned()),
         _ => None,
     }
 }

@@ -6,12 +6,17 @@
 /// use torse_language::similar::similar;
 /// assert_eq!(similar("beizer", ["bezier", "hermite"]), Some("bezier"));
 /// assert_eq!(similar("beizer", ["gbt"]), None);
+/// assert_eq!(similar("e", ["D"]), None);
 /// ```
 #[must_use]
 pub fn similar<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let near = candidates.into_iter();
     near.map(|candidate| (edit_distance(name, candidate), candidate))
-        .filter(|(distance, candidate)| *distance <= 1 + candidate.len() / 4)
+        // A name without any letter of the other one is not near.
+        .filter(|(distance, candidate)| {
+            let longer = candidate.chars().count().max(name.chars().count());
+            *distance <= 1 + candidate.len() / 4 && *distance < longer
+        })
         .min()
         .map(|(_, candidate)| candidate)
 }

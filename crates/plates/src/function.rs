@@ -7,10 +7,10 @@
 
 use crate::PlateError;
 use torse_algebra::rational::to_f64;
-use torse_algebra::{Angle, Fraction, Polynomial, Symbol};
+use torse_algebra::{Angle, Fraction, Polynomial, Symbol, Unit};
 
-/// Powers of a variable and of the sine and cosine of its two angles.
-type Monomial = [u16; 5];
+/// Powers of a variable, then of the sine and cosine of each angle of the formula.
+type Monomial = Vec<u16>;
 
 /// A compiled formula.
 #[derive(Debug, Clone)]
@@ -22,6 +22,8 @@ pub struct Function {
 /// A polynomial as a bilinear form in the monomials of two variables.
 #[derive(Debug, Clone)]
 struct Sum {
+    /// The angles of both variables.
+    angles: Vec<Angle>,
     first: Vec<Monomial>,
     second: Vec<Monomial>,
     /// One row of `second.len()` coefficients for each monomial of `first`.
@@ -79,7 +81,14 @@ impl Function {
 
 impl Sum {
     fn new(polynomial: &Polynomial, variables: &[&str]) -> Result<Self, PlateError> {
+        let mut angles = vec![];
+        for symbol in polynomial.symbols() {
+            if let Symbol::Sin(_, angle) | Symbol::Cos(_, angle) = symbol {
+                number(&mut angles, *angle);
+            }
+        }
         let mut sum = Sum {
+            angles,
             first: vec![],
             second: vec![],
             coefficients: vec![],
@@ -87,7 +96,9 @@ impl Sum {
         let mut terms = vec![];
         for term in polynomial.terms() {
             let mut coefficient = to_f64(&term.coefficient);
-            let mut monomials: [Monomial; 2] = Default::default();
+            let nothing = vec![0; 1 + 2 * sum.angles.len()];
+            let mut monomials: [Monomial; 2] = [nothing.clone(), nothing];
+            let slot = |angle| 1 + 2 * sum.angles.iter().take_while(|a| **a != angle).count();
             for (symbol, power) in term.powers {
                 let (name, slot) = match symbol {
                     Symbol::Pi => {
@@ -99,10 +110,8 @@ impl Sum {
                         continue;
                     }
                     Symbol::Named(name) => (name, 0),
-                    Symbol::Sin(name, Angle::QuarterTurn) => (name, 1),
-                    Symbol::Cos(name, Angle::QuarterTurn) => (name, 2),
-                    Symbol::Sin(name, Angle::Radian) => (name, 3),
-                    Symbol::Cos(name, Angle::Radian) => (name, 4),
+                    Symbol::Sin(name, angle) => (name, slot(*angle)),
+                    Symbol::Cos(name, angle) => (name, slot(*angle) + 1),
                     Symbol::Indexed(..) => {
                         return Err(PlateError::Symbol {
                             symbol: symbol.to_string(),
@@ -140,12 +149,18 @@ impl Sum {
     }
 
     fn grid(&self, first: &[f64], second: &[f64]) -> Vec<f64> {
-        let columns: Vec<Vec<f64>> = second.iter().map(|v| powers(&self.second, *v)).collect();
+        let columns: Vec<Vec<f64>> = second
+            .iter()
+            .map(|v| powers(&self.second, &self.angles, *v))
+            .collect();
         let mut values = Vec::with_capacity(first.len() * second.len());
         for u in first {
             let mut row = vec![0.0; self.second.len()];
             let coefficients = self.coefficients.chunks(self.second.len().max(1));
-            for (power, coefficients) in powers(&self.first, *u).into_iter().zip(coefficients) {
+            for (power, coefficients) in powers(&self.first, &self.angles, *u)
+                .into_iter()
+                .zip(coefficients)
+            {
                 for (sum, coefficient) in row.iter_mut().zip(coefficients) {
                     *sum += power * coefficient;
                 }
@@ -157,23 +172,29 @@ impl Sum {
     }
 }
 
-/// The position of a monomial in a list, at the end if it is new.
-fn number(list: &mut Vec<Monomial>, monomial: Monomial) -> usize {
-    let found = list.iter().position(|m| *m == monomial);
+/// The position of an item in a list, at the end if it is new.
+fn number<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
+    let found = list.iter().position(|own| *own == item);
     found.unwrap_or_else(|| {
-        list.push(monomial);
+        list.push(item);
         list.len() - 1
     })
 }
 
 /// The values of monomials at one point.
-fn powers(monomials: &[Monomial], at: f64) -> Vec<f64> {
-    let (quarter_sin, quarter_cos) = (std::f64::consts::FRAC_PI_2 * at).sin_cos();
-    let (sin, cos) = at.sin_cos();
-    let atoms = [at, quarter_sin, quarter_cos, sin, cos];
+fn powers(monomials: &[Monomial], angles: &[Angle], at: f64) -> Vec<f64> {
+    let mut atoms = vec![at];
+    for angle in angles {
+        let whole = match angle.unit {
+            Unit::QuarterTurn => std::f64::consts::FRAC_PI_2 * at,
+            Unit::Radian => at,
+        };
+        let (sin, cos) = (whole / f64::from(angle.parts)).sin_cos();
+        atoms.extend([sin, cos]);
+    }
     let value = |m: &Monomial| {
         m.iter()
-            .zip(atoms)
+            .zip(&atoms)
             .map(|(n, x)| x.powi(i32::from(*n)))
             .product()
     };

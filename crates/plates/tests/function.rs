@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use torse_algebra::rational::ratio;
-use torse_algebra::{Angle, Ball, Fraction, Rational, Symbol};
+use torse_algebra::{Angle, Ball, Fraction, Rational, Symbol, Unit};
 use torse_plates::{Function, PlateError};
 
 /// Bits of the enclosures.
@@ -15,7 +15,12 @@ fn symbols() -> Vec<Symbol> {
     let mut all = vec![Symbol::Pi, Symbol::Root(2)];
     for name in ["u", "v"] {
         all.push(Symbol::named(name));
-        for angle in [Angle::QuarterTurn, Angle::Radian] {
+        for angle in [
+            Angle::QUARTER_TURN,
+            Angle::RADIAN,
+            Angle::RADIAN.over(2),
+            Angle::QUARTER_TURN.over(3),
+        ] {
             all.push(Symbol::Sin(name.into(), angle));
             all.push(Symbol::Cos(name.into(), angle));
         }
@@ -43,9 +48,12 @@ fn polynomial() -> impl Strategy<Value = Fraction> {
 fn enclosed(symbol: &Symbol, u: &Rational, v: &Rational) -> Ball {
     let at = |name: &str| Ball::from_rational(if name == "u" { u } else { v }, BITS);
     let half = Ball::from_rational(&ratio(1, 2).unwrap(), BITS);
-    let angle = |name: &str, angle: &Angle| match angle {
-        Angle::QuarterTurn => at(name) * Ball::pi(BITS) * half.clone(),
-        Angle::Radian => at(name),
+    let angle = |name: &str, angle: &Angle| {
+        let part = Ball::from_rational(&ratio(1, i64::from(angle.parts)).unwrap(), BITS);
+        part * match angle.unit {
+            Unit::QuarterTurn => at(name) * Ball::pi(BITS) * half.clone(),
+            Unit::Radian => at(name),
+        }
     };
     match symbol {
         Symbol::Named(name) => at(name),

@@ -6,7 +6,7 @@
 //! only a candidate and still has to be proved.
 
 use torse_algebra::rational::integer;
-use torse_algebra::{Fraction, Rational, Symbol};
+use torse_algebra::{Angle, Fraction, Rational, Symbol};
 
 /// The number that stands for a symbol (Fowler-Noll-Vo hash of its text).
 fn number(symbol: &Symbol) -> Rational {
@@ -22,11 +22,24 @@ fn number(symbol: &Symbol) -> Rational {
 /// The value of a symbol at the sample point.
 #[must_use]
 pub fn value(symbol: &Symbol) -> Option<Fraction> {
-    // ((1 - t^2)/(1 + t^2), 2t/(1 + t^2)) is on the unit circle.
-    let circle = |name: &std::sync::Arc<str>, angle| {
-        let t = number(&Symbol::Cos(name.clone(), angle));
+    // ((1 - t^2)/(1 + t^2), 2t/(1 + t^2)) is on the unit circle. Half angles are the ones that stand beside whole ones:
+    // of these the half has the simple point, and the whole angle is doubled. Other parts are taken as they are.
+    let circle = |name: &std::sync::Arc<str>, angle: Angle| {
+        let whole = angle.parts == 1;
+        let own = if whole { angle.over(2) } else { angle };
+        let mut t = number(&Symbol::Cos(name.clone(), own));
+        if own.parts == 2 {
+            t = integer(3) + &t - (&t / integer(89)).floor() * integer(89);
+        }
         let below = integer(1) + &t * &t;
-        ((integer(1) - &t * &t) / &below, integer(2) * t / below)
+        let (cosine, sine) = ((integer(1) - &t * &t) / &below, integer(2) * t / below);
+        if whole {
+            return (
+                &cosine * &cosine - &sine * &sine,
+                integer(2) * sine * cosine,
+            );
+        }
+        (cosine, sine)
     };
     Some(match symbol {
         Symbol::Root(_) => return None,

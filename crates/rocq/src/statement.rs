@@ -343,7 +343,11 @@ fn said(context: &mut Context<'_>, statement: &Statement, claim: &Claim) -> Resu
             })
         }
         Statement::Not(inner) => {
-            // A denial is about the whole domain: the same claim with the inner statement, denied.
+            // A denial is about the whole domain: the same claim with the inner statement, denied. Among the hypotheses
+            // it would be about the domain that it makes.
+            if claim.hypotheses.iter().any(|h| has_denial(&h.statement)) {
+                return Err(Gap::Construct("a denial among the hypotheses"));
+            }
             let inner = Claim {
                 statement: (**inner).clone(),
                 ..claim.clone()
@@ -368,6 +372,15 @@ fn said(context: &mut Context<'_>, statement: &Statement, claim: &Claim) -> Resu
                 Level::Relation,
             ))
         }
+    }
+}
+
+/// Whether anything is denied in the statement.
+fn has_denial(statement: &Statement) -> bool {
+    match statement {
+        Statement::Not(_) => true,
+        Statement::Join(_, a, b) => has_denial(a) || has_denial(b),
+        Statement::Compare { .. } | Statement::Agrees { .. } | Statement::Family(..) => false,
     }
 }
 

@@ -214,3 +214,33 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn sums_of_squares_pass_the_checker_and_tampered_ones_are_rejected() {
+    let declarations = Declarations::default();
+    let domain = Domain::new(&declarations);
+    let (u, v) = (Polynomial::named("u"), Polynomial::named("v"));
+    let one = Polynomial::integer(1);
+    let value = &(&(&u.power(2) + &(&u * &v)) + &v.power(2)) + &one;
+    let certificate = prove(&value, &domain).unwrap();
+    assert!(certificate.strict && certificate.squares.len() == 2);
+    assert_eq!(check(&value, &domain, &certificate), Ok(()));
+    let mut negative = certificate.clone();
+    negative.squares[0].0 = -negative.squares[0].0.clone();
+    let negative = check(&value, &domain, &negative);
+    assert_eq!(negative, Err(CertificateError::Part { part: 0 }));
+    let mut other = certificate.clone();
+    other.squares[1].1 = &other.squares[1].1 + &one;
+    assert_eq!(
+        check(&value, &domain, &other),
+        Err(CertificateError::Equation)
+    );
+    // Zero at the origin: nothing is left that is more than zero.
+    let value = &value - &one;
+    let mut strict = prove(&value, &domain).unwrap();
+    assert!(!strict.strict);
+    strict.strict = true;
+    assert_eq!(check(&value, &domain, &strict), Err(CertificateError::Zero));
+    // Indefinite.
+    assert_eq!(prove(&(&u.power(2) - &v.power(2)), &domain), None);
+}

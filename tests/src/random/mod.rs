@@ -49,11 +49,13 @@ pub enum Kind {
     Decimals,
     /// Properties of a whole basis.
     Properties,
+    /// Sines, cosines and tangents of parts and multiples of an angle, and their signs.
+    Angles,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Polynomial,
         Self::Inequality,
         Self::Division,
@@ -66,6 +68,7 @@ impl Kind {
         Self::Logic,
         Self::Decimals,
         Self::Properties,
+        Self::Angles,
     ];
 
     /// Its name.
@@ -84,6 +87,7 @@ impl Kind {
             Self::Logic => "logic",
             Self::Decimals => "decimals",
             Self::Properties => "properties",
+            Self::Angles => "angles",
         }
     }
 
@@ -104,6 +108,7 @@ impl Kind {
             Self::Logic => kinds::logic::claim,
             Self::Decimals => kinds::decimals::claim,
             Self::Properties => kinds::properties::claim,
+            Self::Angles => kinds::angles::claim,
         };
         let mut claim = make(&mut stream);
         claim.number = number;

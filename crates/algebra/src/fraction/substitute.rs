@@ -3,8 +3,10 @@
 use super::{Fraction, merged};
 use crate::affine::Affine;
 use crate::polynomial::Polynomial;
+use crate::rational::Rational;
 use crate::scalar::{ExactError, Scalar};
-use crate::symbol::{Angle, Symbol};
+use crate::symbol::{Angle, Symbol, Unit};
+use std::collections::BTreeMap;
 
 impl Fraction {
     /// The fraction with each symbol for which `value` answers replaced by that fraction.
@@ -79,9 +81,6 @@ impl Fraction {
     pub fn at(&self, name: &str, value: &Fraction) -> Result<Self, ExactError> {
         let mut present = self.symbols();
         present.extend(self.conditions.iter().flat_map(|p| p.symbols().to_vec()));
-        let uses_pair = |angle| {
-            present.iter().any(|s| matches!(s, Symbol::Sin(v, a) | Symbol::Cos(v, a) if &**v == name && *a == angle))
-        };
         let form = value.as_affine();
         let in_index = |s: &&Symbol| matches!(s, Symbol::Indexed(..)) && s.depends_on(name);
         if form.is_none()
@@ -92,16 +91,20 @@ impl Fraction {
                 value: value.to_string(),
             });
         }
-        let turn = if uses_pair(Angle::QuarterTurn) {
-            Some(value.quarter_turn()?)
-        } else {
-            None
-        };
-        let radian = if uses_pair(Angle::Radian) {
-            Some(value.sine_cosine()?)
-        } else {
-            None
-        };
+        let mut pairs: BTreeMap<Angle, (Self, Self)> = BTreeMap::new();
+        for symbol in &present {
+            if let Symbol::Sin(v, angle) | Symbol::Cos(v, angle) = symbol
+                && **v == *name
+                && !pairs.contains_key(angle)
+            {
+                let part = value.scaled(&Rational::new(1.into(), angle.parts.into()));
+                let pair = match angle.unit {
+                    Unit::QuarterTurn => part.quarter_turn()?,
+                    Unit::Radian => part.sine_cosine()?,
+                };
+                pairs.insert(*angle, pair);
+            }
+        }
         self.substituted(|symbol| match symbol {
             Symbol::Named(v) if &**v == name => Some(value.clone()),
             Symbol::Indexed(family, index) if symbol.depends_on(name) => {
@@ -110,14 +113,11 @@ impl Fraction {
                 Some(Self::symbol(Symbol::Indexed(family.clone(), index)))
             }
             Symbol::Sin(v, a) | Symbol::Cos(v, a) if &**v == name => {
-                let (sine, cosine) = match a {
-                    Angle::QuarterTurn => turn.clone()?,
-                    Angle::Radian => radian.clone()?,
-                };
+                let (sine, cosine) = pairs.get(a)?;
                 Some(if matches!(symbol, Symbol::Sin(..)) {
-                    sine
+                    sine.clone()
                 } else {
-                    cosine
+                    cosine.clone()
                 })
             }
             _ => None,

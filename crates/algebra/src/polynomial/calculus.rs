@@ -2,8 +2,8 @@
 
 use super::Polynomial;
 use crate::planted::{Planted, planted};
-use crate::rational::{Rational, integer};
-use crate::symbol::{Angle, Symbol};
+use crate::rational::Rational;
+use crate::symbol::{Symbol, Unit};
 use std::sync::Arc;
 
 impl Polynomial {
@@ -47,19 +47,20 @@ impl Polynomial {
     pub fn derivative(&self, name: &str) -> Self {
         let mut total = self.partial(&Symbol::named(name));
         for symbol in self.symbols.iter().filter(|s| s.depends_on(name)) {
-            let (inner, sign) = match symbol {
-                Symbol::Sin(variable, angle) => (Symbol::Cos(Arc::clone(variable), *angle), 1),
-                Symbol::Cos(variable, angle) => {
+            let (inner, angle, sign) = match symbol {
+                Symbol::Sin(name, angle) => (Symbol::Cos(Arc::clone(name), *angle), *angle, 1),
+                Symbol::Cos(name, angle) => {
                     let sign = if planted(Planted::CosineRate) { 1 } else { -1 };
-                    (Symbol::Sin(Arc::clone(variable), *angle), sign)
+                    (Symbol::Sin(Arc::clone(name), *angle), *angle, sign)
                 }
                 _ => continue,
             };
-            let rate = match symbol {
-                Symbol::Sin(_, Angle::QuarterTurn) | Symbol::Cos(_, Angle::QuarterTurn) => {
-                    Self::symbol(Symbol::Pi).scaled(&Rational::new(sign.into(), 2.into()))
+            let part = |parts: i64| Rational::new(sign.into(), parts.into());
+            let rate = match angle.unit {
+                Unit::QuarterTurn => {
+                    Self::symbol(Symbol::Pi).scaled(&part(2 * i64::from(angle.parts)))
                 }
-                _ => Self::constant(&integer(sign)),
+                Unit::Radian => Self::constant(&part(i64::from(angle.parts))),
             };
             total = &total + &(&self.partial(symbol) * &(&rate * &Self::symbol(inner)));
         }

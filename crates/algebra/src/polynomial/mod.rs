@@ -12,6 +12,7 @@
 //! [`calculus`], [`evaluate`], [`trigonometry`]; `cost` counts their work.
 
 pub mod add;
+pub mod angles;
 pub mod calculus;
 mod coefficients;
 mod cost;

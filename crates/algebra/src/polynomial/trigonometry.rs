@@ -1,23 +1,23 @@
 //! Sine and cosine of a quarter turn times a polynomial, where they are polynomials again, and the
 //! polynomial ring as a [`Scalar`].
 //!
-//! The argument may be an integer combination of variables plus a multiple of 1/2 or 1/3: sums of
-//! angles by the addition theorems, and the exact values at 30, 45 and 60 degrees.
+//! The argument may be a rational combination of variables plus a multiple of 1/6: sums of angles by the addition
+//! theorems, a part of a variable as a symbol of its own, and the exact values at multiples of 15 degrees.
 
 use super::Polynomial;
 use crate::matrix::ExactDivision;
 use crate::planted::{Planted, planted};
 use crate::rational::{Rational, integer, ratio, remainder};
 use crate::scalar::{ExactError, Scalar, ZeroTest};
-use crate::symbol::{Angle, Symbol};
+use crate::symbol::{Angle, Symbol, Unit};
 use dashu_int::ops::BitTest;
 use num_traits::{One, Signed, ToPrimitive};
 use std::sync::Arc;
 
 /// The most binary digits of a radicand, numerator and denominator together.
 const MAX_RADICAND_BITS: usize = 1 << 14;
-/// The largest multiple of a variable that is expanded.
-const MAX_MULTIPLE: u64 = 64;
+/// The largest multiple of a variable that is expanded, and the finest part of one.
+pub(super) const MAX_MULTIPLE: u64 = 64;
 
 type Pair = (Polynomial, Polynomial);
 
@@ -29,7 +29,7 @@ fn sum_of_angles((s1, c1): &Pair, (s2, c2): &Pair) -> Pair {
     (&(s1 * c2) + &(c1 * s2), &(c1 * c2) - &(s1 * s2))
 }
 
-/// (sin, cos) of `turns` quarter turns for multiples of 1/2 and 1/3.
+/// (sin, cos) of `turns` quarter turns for multiples of 1/6.
 fn constant_angle(turns: &Rational) -> Option<Pair> {
     let sixths = (turns * integer(6)).to_integer();
     if Rational::from_integer(sixths.clone()) != turns * integer(6) {
@@ -40,10 +40,12 @@ fn constant_angle(turns: &Rational) -> Option<Pair> {
         Polynomial::symbol(Symbol::Root(prime)).scaled(&ratio(1, 2).unwrap_or_else(Rational::one))
     };
     let half = || Polynomial::constant(&ratio(1, 2).unwrap_or_else(Rational::one));
-    // sin of n * 15 degrees in the first quadrant; 15 and 75 degrees mix roots and are left out.
+    // sin of n * 15 degrees in the first quadrant: at 15 and 75 degrees (sqrt(6) -+ sqrt(2))/4.
     let sine = |n: i64| -> Option<Polynomial> {
         Some(match n {
             0 => Polynomial::zero(),
+            1 => &root(2) * &(&root(3) - &half()),
+            5 => &root(2) * &(&root(3) + &half()),
             2 => half(),
             3 => root(2),
             4 => root(3),
@@ -63,24 +65,30 @@ fn constant_angle(turns: &Rational) -> Option<Pair> {
     Some((at(sixths)?, at(sixths + 6)?))
 }
 
-/// (sin, cos) of `angle` units of a polynomial argument.
-pub(crate) fn pair(argument: &Polynomial, angle: Angle) -> Result<Pair, ExactError> {
+/// (sin, cos) of an integer multiple of the angle of a variable.
+pub(super) fn multiple_of(name: &Arc<str>, angle: Angle, multiple: i64) -> Pair {
+    let sine = Polynomial::symbol(Symbol::Sin(Arc::clone(name), angle));
+    let cosine = Polynomial::symbol(Symbol::Cos(Arc::clone(name), angle));
+    let once = (if multiple < 0 { -sine } else { sine }, cosine);
+    (1..multiple.unsigned_abs()).fold(once.clone(), |sum, _| sum_of_angles(&sum, &once))
+}
+
+/// (sin, cos) of a polynomial argument in a unit.
+pub(crate) fn pair(argument: &Polynomial, unit: Unit) -> Result<Pair, ExactError> {
     let refused = || ExactError::NoExactTurn {
         argument: argument.to_string(),
     };
     let mut total: Pair = (Polynomial::zero(), Polynomial::integer(1));
     for term in argument.terms() {
-        let part = match (term.powers.as_slice(), angle) {
-            ([], Angle::QuarterTurn) => constant_angle(&term.coefficient).ok_or_else(refused)?,
-            ([(Symbol::Named(name), 1)], _) if term.coefficient.is_integer() => {
-                let multiple = term.coefficient.to_integer().to_i64().ok_or_else(refused)?;
-                if multiple.unsigned_abs() > MAX_MULTIPLE {
+        let part = match (term.powers.as_slice(), unit) {
+            ([], Unit::QuarterTurn) => constant_angle(&term.coefficient).ok_or_else(refused)?,
+            ([(Symbol::Named(name), 1)], _) => {
+                let multiple = term.coefficient.numer().to_i64().ok_or_else(refused)?;
+                let parts = term.coefficient.denom().to_u16().ok_or_else(refused)?;
+                if multiple.unsigned_abs() > MAX_MULTIPLE || u64::from(parts) > MAX_MULTIPLE {
                     return Err(refused());
                 }
-                let sine = Polynomial::symbol(Symbol::Sin(Arc::clone(name), angle));
-                let cosine = Polynomial::symbol(Symbol::Cos(Arc::clone(name), angle));
-                let once = (if multiple < 0 { -sine } else { sine }, cosine);
-                (1..multiple.unsigned_abs()).fold(once.clone(), |sum, _| sum_of_angles(&sum, &once))
+                multiple_of(name, Angle { unit, parts }, multiple)
             }
             _ => return Err(refused()),
         };
@@ -90,9 +98,9 @@ pub(crate) fn pair(argument: &Polynomial, angle: Angle) -> Result<Pair, ExactErr
 }
 
 impl Polynomial {
-    /// `(sin(self), cos(self))` with `self` in radians: an integer combination of variables and
-    /// multiples of pi/4 and pi/6. A combination of quarter turns of variables (pi/2 * x) is taken as
-    /// such; the two kinds do not mix.
+    /// `(sin(self), cos(self))` with `self` in radians: a rational combination of variables and
+    /// multiples of pi/12. A combination of quarter turns of variables (pi/2 * x) is taken as
+    /// such.
     ///
     /// # Errors
     /// [`ExactError::NoExactTurn`] when the pair is not a polynomial in this ring's symbols.
@@ -111,8 +119,8 @@ impl Polynomial {
             .unwrap_or_else(Self::zero)
             .scaled(&integer(2));
         Ok(sum_of_angles(
-            &pair(&radians, Angle::Radian)?,
-            &pair(&turns, Angle::QuarterTurn)?,
+            &pair(&radians, Unit::Radian)?,
+            &pair(&turns, Unit::QuarterTurn)?,
         ))
     }
 
@@ -195,7 +203,7 @@ impl Scalar for Polynomial {
     }
 
     fn quarter_turn(&self) -> Result<(Self, Self), ExactError> {
-        pair(self, Angle::QuarterTurn)
+        pair(self, Unit::QuarterTurn)
     }
 
     fn pi_like(&self) -> Result<Self, ExactError> {

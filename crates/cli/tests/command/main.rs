@@ -10,6 +10,7 @@ mod design;
 mod erratum;
 mod explain;
 mod hostile;
+mod new;
 mod prove;
 mod report;
 mod support;

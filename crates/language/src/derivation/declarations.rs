@@ -513,7 +513,10 @@ fn symbol_kind(
         Some(interval) => found(SymbolKind::Real(Box::new(interval))),
         None => {
             let text = text.get_ref();
-            let message = format!("`{text}` is no interval: write `[-1, 1]`, `(0, inf)` and so on");
+            let message = format!(
+                "`{text}` is no interval: write `[-1, 1]`, `(0, inf)` and so on; an end that is a symbol is assumed, \
+                 `assume = ['x <= c']`"
+            );
             Err(complaint(&origin, message))
         }
     }

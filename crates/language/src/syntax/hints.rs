@@ -67,7 +67,7 @@ pub fn unexpected(before: Option<&Token>, found: Option<&Token>) -> Option<Strin
 }
 
 /// Functions that are printed without brackets.
-const FUNCTIONS: [&str; 4] = ["sin", "cos", "sqrt", "det"];
+const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "sqrt", "det"];
 
 /// What a formula is, in words, if it can never be a function.
 pub fn no_function(node: &Node) -> Option<String> {
@@ -80,11 +80,34 @@ pub fn no_function(node: &Node) -> Option<String> {
     })
 }
 
+/// The name of a Greek letter.
+pub fn greek(letter: &str) -> Option<&'static str> {
+    const NAMES: [&str; 24] = [
+        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+        "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi",
+        "chi", "psi", "omega",
+    ];
+    let mut letters = letter.chars();
+    let (letter, None) = (letters.next()?, letters.next()) else {
+        return None;
+    };
+    Some(match letter {
+        '\u{3b1}'..='\u{3c9}' => {
+            // The final form of sigma has a place of its own before sigma.
+            let place = u32::from(letter) - 0x3b1 - u32::from(letter >= '\u{3c2}');
+            NAMES.get(usize::try_from(place).ok()?)?
+        }
+        '\u{3d1}' => "theta",
+        '\u{3d5}' => "phi",
+        '\u{3f5}' => "epsilon",
+        _ => return None,
+    })
+}
+
 /// What to write for a name that is not declared.
 pub fn name(unknown: &str) -> Option<&'static str> {
     Some(match unknown {
         "\u{3c0}" | "Pi" | "PI" => "the circle number is written `pi`",
-        "tan" => "`tan` is not in the language: write `sin(x)/cos(x)`",
         "cot" => "`cot` is not in the language: write `cos(x)/sin(x)`",
         "sec" => "`sec` is not in the language: write `1/cos(x)`",
         "csc" => "`csc` is not in the language: write `1/sin(x)`",
@@ -92,8 +115,9 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         "exp" | "ln" | "log" | "sinh" | "cosh" | "tanh" | "coth" | "arcsin" | "arccos"
         | "arctan" | "asin" | "acos" | "atan" | "atan2" | "min" | "max" | "floor" | "ceil"
         | "gamma" | "lim" | "int" | "integral" => {
-            "this function is not in the language: its functions are rational, sqrt, sin and cos"
+            "this function is not in the language: its functions are rational, sqrt, sin, cos and tan"
         }
+        "e" => "the base of logarithms is not in the language, nor is `exp`",
         "inf" | "infinity" => "formulas have no infinity; `inf` is an end of an interval",
         "diff" | "d" => "a derivative is written `D(F, x)`",
         "prod" | "product" => "products over an index are not in the language",

@@ -5,7 +5,7 @@ use super::domain::{Domain, truth};
 use crate::decide::interval::{Bound, Interval};
 use num_traits::Signed;
 use torse_algebra::rational::{integer, ratio};
-use torse_algebra::{Fraction, Rational, Scalar as _, Symbol};
+use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_language::syntax::Relation;
 
 /// Under which trigonometric functions a variable stands.
@@ -13,10 +13,10 @@ use torse_language::syntax::Relation;
 pub enum Turns {
     /// None.
     None,
-    /// Sine and cosine of a quarter turn times it.
-    Quarter,
-    /// Sine and cosine of it, in radians.
-    Radian,
+    /// Sine and cosine of so many parts of a quarter turn times it.
+    Quarter(u16),
+    /// Sine and cosine of so many parts of it, in radians.
+    Radian(u16),
 }
 
 /// A list of fractions, as numerators and denominators.
@@ -53,31 +53,67 @@ impl Domain<'_> {
         let numbers = match (symbol, turns) {
             (Symbol::Indexed(..), _) => POINTS,
             _ if is_integer => INTEGERS,
-            (_, Turns::Quarter) => QUARTER,
-            (_, Turns::Radian) => RADIAN,
+            (_, Turns::Quarter(_)) => QUARTER,
+            (_, Turns::Radian(_)) => RADIAN,
             _ => SIMPLE,
         };
-        let unit = if turns == Turns::Radian && !is_integer {
-            Fraction::symbol(Symbol::Pi)
-        } else {
-            Fraction::integer(1)
+        let (unit, parts) = match turns {
+            Turns::Radian(parts) if !is_integer => (Fraction::symbol(Symbol::Pi), parts),
+            Turns::Quarter(parts) if !is_integer => (Fraction::integer(1), parts),
+            _ => (Fraction::integer(1), 1),
         };
         let simple = numbers.iter().filter_map(|(n, d)| ratio(*n, *d));
         let mut found: Vec<Fraction> = simple
+            .clone()
             .map(|q| unit.scaled(&q))
             .filter(|value| inside(&interval, value))
             .collect();
+        if parts > 1 {
+            // Where a part of the angle is a simple one.
+            for value in simple.map(|q| unit.scaled(&(q * integer(i64::from(parts))))) {
+                if inside(&interval, &value) && !found.contains(&value) {
+                    found.push(value);
+                }
+            }
+        }
         let own = if is_integer {
             steps(&interval)
         } else {
             suggested(&interval)
         };
-        for value in own {
+        for value in self.roots(symbol).into_iter().chain(own) {
             if inside(&interval, &value) && !found.contains(&value) {
                 found.push(value);
             }
         }
         found
+    }
+}
+
+impl Domain<'_> {
+    /// The values of a symbol that assumed equations such as `2*w^2 == 3` leave.
+    fn roots(&self, symbol: &Symbol) -> Vec<Fraction> {
+        let equations = self
+            .constraints
+            .iter()
+            .filter(|c| c.relation == Relation::Equal);
+        let square = |value: &Fraction| {
+            let polynomial = value.numerator();
+            if polynomial.symbols() != std::slice::from_ref(symbol) {
+                return None;
+            }
+            match polynomial.coefficients_in(symbol).as_slice() {
+                [constant, linear, square] if linear.is_zero() => {
+                    let radicand = -constant.as_constant()? / square.as_constant()?;
+                    Polynomial::square_root(&radicand).ok()
+                }
+                _ => None,
+            }
+        };
+        let roots = equations.filter_map(|c| square(&c.value));
+        roots
+            .flat_map(|root| [Fraction::from(root.clone()), Fraction::from(-root)])
+            .collect()
     }
 }
 

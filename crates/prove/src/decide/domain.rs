@@ -1,10 +1,11 @@
 //! Where a statement is meant to hold: the declared ranges of its symbols and its assumptions.
 
+use crate::decide::angle::Part;
 use crate::decide::interval::{Bound, Interval};
 use std::cmp::Ordering;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::rational::integer;
-use torse_algebra::{Affine, Angle, Ball, Fraction, Polynomial, Rational, Scalar as _, Symbol};
+use torse_algebra::{Affine, Ball, Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::syntax::Relation;
 
@@ -21,25 +22,42 @@ pub struct Constraint {
 }
 
 impl Constraint {
-    /// The constraint as `symbol relation number`, if it is linear in this symbol and says nothing of another.
+    /// The constraint as `symbol relation number`, if it is linear in this symbol and says nothing of another. The number
+    /// may contain pi and square roots.
     #[must_use]
-    pub fn bound_of(&self, symbol: &Symbol) -> Option<(Relation, Rational)> {
+    pub fn bound_of(&self, symbol: &Symbol) -> Option<(Relation, Fraction)> {
         let value = self.value.as_polynomial()?;
-        let (mut slope, mut constant) = (integer(0), integer(0));
-        for term in value.terms() {
-            match term.powers.as_slice() {
-                [] => constant = term.coefficient.clone(),
-                [(own, 1)] if *own == symbol => slope = term.coefficient.clone(),
-                _ => return None,
-            }
+        let known = |s: &Symbol| s == symbol || matches!(s, Symbol::Pi | Symbol::Root(_));
+        if !value.symbols().contains(symbol) || !value.symbols().iter().all(known) {
+            return None;
         }
-        let relation = match slope.cmp(&integer(0)) {
+        let (mut slope, mut constant) = (Polynomial::zero(), Polynomial::zero());
+        for term in value.terms() {
+            let mut own = false;
+            let mut number = Polynomial::constant(&term.coefficient);
+            for (factor, exponent) in &term.powers {
+                match factor {
+                    Symbol::Pi | Symbol::Root(_) => {
+                        let power =
+                            Polynomial::symbol((*factor).clone()).power(u32::from(*exponent));
+                        number = &number * &power;
+                    }
+                    factor if *factor == symbol && *exponent == 1 => own = true,
+                    _ => return None,
+                }
+            }
+            let part = if own { &mut slope } else { &mut constant };
+            *part = &*part + &number;
+        }
+        let slope = Fraction::from(slope);
+        let relation = match order(&slope)? {
             Ordering::Equal => return None,
             Ordering::Greater if planted(Planted::BoundReversed) => self.relation.mirrored(),
             Ordering::Less => self.relation.mirrored(),
             Ordering::Greater => self.relation,
         };
-        Some((relation, -constant / slope))
+        let number = Fraction::from(-constant).over(&slope).ok()?;
+        Some((relation, number.without_conditions()))
     }
 }
 
@@ -56,6 +74,8 @@ pub struct Domain<'a> {
     pub pivots: Vec<Polynomial>,
     /// Divisors of the statement: it says nothing where one vanishes, so no point there refutes it.
     pub divisors: Vec<Polynomial>,
+    /// The part of the domain that is looked at, see [`Domain::parts`].
+    pub part: Vec<Part>,
 }
 
 impl<'a> Domain<'a> {
@@ -68,6 +88,7 @@ impl<'a> Domain<'a> {
             solved: vec![],
             pivots: vec![],
             divisors: vec![],
+            part: vec![],
         }
     }
 
@@ -80,6 +101,7 @@ impl<'a> Domain<'a> {
             solved: self.solved.clone(),
             pivots: self.pivots.clone(),
             divisors: self.divisors.clone(),
+            part: self.part.clone(),
         }
     }
 }
@@ -110,86 +132,26 @@ impl Domain<'_> {
     }
 
     /// The interval in which a symbol lives: the declared one, narrowed by what is assumed of the symbol alone
-    /// (`2*a - 2 > 0` says that a > 1). Functions of angles live from -1 to 1 or, for a variable of `[0, 1]`, from 0
-    /// to 1.
+    /// (`2*a - 2 > 0` says that a > 1), or the part of it that is looked at.
     #[must_use]
     pub fn interval(&self, symbol: &Symbol) -> Interval {
         match symbol {
             Symbol::Named(name) => {
+                let part = self.part.iter().rev().find(|(own, _)| own == symbol);
+                if let Some((_, interval)) = part {
+                    return interval.clone();
+                }
                 let mut interval = self.declared(name);
                 for constraint in &self.constraints {
                     if let Some((relation, number)) = constraint.bound_of(symbol) {
-                        interval.narrow(relation, number);
+                        interval.narrow(relation, &number);
                     }
                 }
                 interval
             }
-            Symbol::Sin(name, Angle::QuarterTurn) | Symbol::Cos(name, Angle::QuarterTurn) => {
-                let of = self.interval(&Symbol::Named(name.clone()));
-                let inside = |bound: &Option<Bound>, low: bool| {
-                    bound
-                        .as_ref()
-                        .and_then(|b| b.value.as_rational())
-                        .is_some_and(|v| {
-                            if low {
-                                v >= integer(0)
-                            } else {
-                                v <= integer(1)
-                            }
-                        })
-                };
-                let unit = inside(&of.lower, true) && inside(&of.upper, false);
-                Interval {
-                    lower: closed(if unit { 0 } else { -1 }),
-                    upper: closed(1),
-                }
-            }
-            Symbol::Sin(name, _) | Symbol::Cos(name, _) => {
-                let of = self.interval(&Symbol::Named(name.clone()));
-                turned(&of, matches!(symbol, Symbol::Sin(..)))
-            }
+            Symbol::Sin(name, angle) => self.range_of_turn(name, *angle, true),
+            Symbol::Cos(name, angle) => self.range_of_turn(name, *angle, false),
             Symbol::Indexed(..) | Symbol::Root(_) | Symbol::Pi => Interval::default(),
-        }
-    }
-
-    /// The range of the tangent of half the angle of a sine or cosine, if the angle is from 0 to pi.
-    #[must_use]
-    pub fn half_tangent(&self, symbol: &Symbol) -> Option<Interval> {
-        let (Symbol::Sin(name, angle) | Symbol::Cos(name, angle)) = symbol else {
-            return None;
-        };
-        let end = |value: i64, closed: bool| {
-            Some(Bound {
-                value: Fraction::integer(value),
-                closed,
-            })
-        };
-        if *angle == Angle::QuarterTurn {
-            let unit = self.interval(symbol);
-            let quarter = unit.lower.as_ref().is_some_and(|b| b.value.is_zero());
-            return quarter.then_some(Interval {
-                lower: end(0, true),
-                upper: end(1, true),
-            });
-        }
-        // The cosine decreases from 0 to pi: its range says how far the angle goes.
-        let sine = self.interval(&Symbol::Sin(name.clone(), *angle));
-        let cosine = self.interval(&Symbol::Cos(name.clone(), *angle));
-        let (low, high) = (cosine.lower?, cosine.upper?);
-        if !sine.lower.is_some_and(|b| b.value.is_zero()) {
-            return None;
-        }
-        match (low.value.is_zero(), low.closed) {
-            (true, closed) => Some(Interval {
-                lower: end(0, high.closed),
-                upper: end(1, closed),
-            }),
-            // An angle of pi has no tangent of its half.
-            (false, true) => None,
-            (false, false) => Some(Interval {
-                lower: end(0, high.closed),
-                upper: None,
-            }),
         }
     }
 
@@ -226,51 +188,6 @@ impl Domain<'_> {
             }
         }
         rest.as_constant().is_some()
-    }
-}
-
-/// The range of the sine or cosine of an angle in radians; sharper where the angle is from 0 to pi.
-fn turned(angle: &Interval, sine: bool) -> Interval {
-    let end = |value: i64, closed: bool| {
-        Some(Bound {
-            value: Fraction::integer(value),
-            closed,
-        })
-    };
-    let pi = Fraction::symbol(Symbol::Pi);
-    let gap = |bound: &Bound, end: &Fraction| bound.value.clone() - end.clone();
-    let (Some(low), Some(high)) = (&angle.lower, &angle.upper) else {
-        return Interval {
-            lower: end(-1, true),
-            upper: end(1, true),
-        };
-    };
-    let from_zero = truth(&low.value, Relation::AtLeast) == Some(true);
-    let to_pi = truth(&gap(high, &pi), Relation::AtMost) == Some(true);
-    if !from_zero || !to_pi {
-        return Interval {
-            lower: end(-1, true),
-            upper: end(1, true),
-        };
-    }
-    // Whether the angle stays away from 0 and from pi.
-    let above = !low.closed || truth(&low.value, Relation::Greater) == Some(true);
-    let below = !high.closed || truth(&gap(high, &pi), Relation::Less) == Some(true);
-    if sine {
-        return Interval {
-            lower: end(0, !(above && below)),
-            upper: end(1, true),
-        };
-    }
-    let right = pi.scaled(&torse_algebra::rational::ratio(1, 2).unwrap_or_default());
-    let acute = truth(&gap(high, &right), Relation::AtMost) == Some(true);
-    let short = !high.closed || truth(&gap(high, &right), Relation::Less) == Some(true);
-    Interval {
-        lower: match acute {
-            true => end(0, !short),
-            false => end(-1, !below),
-        },
-        upper: end(1, !above),
     }
 }
 

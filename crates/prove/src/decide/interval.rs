@@ -1,7 +1,8 @@
 //! Intervals with exact ends.
 
+use super::domain::order;
 use std::cmp::Ordering;
-use torse_algebra::{Fraction, Rational, Scalar as _, Symbol};
+use torse_algebra::{Fraction, Scalar as _, Symbol};
 use torse_language::derivation::declarations::{self, Constant};
 use torse_language::syntax::Relation;
 
@@ -24,9 +25,9 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// Leaves out what is not `relation number`. An end that is no rational number stays, and so does one that lies
-    /// further inside.
-    pub fn narrow(&mut self, relation: Relation, number: Rational) {
+    /// Leaves out what is not `relation number`. An end that lies further inside stays, and so does one of which that
+    /// cannot be told.
+    pub fn narrow(&mut self, relation: Relation, number: &Fraction) {
         let (end, closed, inward) = match relation {
             Relation::Greater => (&mut self.lower, false, Ordering::Greater),
             Relation::AtLeast => (&mut self.lower, true, Ordering::Greater),
@@ -36,14 +37,14 @@ impl Interval {
         };
         let narrows = match end.as_ref() {
             None => true,
-            Some(own) => own.value.as_rational().is_some_and(|known| {
-                let order = number.cmp(&known);
-                order == inward || (order.is_eq() && own.closed)
-            }),
+            Some(own) => {
+                let gap = number.clone() - own.value.clone();
+                order(&gap).is_some_and(|order| order == inward || (order.is_eq() && own.closed))
+            }
         };
         if narrows {
             *end = Some(Bound {
-                value: number.into(),
+                value: number.clone(),
                 closed,
             });
         }

@@ -7,6 +7,7 @@
 //! ([`instances`]), which can refute them but not prove them.
 
 pub mod agreement;
+pub mod angle;
 pub mod candidates;
 pub mod conditions;
 pub mod contradiction;

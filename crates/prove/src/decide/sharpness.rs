@@ -9,6 +9,7 @@ use super::domain::{Domain, truth};
 use super::sign::coordinates::Coordinates;
 use super::sign::prove;
 use crate::evaluate::value::Statement;
+use std::sync::Arc;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
 use torse_language::derivation::declarations::{Bound, Interval, SymbolKind};
@@ -167,9 +168,10 @@ fn failure(bounded: &Bounded, domain: &Domain<'_>, name: &str, value: &Rational)
     // Only independent real coordinates lead back to a point: no integers, no sine beside its cosine, no
     // tangent of a half angle beside the angle itself.
     let torn = |side: &Symbol| {
-        let half = format!("{side}\u{bd}");
         let turn = matches!(side, Symbol::Sin(..) | Symbol::Cos(..));
-        turn || domain.is_integer(side) || sides.iter().any(|other| other.to_string() == half)
+        let mut angles = coordinates.tangents.iter();
+        let inside = |(_, name, _): &_| *side == Symbol::Named(Arc::clone(name));
+        turn || domain.is_integer(side) || angles.any(inside)
     };
     let free = |s: &Symbol| !matches!(s, Symbol::Pi | Symbol::Root(_)) && !sides.contains(&s);
     if sides.iter().any(|side| torn(side)) || moved.symbols().iter().any(free) {
@@ -208,7 +210,7 @@ fn failure(bounded: &Bounded, domain: &Domain<'_>, name: &str, value: &Rational)
             let shown = sides.iter().zip(&point);
             return Some(
                 shown
-                    .map(|(symbol, t)| described(symbol, t, domain))
+                    .map(|(symbol, t)| described(symbol, t, &coordinates, domain))
                     .collect(),
             );
         }
@@ -217,12 +219,22 @@ fn failure(bounded: &Bounded, domain: &Domain<'_>, name: &str, value: &Rational)
 }
 
 /// `, x = 1/2`, or the tangent of half the angle.
-fn described(symbol: &Symbol, t: &Rational, domain: &Domain<'_>) -> String {
-    let text = symbol.to_string();
-    if let Some(variable) = text.strip_suffix('\u{bd}') {
-        return format!(", tan(pi/4*{variable}) = {t}");
-    }
-    let interval = domain.interval(symbol);
+fn described(
+    symbol: &Symbol,
+    t: &Rational,
+    coordinates: &Coordinates,
+    domain: &Domain<'_>,
+) -> String {
+    let own = coordinates.tangents.iter().find(|(own, ..)| own == symbol);
+    let (text, interval) = match own {
+        None => (symbol.to_string(), domain.interval(symbol)),
+        Some((_, name, angle)) => {
+            let Some(half) = domain.half(name, *angle) else {
+                return String::new();
+            };
+            (half.text(name, *angle), half.tangent)
+        }
+    };
     let value = interval.lower.zip(interval.upper).map(|(a, b)| {
         let width = b.value - a.value.clone();
         a.value + width * Fraction::from(t.clone())

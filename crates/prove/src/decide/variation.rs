@@ -78,7 +78,7 @@ pub fn diminishing(
         ));
     }
     let variable = Symbol::named(basis.variable());
-    let mut places = domain.candidates(&variable, Turns::Quarter);
+    let mut places = domain.candidates(&variable, Turns::Quarter(1));
     places.sort_by(|x, y| {
         let less = truth(&(x.clone() - y.clone()), Relation::Less) == Some(true);
         if less {
@@ -143,7 +143,7 @@ fn not_affine(
     seeds: &[Fraction],
 ) -> Decision {
     let variable = Symbol::named(basis.variable());
-    let places = domain.candidates(&variable, Turns::Quarter);
+    let places = domain.candidates(&variable, Turns::Quarter(1));
     let (zero, one) = (Fraction::zero(), Fraction::integer(1));
     for raise in 0..DEGREES {
         let row = functions(step, seeds, raise);
@@ -269,7 +269,7 @@ fn powers(step: &[Fraction; 2], seeds: &[Fraction], variable: &str, domain: &Dom
 
 /// The number of minors, if certificates of sign show all of them to be nonnegative.
 fn totally_positive(seeds: &[Fraction], variable: &str, domain: &Domain<'_>) -> Option<usize> {
-    let turn = Symbol::Cos(variable.into(), Angle::QuarterTurn);
+    let turn = Symbol::Cos(variable.into(), Angle::QUARTER_TURN);
     let quarter = domain.interval(&turn).lower?.value.is_zero();
     if !quarter || seeds.len() > MAX_SEEDS {
         return None;
@@ -330,8 +330,8 @@ fn over_common_denominator(seeds: &[Fraction], variable: &str) -> Option<Vec<Pol
         .iter()
         .map(|seed| {
             let moved = seed.substituted(|s| match s {
-                Symbol::Sin(n, Angle::QuarterTurn) if **n == *variable => Some(sine.clone()),
-                Symbol::Cos(n, Angle::QuarterTurn) if **n == *variable => Some(cosine.clone()),
+                Symbol::Sin(n, Angle::QUARTER_TURN) if **n == *variable => Some(sine.clone()),
+                Symbol::Cos(n, Angle::QUARTER_TURN) if **n == *variable => Some(cosine.clone()),
                 _ => None,
             });
             moved.ok()

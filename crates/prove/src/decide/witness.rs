@@ -14,7 +14,7 @@ use num_traits::Signed;
 use std::collections::BTreeMap;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::rational::integer;
-use torse_algebra::{Angle, Fraction, Polynomial, Rational, Symbol};
+use torse_algebra::{Fraction, Polynomial, Rational, Symbol, Unit};
 use torse_language::derivation::declarations::SymbolKind;
 use torse_language::notation;
 use torse_language::syntax::Relation;
@@ -74,17 +74,18 @@ pub fn turns(values: &[&Fraction], symbol: &Symbol) -> Turns {
     let Symbol::Named(name) = symbol else {
         return Turns::None;
     };
-    let angle = values
+    let angles = values
         .iter()
         .flat_map(|v| v.symbols())
-        .find_map(|s| match s {
+        .filter_map(|s| match s {
             Symbol::Sin(n, angle) | Symbol::Cos(n, angle) if n == *name => Some(angle),
             _ => None,
         });
-    match angle {
+    // Quarter turns before radians, the finest part of the unit.
+    match angles.min_by_key(|angle| (angle.unit, std::cmp::Reverse(angle.parts))) {
         None => Turns::None,
-        Some(Angle::QuarterTurn) => Turns::Quarter,
-        Some(Angle::Radian) => Turns::Radian,
+        Some(angle) if angle.unit == Unit::QuarterTurn => Turns::Quarter(angle.parts),
+        Some(angle) => Turns::Radian(angle.parts),
     }
 }
 

@@ -4,6 +4,7 @@
 //! make them, `functions` holds the built-in functions. A variable of a binder has the value that the
 //! [`Environment`] gives it; a derivative gives it a symbol that nothing else has, and puts the value in afterwards.
 
+mod angles;
 mod arithmetic;
 pub mod basis;
 mod functions;
@@ -228,6 +229,7 @@ impl<'a> Evaluator<'a> {
                 let place = left.place.to(right.place);
                 let (left, right) = (self.value(left, &nothing)?, self.value(right, &nothing)?);
                 let (left, right) = fitted(&left, &right, place)?;
+                let (left, right) = angles::in_finest(left, right, place)?;
                 Statement::Compare {
                     relation: *relation,
                     left: Box::new(left),

@@ -3,7 +3,7 @@
 
 use num_traits::{One, Signed};
 use std::sync::Arc;
-use torse_algebra::{Affine, Angle, Rational, Symbol, rational};
+use torse_algebra::{Affine, Angle, Rational, Symbol, Unit, rational};
 use torse_language::syntax::{Expr, Node, Operator};
 
 /// A summand with its sign apart.
@@ -90,11 +90,14 @@ pub(super) fn coefficient(value: &Rational) -> Vec<Expr> {
 pub(super) fn symbol(symbol: &Symbol) -> Expr {
     let applied =
         |name: &str, argument| Expr::made(Node::Call(Arc::new(Expr::name(name)), vec![argument]));
-    let angle = |variable: &str, angle: &Angle| match angle {
-        Angle::Radian => Expr::name(variable),
-        Angle::QuarterTurn => {
-            let quarter = Expr::name("pi").with(Operator::Divide, integer(2));
-            quarter.with(Operator::Multiply, Expr::name(variable))
+    let angle = |variable: &str, Angle { unit, parts }: &Angle| match (unit, parts) {
+        (Unit::Radian, 1) => Expr::name(variable),
+        (Unit::Radian, parts) => {
+            Expr::name(variable).with(Operator::Divide, integer(i64::from(*parts)))
+        }
+        (Unit::QuarterTurn, parts) => {
+            let part = Expr::name("pi").with(Operator::Divide, integer(2 * i64::from(*parts)));
+            part.with(Operator::Multiply, Expr::name(variable))
         }
     };
     match symbol {

@@ -12,7 +12,14 @@ mod tests;
 
 pub use expression::{expression, expression_of};
 
-use torse_algebra::Polynomial;
+use torse_algebra::{Polynomial, Rational};
+
+/// A number and factors with exponents whose product a polynomial is; the factors are not always irreducible.
+#[must_use]
+pub fn factored(polynomial: &Polynomial) -> (Rational, Vec<(Polynomial, u32)>) {
+    let factored = factor::Factored::of(polynomial);
+    (factored.content, factored.factors)
+}
 
 /// Factors of a polynomial, without exponents and constants; not always irreducible ones.
 #[must_use]

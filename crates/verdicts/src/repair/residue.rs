@@ -223,7 +223,7 @@ mod tests {
     #[test]
     fn identities_hold_modulo_the_prime() {
         let x = std::sync::Arc::<str>::from("x");
-        let angle = torse_algebra::Angle::QuarterTurn;
+        let angle = torse_algebra::Angle::QUARTER_TURN;
         let sine = number(&Symbol::Sin(x.clone(), angle), 7).unwrap_or(0);
         let cosine = number(&Symbol::Cos(x, angle), 7).unwrap_or(0);
         assert_eq!(plus(times(sine, sine), times(cosine, cosine)), 1);

@@ -10,10 +10,12 @@ use crate::random::seed::Stream;
 
 /// A claim of this kind.
 pub fn claim(stream: &mut Stream) -> Claim {
-    match stream.below(5) {
+    match stream.below(7) {
         0..3 => boxed(stream),
         3 => square(stream),
-        _ => circle(stream),
+        4 => circle(stream),
+        5 => definite(stream),
+        _ => knots(stream),
     }
 }
 
@@ -163,4 +165,69 @@ fn circle(stream: &mut Stream) -> Claim {
     let text = form.text(stream, &names);
     let states = relation(stream, strict, text, "0".to_owned());
     Claim::new(Kind::Inequality, states, truth).symbol("x", "{ in = '[0, 1]' }")
+}
+
+/// Sums of squares of linear forms on the whole plane, and the same below zero at a point.
+fn definite(stream: &mut Stream) -> Claim {
+    let names = ["x", "y"];
+    let mut form = Polynomial::default();
+    for _ in 0..=stream.below(2) {
+        let mut root = Polynomial::number(stream.fraction());
+        for slot in 0..2 {
+            root = &root + &Polynomial::variable(slot).times(stream.fraction());
+        }
+        form = &form + &root.power(2).times(stream.positive());
+    }
+    let mut point = [Q::ONE; SLOTS];
+    point[0] = stream.fraction();
+    point[1] = stream.fraction();
+    let strict = stream.once_in(2);
+    let mut truth = Truth::Holds;
+    if stream.once_in(2) {
+        form = &form - &Polynomial::number(form.value(&point) + stream.positive());
+        truth = Truth::Fails(at(&names, &point[..2]));
+    } else if strict {
+        form = &form + &Polynomial::number(stream.positive());
+    }
+    let text = form.text(stream, &names);
+    let states = relation(stream, strict, text, "0".to_owned());
+    let claim = Claim::new(Kind::Inequality, states, truth);
+    names
+        .iter()
+        .fold(claim, |claim, name| claim.symbol(name, "{}"))
+}
+
+/// Products of distances of ordered knots, some in the wrong order.
+fn knots(stream: &mut Stream) -> Claim {
+    let names = ["a", "b", "c"];
+    let strict = stream.once_in(2);
+    let less = if strict { "<" } else { "<=" };
+    let mut form = Polynomial::number(stream.positive());
+    let mut negative = false;
+    for _ in 0..2 {
+        let low = stream.below(2);
+        let high = low + 1 + stream.below(2 - low);
+        let distance = &Polynomial::variable(high) - &Polynomial::variable(low);
+        let turned = stream.once_in(4);
+        negative ^= turned;
+        form = &form
+            * &if turned {
+                distance.times(-Q::ONE)
+            } else {
+                distance
+            };
+    }
+    let truth = match negative {
+        true => Truth::Fails("a = 0, b = 1, c = 2".to_owned()),
+        false => Truth::Holds,
+    };
+    let text = form.text(stream, &names);
+    let states = relation(stream, strict, text, "0".to_owned());
+    let claim = names.windows(2).fold(
+        Claim::new(Kind::Inequality, states, truth),
+        |claim, pair| claim.assuming(format!("{} {less} {}", pair[0], pair[1])),
+    );
+    names
+        .iter()
+        .fold(claim, |claim, name| claim.symbol(name, "{}"))
 }

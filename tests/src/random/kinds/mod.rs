@@ -1,5 +1,6 @@
 //! One generator a kind.
 
+pub mod angles;
 pub mod assumptions;
 pub mod calculus;
 pub mod decimals;

@@ -4,12 +4,12 @@ use super::binders::{Local, Scope, Use};
 use super::{Elaborator, Lambda, Meaning, Outcome, wrong};
 use crate::core::{BuiltIn, FamilyProperty, Node, Printed, Statement, Term, Variable};
 use crate::fault::{Fault, Problem};
-use crate::syntax::{self, Expr, Place};
+use crate::syntax::{self, Expr, Operator, Place};
 use std::sync::Arc;
 use torse_numbers::{Rational, rational};
 
 /// The names of the built-in functions.
-pub(super) const NAMES: [&str; 21] = [
+pub(super) const NAMES: [&str; 22] = [
     "sum",
     "D",
     "at",
@@ -17,6 +17,7 @@ pub(super) const NAMES: [&str; 21] = [
     "factorial",
     "sin",
     "cos",
+    "tan",
     "sqrt",
     "dot",
     "cross",
@@ -114,6 +115,14 @@ impl Elaborator<'_> {
                 };
                 let family = self.family(basis, family.place)?;
                 return Ok(Meaning::Statement(Statement::Family(property, family)));
+            }
+            // The tangent is what it is defined to be, so that its poles are divisors like all others.
+            ("tan", [angle]) => {
+                let angle = self.term_in(angle, scope)?;
+                let part = |function| self.made(Node::Apply(function, vec![angle.clone()]), place);
+                let (sine, cosine) = (part(BuiltIn::Sine), part(BuiltIn::Cosine));
+                let node = Node::Binary(Operator::Divide, sine, cosine);
+                return Ok(Meaning::Term(self.made(node, place)));
             }
             ("binom", [_, _]) => BuiltIn::Binomial,
             ("factorial", [_]) => BuiltIn::Factorial,

@@ -431,12 +431,16 @@ impl<'a> Elaborator<'a> {
     }
 
     fn unknown(&self, name: &str, place: Place, scope: &Scope) -> Fault {
-        let candidates = self
+        let candidates: Vec<&str> = self
             .declarations
             .names()
             .chain(scope.locals.keys().map(String::as_str))
-            .chain(NAMES);
-        let similar = similar(name, candidates).map(str::to_owned);
+            .chain(NAMES)
+            .collect();
+        // A Greek letter may be declared by its name.
+        let spelled = syntax::hints::greek(name).filter(|letter| candidates.contains(letter));
+        let similar = spelled.or_else(|| similar(name, candidates));
+        let similar = similar.map(str::to_owned);
         Fault::at(
             place,
             Problem::UnknownName {

@@ -2,9 +2,9 @@
 //!
 //! A [`Certificate`] that p >= 0 (or p > 0) on a domain says
 //!
-//! `p = m_1 c_1 + m_2 c_2 + ... + f_1 f_2 ... r`
+//! `p = d_1 q_1^2 + ... + m_1 c_1 + m_2 c_2 + ... + f_1 f_2 ... r`
 //!
-//! with assumed c_i >= 0, numbers m_i >= 0 and factors f_i >= 0 (symbols that are not negative,
+//! with numbers d_i >= 0, assumed c_i >= 0, numbers m_i >= 0 and factors f_i >= 0 (symbols that are not negative,
 //! assumptions again, and squares), and pieces that fill the box of the domain; on each piece the Bernstein
 //! coefficients show r to be nonnegative, or an assumption to fail.
 //!
@@ -56,6 +56,8 @@ pub struct Piece {
 pub struct Certificate {
     /// Whether more than zero is claimed, rather than zero or more.
     pub strict: bool,
+    /// Polynomials, and what their squares are multiplied with.
+    pub squares: Vec<(Rational, Polynomial)>,
     /// Assumptions by number, and what they are multiplied with.
     pub multipliers: Vec<(usize, Rational)>,
     /// Factors that are split off.
@@ -86,7 +88,7 @@ pub enum CertificateError {
     /// A factor or multiplier may be negative.
     #[error("part {part} may be negative")]
     Part {
-        /// Its number, factors after multipliers.
+        /// Its number, factors after multipliers, those of squares first.
         part: usize,
     },
     /// The domain has no such coordinates.
@@ -141,7 +143,15 @@ pub fn check(
     let assumed = assumed(domain);
     let (mut total, mut product) = (Polynomial::zero(), certificate.rest.clone());
     let (mut sum_positive, mut factors_positive) = (false, true);
-    for (part, (number, multiplier)) in certificate.multipliers.iter().enumerate() {
+    for (part, (multiplier, root)) in certificate.squares.iter().enumerate() {
+        if *multiplier < integer(0) {
+            return Err(CertificateError::Part { part });
+        }
+        total = &total + &root.power(2).scaled(multiplier);
+    }
+    let squares = certificate.squares.len();
+    for (place, (number, multiplier)) in certificate.multipliers.iter().enumerate() {
+        let part = squares + place;
         let wrong = CertificateError::Part { part };
         let (value, strict) = assumed.get(*number).ok_or(wrong)?;
         if *multiplier < integer(0) {
@@ -151,7 +161,7 @@ pub fn check(
         total = &total + &value.scaled(multiplier);
     }
     for (place, factor) in certificate.factors.iter().enumerate() {
-        let part = certificate.multipliers.len() + place;
+        let part = squares + certificate.multipliers.len() + place;
         let wrong = CertificateError::Part { part };
         let (value, strict) = match factor {
             Factor::Symbol(symbol) => {

@@ -1,16 +1,17 @@
 //! The domain of a polynomial in coordinates that start at zero.
 //!
 //! A bounded symbol is v = a + (b - a) t with t in `[0, 1]`, a symbol with one bound v = a + t or b - t
-//! with t >= 0. Sine and cosine of a quarter turn become rational functions of the tangent t of half the
-//! angle, s = 2t/(1 + t^2), c = (1 - t^2)/(1 + t^2), and the polynomial is multiplied by the positive
-//! denominator: the same sign, with t in `[0, 1]` for a variable of `[0, 1]`, and likewise for angles in radians from
-//! 0 to pi/2, or to pi with t >= 0. A variable that also stands
-//! outside keeps its own range: the box is larger than the domain, which proves more than is asked.
+//! with t >= 0. Sine and cosine of an angle become rational functions of the tangent of half the angle, or of half its
+//! distance from a multiple of a quarter turn ([`Half`]), and the polynomial is multiplied by the positive
+//! denominator: the same sign. Angles of one variable are written in the finest of their parts first. A variable that
+//! also stands outside keeps its own range: the box is larger than the domain, which proves more than is asked.
 
+use crate::decide::angle::Half;
 use crate::decide::domain::Domain;
 use crate::decide::interval::{Bound, Interval};
+use std::sync::Arc;
 use torse_algebra::rational::integer;
-use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
+use torse_algebra::{Angle, Finest, Fraction, Polynomial, Rational, Symbol};
 
 /// A coordinate t in `[0, 1]`, and whether its ends belong to the domain.
 #[derive(Debug, Clone)]
@@ -30,6 +31,8 @@ pub struct Coordinates {
     pub sides: Vec<Side>,
     /// Whether every unbounded one has an open end, so that it is never zero.
     pub rays_open: bool,
+    /// The symbols that stand for tangents, each with the variable and the angle.
+    pub tangents: Vec<(Symbol, Arc<str>, Angle)>,
 }
 
 /// A part of the box: lower and upper ends of the bounded coordinates.
@@ -40,29 +43,33 @@ impl Coordinates {
     /// if some symbol has no bound.
     #[must_use]
     pub fn of(polynomials: &[&Polynomial], domain: &Domain<'_>) -> Option<(Vec<Polynomial>, Self)> {
-        let mut moved: Vec<Polynomial> = polynomials.iter().map(|p| (*p).clone()).collect();
-        let mut intervals: Vec<(Symbol, Interval)> = vec![];
-        let mut symbols: Vec<Symbol> = polynomials
+        let finest = Finest::of(polynomials.iter().flat_map(|p| p.symbols()));
+        let mut moved: Vec<Polynomial> = polynomials
             .iter()
-            .flat_map(|p| p.symbols().to_vec())
+            .map(|p| p.substituted(|symbol| finest.value(symbol)))
             .collect();
+        let mut intervals: Vec<(Symbol, Interval)> = vec![];
+        let mut tangents: Vec<(Symbol, Arc<str>, Angle)> = vec![];
+        let mut symbols: Vec<Symbol> = moved.iter().flat_map(|p| p.symbols().to_vec()).collect();
         symbols.sort();
         symbols.dedup();
         for symbol in &symbols {
-            let (Symbol::Cos(name, _) | Symbol::Sin(name, _)) = symbol else {
+            let (Symbol::Cos(name, angle) | Symbol::Sin(name, angle)) = symbol else {
                 continue;
             };
-            let half = Symbol::named(&format!("{name}\u{bd}"));
-            if intervals.iter().any(|(known, _)| *known == half) {
+            if tangents.iter().any(|(_, n, a)| n == name && a == angle) {
                 continue;
             }
-            let Some(tangent) = domain.half_tangent(symbol) else {
+            let Some(half) = domain.half(name, *angle) else {
                 continue;
             };
+            // No text can write the sign.
+            let tangent = Symbol::named(&format!("{name}\u{bd}{}", tangents.len()));
             for polynomial in &mut moved {
-                *polynomial = in_half_angle(polynomial, symbol, &half)?;
+                *polynomial = in_half_angle(polynomial, name, *angle, &half, &tangent)?;
             }
-            intervals.push((half, tangent));
+            intervals.push((tangent.clone(), half.tangent));
+            tangents.push((tangent, name.clone(), *angle));
         }
         for symbol in moved.iter().flat_map(|p| p.symbols().to_vec()) {
             let number = matches!(symbol, Symbol::Pi | Symbol::Root(_));
@@ -74,6 +81,7 @@ impl Coordinates {
         let mut coordinates = Self {
             sides: vec![],
             rays_open: true,
+            tangents,
         };
         for (symbol, interval) in intervals {
             if interval.lower.is_none() && interval.upper.is_none() {
@@ -155,20 +163,19 @@ fn in_squares(polynomial: &Polynomial, symbol: &Symbol) -> Option<Polynomial> {
     Some(result)
 }
 
-/// The numerator of the polynomial with sine and cosine of one angle written in the tangent of its half.
-fn in_half_angle(polynomial: &Polynomial, angle: &Symbol, half: &Symbol) -> Option<Polynomial> {
-    let (Symbol::Cos(name, kind) | Symbol::Sin(name, kind)) = angle else {
-        return None;
-    };
-    let t = Fraction::symbol(half.clone());
-    let one = Fraction::integer(1);
-    let below = one.clone() + t.clone() * t.clone();
-    let sine = t.scaled(&integer(2)).over(&below).ok()?;
-    let cosine = (one - t.clone() * t).over(&below).ok()?;
+/// The numerator of the polynomial with sine and cosine of one angle written in the tangent of half of it.
+fn in_half_angle(
+    polynomial: &Polynomial,
+    name: &Arc<str>,
+    angle: Angle,
+    half: &Half,
+    tangent: &Symbol,
+) -> Option<Polynomial> {
+    let (sine, cosine) = half.sine_cosine(&Fraction::symbol(tangent.clone()))?;
     let moved = Fraction::from(polynomial.clone())
         .substituted(|s| match s {
-            Symbol::Sin(n, k) if n == name && k == kind => Some(sine.clone()),
-            Symbol::Cos(n, k) if n == name && k == kind => Some(cosine.clone()),
+            Symbol::Sin(n, a) if n == name && *a == angle => Some(sine.clone()),
+            Symbol::Cos(n, a) if n == name && *a == angle => Some(cosine.clone()),
             _ => None,
         })
         .ok()?;

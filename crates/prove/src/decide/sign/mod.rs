@@ -10,8 +10,10 @@
 mod bernstein;
 pub mod certificate;
 pub mod coordinates;
+mod proof;
 mod prove;
 mod samples;
+mod squares;
 
 use super::domain::Domain;
 use super::{Decision, Refutation, witness};
@@ -23,6 +25,7 @@ use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
 
+pub use proof::{Proof, Shown};
 pub use prove::prove;
 
 /// A proved sign.
@@ -38,13 +41,17 @@ pub enum Sign {
     Nonpositive,
 }
 
-/// A proof of sign about one polynomial, with what shows it.
-#[derive(Debug, Clone)]
-pub struct Proof {
-    /// What is shown to be zero or more: the polynomial, or its negative.
-    pub polynomial: Polynomial,
-    /// How.
-    pub certificate: Certificate,
+impl Sign {
+    /// The sign of the negative.
+    #[must_use]
+    pub fn negated(self) -> Self {
+        match self {
+            Self::Positive => Self::Negative,
+            Self::Negative => Self::Positive,
+            Self::Nonnegative => Self::Nonpositive,
+            Self::Nonpositive => Self::Nonnegative,
+        }
+    }
 }
 
 /// A sign of the polynomial on the whole domain, if one can be proved this way.
@@ -57,14 +64,8 @@ pub fn of(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Sign> {
 #[must_use]
 pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
     let shown = |polynomial: &Polynomial| {
-        let certificate = prove(polynomial, domain)?;
-        Some((
-            certificate.strict,
-            Proof {
-                polynomial: polynomial.clone(),
-                certificate,
-            },
-        ))
+        let proof = Proof::of(polynomial, domain)?;
+        Some((proof.strict(), proof))
     };
     let (strict, weak) = match shown(polynomial) {
         Some((true, proof)) => return Some((Sign::Positive, proof)),
@@ -74,7 +75,12 @@ pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proo
         (Some((true, proof)), _) => Some((Sign::Negative, proof)),
         (_, Some((_, proof))) => Some((Sign::Nonnegative, proof)),
         (Some((false, proof)), None) => Some((Sign::Nonpositive, proof)),
-        (None, None) => None,
+        (None, None) => Proof::of_factors(polynomial, domain)
+            .or_else(|| Proof::of_rays(polynomial, domain))
+            .or_else(|| {
+                let (sign, proof) = Proof::of_rays(&-polynomial, domain)?;
+                Some((sign.negated(), proof))
+            }),
     }
 }
 
@@ -86,9 +92,7 @@ pub fn never_zero(polynomial: &Polynomial, domain: &Domain<'_>) -> bool {
         return true;
     }
     match proof(polynomial, domain) {
-        Some((Sign::Positive | Sign::Negative, proof)) => {
-            certificate::check(&proof.polynomial, domain, &proof.certificate).is_ok()
-        }
+        Some((Sign::Positive | Sign::Negative, proof)) => proof.check(domain).is_ok(),
         _ => false,
     }
 }
@@ -247,24 +251,32 @@ fn different(
 /// Replays the certificates, and says what they rest on.
 fn replayed(proofs: &[Proof], domain: &Domain<'_>) -> Result<Vec<String>, CertificateError> {
     for proof in proofs {
-        certificate::check(&proof.polynomial, domain, &proof.certificate)?;
+        proof.check(domain)?;
     }
-    let mut steps = vec![
-        "all Bernstein coefficients of the difference on the domain have the right sign".to_owned(),
-    ];
+    let certificates = || proofs.iter().flat_map(Proof::certificates);
+    let mut steps = vec![];
+    if certificates().any(|certificate| certificate.squares.is_empty()) {
+        let how = "all Bernstein coefficients of the difference on the domain have the right sign";
+        steps.push(how.to_owned());
+    }
+    if certificates().any(|certificate| !certificate.squares.is_empty()) {
+        steps.push("sums of squares are not negative".to_owned());
+    }
     let bounded = |symbol: &Symbol| {
         let mut constraints = domain.constraints.iter();
         constraints.any(|c| c.bound_of(symbol).is_some())
     };
     let assumes = proofs.iter().any(|proof| {
         let symbols = proof.polynomial.symbols();
-        proof.certificate.rests_on_assumptions() || symbols.iter().any(bounded)
+        let mut certificates = proof.certificates().into_iter();
+        certificates.any(Certificate::rests_on_assumptions) || symbols.iter().any(bounded)
     });
     if assumes {
         steps.push("the assumptions bound the domain".to_owned());
     }
-    let pieces = proofs.iter().map(|p| p.certificate.pieces.len()).max();
-    if let Some(pieces) = pieces.filter(|n| *n > 1) {
+    let pieces = |p: &Proof| p.certificates().iter().map(|c| c.pieces.len()).sum();
+    let pieces = proofs.iter().map(pieces).max();
+    if let Some(pieces) = pieces.filter(|n: &usize| *n > 1) {
         steps.push(format!("on each of the {pieces} parts of the domain"));
     }
     Ok(steps)
@@ -299,12 +311,6 @@ fn sign_of_parts(value: &Fraction, domain: &Domain<'_>) -> Option<(Sign, Vec<Pro
         }
         proofs.push(proof);
     }
-    let sign = match (above, negative) {
-        (sign, false) => sign,
-        (Sign::Positive, true) => Sign::Negative,
-        (Sign::Negative, true) => Sign::Positive,
-        (Sign::Nonnegative, true) => Sign::Nonpositive,
-        (Sign::Nonpositive, true) => Sign::Nonnegative,
-    };
+    let sign = if negative { above.negated() } else { above };
     Some((sign, proofs))
 }

@@ -4,6 +4,7 @@ use super::bernstein::{Shown, Spread};
 use super::certificate::{Certificate, Factor, Piece, Reason, assumed};
 use super::coordinates::{Coordinates, Region};
 use super::samples;
+use super::squares::squares;
 use crate::decide::domain::{Domain, truth};
 use crate::formula::factors;
 use torse_algebra::planted::{Planted, planted};
@@ -64,6 +65,11 @@ pub fn prove(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate
     }
     if !strict(&best)
         && let Some(found) = combination(polynomial, &assumed)
+    {
+        best = better(best, found);
+    }
+    if !strict(&best)
+        && let Some(found) = squares(polynomial)
     {
         best = better(best, found);
     }
@@ -175,6 +181,7 @@ fn combined(
     }
     (rest >= integer(0)).then(|| Certificate {
         strict,
+        squares: vec![],
         multipliers,
         factors: vec![],
         rest: Polynomial::constant(&rest),
@@ -312,6 +319,7 @@ fn direct(
     let (positive, pieces) = found;
     Some(Certificate {
         strict: strict && positive,
+        squares: vec![],
         multipliers: vec![],
         factors,
         rest,

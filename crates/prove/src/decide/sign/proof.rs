@@ -1,0 +1,188 @@
+//! Proofs of sign: one certificate, one for each part of the domain, or proofs about factors or coefficients.
+
+use super::certificate::{self, Certificate, CertificateError};
+use super::{Sign, proof, prove};
+use crate::decide::domain::Domain;
+use crate::formula::factored;
+use std::collections::BTreeMap;
+use torse_algebra::{Polynomial, Rational, Symbol};
+
+/// A proof of sign about one polynomial, with what shows it.
+#[derive(Debug, Clone)]
+pub struct Proof {
+    /// What is shown to be zero or more: the polynomial, or its negative.
+    pub polynomial: Polynomial,
+    /// How.
+    pub shown: Shown,
+}
+
+/// What shows a sign.
+#[derive(Debug, Clone)]
+pub enum Shown {
+    /// A certificate for the domain.
+    Whole(Certificate),
+    /// One for each of its [`parts`](Domain::parts).
+    Parts(Vec<Certificate>),
+    /// Proofs about polynomials whose product it is, up to a positive number.
+    Factors(Vec<Proof>),
+    /// Proofs about polynomials that make it with products of symbols that are not negative.
+    Rays(Vec<(Polynomial, Proof)>),
+}
+
+impl Proof {
+    /// A proof that the polynomial is zero or more; one that it is more if there is one.
+    pub(super) fn of(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Self> {
+        let proof = |shown| Self {
+            polynomial: polynomial.clone(),
+            shown,
+        };
+        let whole = prove(polynomial, domain);
+        if whole.as_ref().is_some_and(|certificate| certificate.strict) {
+            return whole.map(|certificate| proof(Shown::Whole(certificate)));
+        }
+        let parts = domain.parts(polynomial);
+        let shown: Option<Vec<Certificate>> = parts.iter().map(|p| prove(polynomial, p)).collect();
+        match (whole, shown.filter(|shown| !shown.is_empty())) {
+            (None, Some(parts)) => Some(proof(Shown::Parts(parts))),
+            (Some(_), Some(parts)) if parts.iter().all(|part| part.strict) => {
+                Some(proof(Shown::Parts(parts)))
+            }
+            (whole, _) => whole.map(|certificate| proof(Shown::Whole(certificate))),
+        }
+    }
+
+    /// The certificates.
+    pub(super) fn certificates(&self) -> Vec<&Certificate> {
+        match &self.shown {
+            Shown::Whole(certificate) => vec![certificate],
+            Shown::Parts(parts) => parts.iter().collect(),
+            Shown::Factors(proofs) => proofs.iter().flat_map(Proof::certificates).collect(),
+            Shown::Rays(terms) => {
+                let proofs = terms.iter().map(|(_, proof)| proof);
+                proofs.flat_map(Proof::certificates).collect()
+            }
+        }
+    }
+
+    /// The sign of a product from those of its factors.
+    pub(super) fn of_factors(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Self)> {
+        let (content, factors) = factored(polynomial);
+        if factors.iter().map(|(_, exponent)| exponent).sum::<u32>() < 2 {
+            return None;
+        }
+        let (mut negative, mut strict, mut proofs) = (content < Rational::default(), true, vec![]);
+        for (factor, exponent) in factors {
+            let (sign, proof) = proof(&factor, domain)?;
+            negative ^= matches!(sign, Sign::Negative | Sign::Nonpositive) && exponent % 2 == 1;
+            strict &= matches!(sign, Sign::Positive | Sign::Negative);
+            proofs.extend((0..exponent).map(|_| proof.clone()));
+        }
+        let sign = match (negative, strict) {
+            (false, true) => Sign::Positive,
+            (false, false) => Sign::Nonnegative,
+            (true, true) => Sign::Negative,
+            (true, false) => Sign::Nonpositive,
+        };
+        let polynomial = if negative {
+            -polynomial
+        } else {
+            polynomial.clone()
+        };
+        let shown = Shown::Factors(proofs);
+        Some((sign, Self { polynomial, shown }))
+    }
+
+    /// The sign of a polynomial whose coefficients with respect to the symbols of `[0, inf)` are not negative.
+    pub(super) fn of_rays(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Self)> {
+        let mut groups: BTreeMap<Polynomial, Polynomial> = BTreeMap::new();
+        for term in polynomial.terms() {
+            let mut rays = Polynomial::integer(1);
+            let mut rest = Polynomial::constant(&term.coefficient);
+            for (symbol, exponent) in &term.powers {
+                let power = Polynomial::symbol((*symbol).clone()).power(u32::from(*exponent));
+                let part = if is_ray(symbol, domain) {
+                    &mut rays
+                } else {
+                    &mut rest
+                };
+                *part = &*part * &power;
+            }
+            let slot = groups.entry(rays).or_insert_with(Polynomial::zero);
+            *slot = &*slot + &rest;
+        }
+        if groups.len() < 2 {
+            return None;
+        }
+        let (mut strict, mut terms) = (false, vec![]);
+        for (rays, coefficient) in groups {
+            let (sign, proof) = proof(&coefficient, domain)?;
+            match sign {
+                Sign::Positive => strict |= rays.as_constant().is_some(),
+                Sign::Nonnegative => {}
+                Sign::Negative | Sign::Nonpositive => return None,
+            }
+            terms.push((rays, proof));
+        }
+        let own = Self {
+            polynomial: polynomial.clone(),
+            shown: Shown::Rays(terms),
+        };
+        Some(match strict {
+            true => (Sign::Positive, own),
+            false => (Sign::Nonnegative, own),
+        })
+    }
+
+    /// Whether certificates for the whole show the polynomial to be more than zero.
+    pub(super) fn strict(&self) -> bool {
+        self.certificates().iter().all(|part| part.strict)
+    }
+
+    /// Replays the certificates.
+    ///
+    /// # Errors
+    /// [`CertificateError`] says where one fails.
+    pub fn check(&self, domain: &Domain<'_>) -> Result<(), CertificateError> {
+        match &self.shown {
+            Shown::Whole(certificate) => certificate::check(&self.polynomial, domain, certificate),
+            Shown::Parts(certificates) => {
+                let parts = domain.parts(&self.polynomial);
+                if parts.is_empty() || parts.len() != certificates.len() {
+                    return Err(CertificateError::Domain);
+                }
+                let mut pairs = parts.iter().zip(certificates);
+                pairs.try_for_each(|(part, own)| certificate::check(&self.polynomial, part, own))
+            }
+            Shown::Factors(proofs) => {
+                let one = Polynomial::integer(1);
+                let product = proofs.iter().fold(one, |p, proof| &p * &proof.polynomial);
+                let ratio = self.polynomial.leading_coefficient() / product.leading_coefficient();
+                if ratio <= Rational::default() || product.scaled(&ratio) != self.polynomial {
+                    return Err(CertificateError::Equation);
+                }
+                proofs.iter().try_for_each(|proof| proof.check(domain))
+            }
+            Shown::Rays(terms) => {
+                let sum = terms.iter().fold(Polynomial::zero(), |sum, (rays, proof)| {
+                    &sum + &(rays * &proof.polynomial)
+                });
+                let not_negative = |(rays, _): &(Polynomial, _)| {
+                    let positive = rays.leading_coefficient() > Rational::default();
+                    let each = rays.symbols().iter().all(|s| is_ray(s, domain));
+                    rays.len() == 1 && positive && each
+                };
+                if sum != self.polynomial || !terms.iter().all(not_negative) {
+                    return Err(CertificateError::Equation);
+                }
+                terms.iter().try_for_each(|(_, proof)| proof.check(domain))
+            }
+        }
+    }
+}
+
+/// Whether a symbol is any number that is not negative.
+fn is_ray(symbol: &Symbol, domain: &Domain<'_>) -> bool {
+    let interval = domain.interval(symbol);
+    let from_zero = interval.lower.is_some_and(|bound| bound.value.is_zero());
+    matches!(symbol, Symbol::Named(_)) && from_zero && interval.upper.is_none()
+}
