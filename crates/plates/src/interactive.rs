@@ -112,7 +112,7 @@ fn slider(slider: &crate::figure::Slider) -> Result<Slider, PlateError> {
 }
 
 /// The name of a symbol as a formula: a number at its end is a subscript.
-fn label(name: &str) -> String {
+pub(crate) fn label(name: &str) -> String {
     const GREEK: [&str; 6] = ["mu", "nu", "lambda", "alpha", "gamma", "theta"];
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let index = name.get(base.len()..).unwrap_or("");

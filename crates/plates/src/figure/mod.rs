@@ -9,10 +9,12 @@ mod environment;
 mod layer;
 mod loops;
 mod panel;
+mod torse;
 #[cfg(test)]
 mod tests;
 
-pub use drawing::{Drawing, Interval, Layer, Panel, Running, Scale, Slider};
+pub use drawing::{Drawing, Interval, Layer, Panel, Piece, Running, Scale, Slider, Torse};
+pub use torse::torse;
 
 use environment::{Environment, complaint};
 use loops::Round;
