@@ -101,6 +101,18 @@ addEventListener("load", async () => {
 </script></body>"""
 
 
+def dumped(browser, page, width):
+    """The page as it stands after its scripts have run, in a window of this width."""
+    with tempfile.TemporaryDirectory() as profile:
+        command = [
+            browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+            "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage",
+            f"--user-data-dir={profile}", f"--window-size={width},900", "--virtual-time-budget=60000",
+            "--dump-dom", page.as_uri(),
+        ]
+        return subprocess.run(command, capture_output=True, text=True, timeout=300, check=False).stdout
+
+
 def run(browser, page, width):
     """What the page's visitor saw in a window of this width."""
     text = page.read_text(encoding="utf-8")
@@ -110,13 +122,7 @@ def run(browser, page, width):
         text = text.replace("<head>", "<head>" + FIRST, 1)
         head, _, tail = text.rpartition("</body>")
         copy.write_text(head + LAST + tail, encoding="utf-8")
-        command = [
-            browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-            "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage",
-            f"--user-data-dir={folder / 'profile'}", f"--window-size={width},900", "--virtual-time-budget=60000",
-            "--dump-dom", copy.as_uri(),
-        ]
-        dump = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False).stdout
+        dump = dumped(browser, copy, width)
     found = re.search(r'<pre id="what-was-seen">(.*?)</pre>', dump, re.S)
     return json.loads(html.unescape(found.group(1))) if found else None
 

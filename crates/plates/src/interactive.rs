@@ -75,7 +75,7 @@ fn interactive(drawing: &Drawing) -> Result<Option<Interactive>, PlateError> {
             }
             _ => looks::colour(layer, torse_figures::Colour::GREY),
         };
-        let label = layer.label.clone();
+        let label = live(&layer.label, &names);
         parts.push(Part {
             label,
             colour,
@@ -90,6 +90,13 @@ fn interactive(drawing: &Drawing) -> Result<Option<Interactive>, PlateError> {
         .collect::<Result<_, PlateError>>()?;
     let ambient = ambient(panel);
     Ok(Some(Interactive::new(sliders, monomials, ambient, parts)?))
+}
+
+/// A label in which `{name}` of a slider waits for a value: the name between two signs that a viewer looks for.
+fn live(label: &str, sliders: &[&str]) -> String {
+    sliders.iter().fold(label.to_owned(), |label, name| {
+        label.replace(&format!("{{{name}}}"), &format!("\\mathrm{{@{name}@}}"))
+    })
 }
 
 fn ambient(panel: &Panel) -> Ambient {

@@ -188,6 +188,7 @@ fn a_picture_that_is_none_is_an_error_that_names_the_document() {
         assumes: Vec::new(),
         stand_in: Vec::new(),
         interactive: None,
+        torse: None,
     };
     let error = typeset(&short(), &[broken]).unwrap_err();
     assert!(

@@ -1,15 +1,9 @@
 // Unrolling. In the plane a ruling turns, glides and goes across just as it does in the tangent plane of the sheet, so
-// its angle and the place of its base point are integrals. Gauss's rule with three nodes, applied as a Runge-Kutta
-// method (Hairer, Norsett, Wanner, Solving ODEs I, II.7), has order six.
+// its angle and the place of its base point are integrals. Simpson's rule, as the Runge-Kutta method Lobatto IIIA of order
+// four (Hairer, Wanner, Solving ODEs II, IV.5), shares its outer nodes with the rulings that are drawn.
 const develop = (() => {
-  const ROOT = Math.sqrt(15);
-  const NODES = [0.5 - ROOT / 10, 0.5, 0.5 + ROOT / 10];
-  const WITHIN = [
-    [5 / 36, 2 / 9 - ROOT / 15, 5 / 36 - ROOT / 30],
-    [5 / 36 + ROOT / 24, 2 / 9, 5 / 36 - ROOT / 24],
-    [5 / 36 + ROOT / 30, 2 / 9 + ROOT / 15, 5 / 36],
-  ];
-  const WEIGHTS = [5 / 18, 4 / 9, 5 / 18];
+  const WITHIN = [[0, 0, 0], [5 / 24, 1 / 3, -1 / 24], [1 / 6, 2 / 3, 1 / 6]];
+  const WEIGHTS = WITHIN[2];
   const sum = (weights, of) => weights.reduce((total, weight, k) => total + weight * of(k), 0);
 
   // The rulings at `count + 1` equal steps with their flat images: `angle` and `place` of the base point. With the last
@@ -17,11 +11,11 @@ const develop = (() => {
   function developed(piece, count, before) {
     const [low, high] = piece.over, step = (high - low) / count;
     const stations = Array.from({ length: count + 1 }, (_, k) => ruling.at(piece, low + k * step));
-    let { angle, place, side } = start(stations[0], before);
+    let { angle, place, side } = start(stations, before);
     stations.forEach((station, k) => {
       Object.assign(station, { angle, place, side });
       if (k === count) return;
-      const nodes = NODES.map((node) => ruling.at(piece, station.x + node * step));
+      const nodes = [station, ruling.at(piece, station.x + step / 2), stations[k + 1]];
       const angles = WITHIN.map((row) => angle + side * step * sum(row, (j) => nodes[j].turning));
       const glide = (axis) => step * sum(WEIGHTS, (j) => {
         const [c, s] = [Math.cos(angles[j]), Math.sin(angles[j])];
@@ -33,10 +27,14 @@ const develop = (() => {
     return stations;
   }
 
-  // The first ruling lies along the first axis; that of a second piece on the last one of the first, turned about if its
-  // direction is the opposite one, and seen from the same side.
-  function start(first, before) {
-    if (!before) return { angle: 0, place: [0, 0], side: 1 };
+  // The first ruling lies along the first axis and the sheet goes on above it. That of a second piece lies on the last one
+  // of the first, turned about if its direction is the opposite one, and is seen from the same side.
+  function start([first, next], before) {
+    if (!before) {
+      const middle = ({ ends: [p, q] }) => ruling.scaled(ruling.plus(p, q), 0.5);
+      const above = ruling.dot(ruling.minus(middle(next), middle(first)), ruling.cross(first.normal, first.direction));
+      return { angle: 0, place: [0, 0], side: above < 0 ? -1 : 1 };
+    }
     const sign = Math.sign(ruling.dot(first.direction, before.direction)) || 1;
     const side = before.side * (Math.sign(ruling.dot(first.normal, before.normal)) || 1);
     const shift = ruling.dot(ruling.minus(first.base, before.base), before.direction);

@@ -22,6 +22,9 @@ const ruling = (() => {
     return vector.over(top, series.dot(a, bc));
   };
 
+  // How many terms of the series of planes or points each kind needs, so that the slope of its base is known.
+  const TERMS = { envelope: 3, tangent: 4, ruled: 2 };
+
   // How each kind of piece has its rulings: a curve `base` that crosses them, their direction, two ends, a normal.
   const KINDS = {
     // The planes envelop it; ends at multiples of the direction from the foot.
@@ -53,7 +56,7 @@ const ruling = (() => {
   });
 
   function at(piece, x) {
-    const place = formula.place(x, 5);
+    const place = formula.place(x, TERMS[piece.kind]);
     const curves = piece.settled.map((curve) => curve.map((one) => formula.value(one, place)));
     const { base, direction, ends, normal } = KINDS[piece.kind](curves, piece.along);
     const [b, d, slope] = [vector.value(base), vector.value(direction), vector.slope(base)];

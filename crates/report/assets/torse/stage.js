@@ -65,7 +65,9 @@ const stage = (() => {
     const corner = (ends) => view.place(box.map((side, k) => side[ends[k]]));
     const marks = box.map(([low, high], k) => {
       const [a, b] = [low, high].map((value) => view.place(box.map((side, j) => (j === k ? value : side[0]))));
-      return ticks(low, high, Math.min(6, Math.hypot(b[0] - a[0], b[1] - a[1]) / 40));
+      const most = Math.min(6, Math.hypot(b[0] - a[0], b[1] - a[1]) / 40);
+      // One tick alone tells no length.
+      return [most, 3, 6].map((count) => ticks(low, high, count)).find((list) => list.length > 1) || [];
     });
     for (let wall = 0; wall < 3; wall += 1) {
       const [i, j] = [(wall + 1) % 3, (wall + 2) % 3];

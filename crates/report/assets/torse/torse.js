@@ -17,11 +17,11 @@
       this.camera = this.firstCamera();
       const canvas = (label) => make("canvas", { tabIndex: 0, role: "img", ariaLabel: label });
       this.space = canvas(`${this.title} In space, with sliders; arrow keys turn it.`);
-      this.flat = canvas("The same sheet unrolled into the plane.");
+      this.sheet = canvas("The same sheet unrolled into the plane.");
       this.space.classList.add("turns");
       this.readout = make("p", { className: "readout" });
       this.readout.setAttribute("aria-live", "polite");
-      details.append(make("div", { className: "panes" }, this.space, this.flat), this.legend(), this.controls(), this.readout);
+      details.append(make("div", { className: "panes" }, this.space, this.sheet), this.legend(), this.controls(), this.readout);
       this.listen();
       new ResizeObserver(() => this.draw()).observe(this.space);
       this.move();
@@ -35,6 +35,12 @@
     // The pieces with their rulings at other values of the sliders: of no effect on what is shown.
     state(values = this.values) { return scene.state(this.data, values); }
 
+    // The flat image of the point at this share of a ruling.
+    flat(station, share) {
+      const [first, last] = station.spans;
+      return develop.flat(station, first + (last - first) * share);
+    }
+
     legend() {
       const entry = (colour, label) => {
         const swatch = make("i", { className: "swatch" });
@@ -46,7 +52,8 @@
       const { first, last, edge } = scene.MARKS;
       const pieces = this.data.pieces.filter(({ label }) => label).map(({ colour, label }) => entry(colour, label));
       this.live = make("span", { className: "live" });
-      return make("p", { className: "legend" }, this.live, ...pieces, entry(first, "first ruling"), entry(last, "last ruling"), entry(edge, "edge of regression"));
+      this.edge = entry(edge, "edge of regression");
+      return make("p", { className: "legend" }, this.live, ...pieces, entry(first, "first ruling"), entry(last, "last ruling"), this.edge);
     }
 
     controls() {
@@ -92,7 +99,7 @@
         held = event;
       });
       for (const end of ["pointerup", "pointercancel"]) this.space.addEventListener(end, () => { held = null; });
-      for (const canvas of [this.space, this.flat]) {
+      for (const canvas of [this.space, this.sheet]) {
         canvas.addEventListener("keydown", (event) => {
           const turns = { ArrowLeft: [-TURN, 0], ArrowRight: [TURN, 0], ArrowUp: [0, -TURN], ArrowDown: [0, TURN] };
           const scales = { "+": ZOOM, "=": ZOOM, "-": 1 / ZOOM };
@@ -120,6 +127,7 @@
     // What can be measured: lengths of the end rulings, and whether the sheet can be made.
     tell() {
       this.live.innerHTML = this.data.sliders.map(({ label }, k) => `${label} = ${shown(this.values[k], 3)}`).join(", ");
+      this.edge.hidden = this.pieces.every(({ shown: near }) => !near.length);
       const several = this.pieces.length > 1;
       this.readout.textContent = this.pieces.map(({ stations, crossed }, k) => {
         const length = ({ spans }) => shown(Math.abs(spans[1] - spans[0]));
@@ -137,11 +145,11 @@
     draw() {
       if (!this.space.clientWidth) return;
       const [red, green, blue] = getComputedStyle(this.space).color.match(/[\d.]+/g);
-      this.paint(pens.canvasPen(this.space), pens.canvasPen(this.flat), (alpha) => `rgb(${red} ${green} ${blue} / ${alpha})`);
+      this.paint(pens.canvasPen(this.space), pens.canvasPen(this.sheet), (alpha) => `rgb(${red} ${green} ${blue} / ${alpha})`);
     }
 
     svg() {
-      const panes = [this.space, this.flat].map((canvas) => pens.svgPen(canvas.clientWidth, canvas.clientHeight));
+      const panes = [this.space, this.sheet].map((canvas) => pens.svgPen(canvas.clientWidth, canvas.clientHeight));
       // On white paper, without transparency, which not every program reads.
       const ink = (alpha) => scene.css([28, 28, 30].map((c) => Math.round(255 + (c - 255) * alpha)));
       this.paint(...panes, ink);

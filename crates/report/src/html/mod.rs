@@ -5,16 +5,19 @@
 //! Without the script it is a complete report; the script adds filter, search and keys.
 
 mod claim;
+mod drawing;
 mod graph;
 mod landing;
 mod moving;
 mod overview;
 mod picture;
 mod text;
+mod torse;
 
 use crate::model::Report;
 use crate::words::{self, KINDS, Term};
-use crate::{FigureImage, ReportError, base64};
+use crate::{FigureImage, Image, ReportError, base64};
+use drawing::{Drawing, Files, Shelf};
 pub use landing::landing_page;
 use std::fmt::{self, Write};
 use text::{Listed, Sentence, Text, badge};
@@ -37,9 +40,11 @@ const MOVING: &str = include_str!("../../assets/moving.js");
 /// [`ReportError::Label`] for a label of a picture that does not parse; [`ReportError::Typeset`] when a string refuses to
 /// be written to, which memory does not do.
 pub fn html_page(report: &Report, figures: &[FigureImage]) -> Result<String, ReportError> {
+    let (pictures, letters) = pictures(report, figures)?;
     let page = Page {
         report,
-        pictures: figures.iter().map(picture).collect::<Result<_, _>>()?,
+        pictures,
+        letters,
     };
     let mut html = String::new();
     page.write(&mut html)
@@ -60,23 +65,55 @@ fn style() -> String {
 
 /// A picture as the page holds it.
 struct PagePicture {
-    /// Its address, with the bytes in it.
-    source: String,
+    /// The element that shows it.
+    element: String,
     /// The data of its version with sliders, JSON.
     moving: Option<String>,
+    /// The data of its developable, JSON.
+    torse: Option<String>,
+    /// The name of the files that a reader saves.
+    name: String,
 }
 
-fn picture(figure: &FigureImage) -> Result<PagePicture, ReportError> {
-    Ok(PagePicture {
-        source: picture::data_uri(&figure.image),
-        moving: figure.interactive.as_ref().map(moving::data).transpose()?,
-    })
+/// The pictures, and the letters that they share as an element of the page.
+fn pictures(
+    report: &Report,
+    figures: &[FigureImage],
+) -> Result<(Vec<PagePicture>, String), ReportError> {
+    let read = |figure: &FigureImage| match &figure.image {
+        Image::Svg(text) => Drawing::read(text),
+        Image::Png(_) => None,
+    };
+    let drawings: Vec<Option<Drawing>> = figures.iter().map(read).collect();
+    let files = Files::fitting(&drawings);
+    let mut shelf = Shelf::default();
+    let mut pictures = Vec::with_capacity(figures.len());
+    for (position, (figure, drawing)) in figures.iter().zip(&drawings).enumerate() {
+        let alt = report.figures.get(position).map_or("", |shown| &shown.alt);
+        let alt = Text(alt).to_string();
+        let element = match drawing {
+            Some(drawing) => drawing.written(&mut shelf, files.of(position), &alt),
+            None => {
+                let source = picture::data_uri(&figure.image);
+                format!("<img src=\"{source}\" alt=\"{alt}\" loading=\"lazy\">")
+            }
+        };
+        pictures.push(PagePicture {
+            element,
+            moving: figure.interactive.as_ref().map(moving::data).transpose()?,
+            torse: figure.torse.as_ref().map(torse::data).transpose()?,
+            name: figure.name.clone(),
+        });
+    }
+    Ok((pictures, shelf.written()))
 }
 
-/// The report with what the page needs besides: pictures as addresses.
+/// The report with what the page needs besides.
 struct Page<'a> {
     report: &'a Report,
     pictures: Vec<PagePicture>,
+    /// The letters that the pictures share.
+    letters: String,
 }
 
 impl Page<'_> {
@@ -95,6 +132,7 @@ impl Page<'_> {
             Text(&self.report.authors),
             Text(&self.report.venue),
         )?;
+        out.push_str(&self.letters);
         overview::write(out, self.report)?;
         graph::write(out, self.report)?;
         out.push_str("<h2 id=\"every-claim\">Every claim</h2>\n");
@@ -122,7 +160,8 @@ impl Page<'_> {
         write!(
             out,
             "</main>\n<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
-             <kbd>Esc</kbd> clear the search; in a moving figure the arrows turn it, <kbd>+</kbd> and <kbd>-</kbd> scale it, <kbd>Home</kbd> puts it back.</p></footer>\n<script>\n{SCRIPT}{MOVING}</script>\n</body>\n</html>\n"
+             <kbd>Esc</kbd> clear the search; in a moving figure the arrows turn it, <kbd>+</kbd> and <kbd>-</kbd> scale it, <kbd>Home</kbd> puts it back.</p></footer>\n<script>\n{SCRIPT}{MOVING}{}</script>\n</body>\n</html>\n",
+            torse::SCRIPT
         )
     }
 
@@ -181,10 +220,18 @@ impl Page<'_> {
         let alt = Text(&figure.alt);
         write!(
             out,
-            "<figure id=\"{}\"><img src=\"{}\" alt=\"{alt}\" loading=\"lazy\">",
-            figure.anchor, picture.source,
+            "<figure id=\"{}\">{}",
+            figure.anchor, picture.element,
         )?;
-        if let Some(data) = &picture.moving {
+        // A developable can be moved in more ways, so that its nets are not needed besides.
+        if let Some(data) = &picture.torse {
+            write!(
+                out,
+                "<details class=\"moving torse\" data-name=\"{}\" data-alt=\"{alt}\"><summary>Move and unroll it</summary>\
+                 <script type=\"application/json\">{data}</script></details>",
+                Text(&picture.name),
+            )?;
+        } else if let Some(data) = &picture.moving {
             write!(
                 out,
                 "<details class=\"moving\" data-alt=\"{alt}\"><summary>Move it</summary>\

@@ -15,18 +15,8 @@ const DIGITS: i32 = 5;
 ///
 /// [`ReportError::Label`] for a label that does not parse, which a checked picture does not have.
 pub(super) fn data(picture: &Interactive) -> Result<String, ReportError> {
-    let sliders: Vec<Value> = (picture.sliders().iter())
-        .map(|slider| {
-            Ok(json!({
-                "name": slider.name,
-                "label": label_html(&slider.label)?,
-                "least": slider.least,
-                "greatest": slider.greatest,
-                "start": slider.start,
-                "step": slider.step,
-            }))
-        })
-        .collect::<Result<_, ReportError>>()?;
+    let sliders = picture.sliders().iter().map(super::torse::slider);
+    let sliders: Vec<Value> = sliders.collect::<Result<_, ReportError>>()?;
     let dimension = match picture.ambient() {
         Ambient::Plane => 2,
         Ambient::Space => 3,
