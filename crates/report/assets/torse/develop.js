@@ -1,9 +1,16 @@
 // Unrolling. In the plane a ruling turns, glides and goes across just as it does in the tangent plane of the sheet, so
-// its angle and the place of its base point are integrals. Simpson's rule, as the Runge-Kutta method Lobatto IIIA of order
-// four (Hairer, Wanner, Solving ODEs II, IV.5), shares its outer nodes with the rulings that are drawn.
+// its angle and the place of its base point are integrals. Lobatto's rule of order six, as the Runge-Kutta method Lobatto
+// IIIA (Hairer, Wanner, Solving ODEs II, IV.5), shares its outer nodes with the rulings that are drawn.
 const develop = (() => {
-  const WITHIN = [[0, 0, 0], [5 / 24, 1 / 3, -1 / 24], [1 / 6, 2 / 3, 1 / 6]];
-  const WEIGHTS = WITHIN[2];
+  const R = Math.sqrt(5);
+  const INNER = [0.5 - R / 10, 0.5 + R / 10];
+  const WITHIN = [
+    [0, 0, 0, 0],
+    [11 + R, 25 - R, 25 - 13 * R, R - 1].map((part) => part / 120),
+    [11 - R, 25 + 13 * R, 25 + R, -R - 1].map((part) => part / 120),
+    [1 / 12, 5 / 12, 5 / 12, 1 / 12],
+  ];
+  const WEIGHTS = WITHIN[3];
   const sum = (weights, of) => weights.reduce((total, weight, k) => total + weight * of(k), 0);
 
   // The rulings at `count + 1` equal steps with their flat images: `angle` and `place` of the base point. With the last
@@ -15,7 +22,7 @@ const develop = (() => {
     stations.forEach((station, k) => {
       Object.assign(station, { angle, place, side });
       if (k === count) return;
-      const nodes = [station, ruling.at(piece, station.x + step / 2), stations[k + 1]];
+      const nodes = [station, ...INNER.map((node) => ruling.at(piece, station.x + node * step)), stations[k + 1]];
       const angles = WITHIN.map((row) => angle + side * step * sum(row, (j) => nodes[j].turning));
       const glide = (axis) => step * sum(WEIGHTS, (j) => {
         const [c, s] = [Math.cos(angles[j]), Math.sin(angles[j])];
