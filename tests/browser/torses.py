@@ -36,6 +36,8 @@ addEventListener("load", async () => {
     return rulings.map((ends) => ends.map((end) => { const [x, y] = turned(end); return [x, side * y]; }));
   };
   try {
+    document.getElementById("unfold").click();
+    for (let tries = 0; document.querySelector("[data-inside]") && tries < 100; tries += 1) await new Promise((done) => setTimeout(done, 50));
     for (const details of document.querySelectorAll("details.torse")) {
       const states = reference[details.dataset.name];
       if (!states) continue;
@@ -84,7 +86,7 @@ def main():
     for name in sys.argv[2:]:
         page = pathlib.Path(name)
         text = page.read_text(encoding="utf-8")
-        here = {figure: states for figure, states in reference.items() if f'data-name="{figure}"' in text}
+        here = {figure: states for figure, states in reference.items() if f'data-name="{figure}"' in check.unpacked(text)}
         if not here:
             continue
         data = f'<script type="application/json" id="reference">{json.dumps(here)}</script>'

@@ -312,8 +312,7 @@
     }
   }
 
-  for (const details of document.querySelectorAll("details.moving:not(.torse)")) {
-    details.classList.add("ready");
-    details.addEventListener("toggle", () => { if (details.open && !details.querySelector("canvas")) new Moving(details); });
-  }
+  document.addEventListener("toggle", ({ target }) => {
+    if (target.open && target.matches("details.moving:not(.torse)") && !target.querySelector("canvas")) new Moving(target);
+  }, true);
 })();

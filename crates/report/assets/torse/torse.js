@@ -157,10 +157,9 @@
     }
   }
 
-  for (const details of document.querySelectorAll("details.torse")) {
-    details.classList.add("ready");
-    details.addEventListener("toggle", () => { if (details.open && !details.torse) details.torse = new Torse(details); });
-  }
+  document.addEventListener("toggle", ({ target }) => {
+    if (target.open && target.matches("details.torse") && !target.torse) target.torse = new Torse(target);
+  }, true);
   const theme = document.getElementById("theme");
   if (theme) theme.addEventListener("click", () => { for (const details of document.querySelectorAll("details.torse")) if (details.torse) details.torse.draw(); });
 })();

@@ -2,7 +2,8 @@
 //!
 //! Three depths: what a reader must know in a minute, the corrections, and every claim, closed until it is asked for.
 //! Style, script and pictures are inside of the page, and its content policy forbids any other source.
-//! Without the script it is a complete report; the script adds filter, search and keys.
+//! Without the script a reader has the first two and the printed sentences with their verdicts; the script opens the claims,
+//! and adds filter, search and keys.
 
 mod claim;
 mod drawing;
@@ -10,6 +11,7 @@ mod graph;
 mod landing;
 mod moving;
 mod overview;
+mod pack;
 mod picture;
 mod text;
 mod torse;
@@ -18,6 +20,7 @@ use crate::model::Report;
 use crate::words::{self, KINDS, Term};
 use crate::{FigureImage, Image, ReportError, base64};
 use drawing::{Drawing, Files, Shelf};
+use pack::Pack;
 pub use landing::landing_page;
 use std::fmt::{self, Write};
 use text::{Listed, Sentence, Text, badge};
@@ -46,12 +49,15 @@ pub fn html_page(report: &Report, figures: &[FigureImage]) -> Result<String, Rep
         pictures,
         letters,
     };
-    let mut html = String::new();
-    page.write(&mut html)
+    let (mut html, mut pack, mut end) = (String::new(), Pack::default(), String::new());
+    page.write(&mut html, &mut pack)
+        .and_then(|()| page.write_end(&mut end))
         .map_err(|fmt::Error| ReportError::Typeset {
             document: "the HTML page",
             messages: vec!["a string refused to be written to".to_owned()],
         })?;
+    html.push_str(&pack.written()?);
+    html.push_str(&end);
     Ok(html)
 }
 
@@ -117,7 +123,7 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
-    fn write(&self, out: &mut String) -> fmt::Result {
+    fn write(&self, out: &mut String, pack: &mut Pack) -> fmt::Result {
         let title = Text(&self.report.title);
         write!(
             out,
@@ -135,7 +141,7 @@ impl Page<'_> {
         out.push_str(&self.letters);
         overview::write(out, self.report)?;
         graph::write(out, self.report)?;
-        out.push_str("<h2 id=\"every-claim\">Every claim</h2>\n");
+        out.push_str("<h2 id=\"every-claim\">Every claim</h2>\n<noscript><p>Claims open to what is printed. What is understood, proofs, figures and consequences are put in by the page's script; the PDF beside this page has all of them.</p></noscript>\n");
         self.tools(out)?;
         out.push_str("<div id=\"claims\">\n<p id=\"nothing\" hidden>No claim matches. <button type=\"button\" id=\"all\">Show all</button></p>\n");
         for section in &self.report.sections {
@@ -145,7 +151,7 @@ impl Page<'_> {
                 "<section id=\"{anchor}\" data-section>\n<h3 class=\"section\">{heading}</h3>"
             )?;
             for claim in &section.claims {
-                claim::write(out, self, claim, anchor)?;
+                claim::write(out, self, claim, anchor, pack)?;
             }
             out.push_str("</section>\n");
         }
@@ -157,9 +163,14 @@ impl Page<'_> {
             }
         }
         overview::write_appendix(out, self.report)?;
+        out.push_str("</main>\n");
+        Ok(())
+    }
+
+    fn write_end(&self, out: &mut String) -> fmt::Result {
         write!(
             out,
-            "</main>\n<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
+            "<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
              <kbd>Esc</kbd> clear the search; in a moving figure the arrows turn it, <kbd>+</kbd> and <kbd>-</kbd> scale it, <kbd>Home</kbd> puts it back.</p></footer>\n<script>\n{SCRIPT}{MOVING}{}</script>\n</body>\n</html>\n",
             torse::SCRIPT
         )

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// Most bytes of all pixels of a page; where the finest do not fit, coarser ones are taken.
-const MOST_BYTES: usize = 700_000;
+const MOST_BYTES: usize = 500_000;
 
 /// A drawing that can stand in a page.
 pub(super) struct Drawing {
