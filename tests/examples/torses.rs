@@ -65,9 +65,15 @@ fn figures() -> Vec<Figure> {
         pieces,
     };
     vec![
-        figure("gbt-developable-fig-6", &[whole; 2], |v| envelopes(&[arch(v[0], v[1])?])),
-        figure("gbt-developable-fig-8", &[whole], |v| envelopes(&[arch(v[0], v[0])?])),
-        figure("gbt-developable-fig-13", &[[-0.5, 0.5]; 2], |v| spine(v[0], v[1])),
+        figure("gbt-developable-fig-6", &[whole; 2], |v| {
+            envelopes(&[arch(v[0], v[1])?])
+        }),
+        figure("gbt-developable-fig-8", &[whole], |v| {
+            envelopes(&[arch(v[0], v[0])?])
+        }),
+        figure("gbt-developable-fig-13", &[[-0.5, 0.5]; 2], |v| {
+            spine(v[0], v[1])
+        }),
         figure("gbt-developable-fig-15", &[[-0.5, 1.0]; 2], |v| {
             joined(arch(v[0], 0.0)?, Gbt::new(v[1], 0.0)?, [1.0, 0.0])
         }),
@@ -82,30 +88,40 @@ fn figures() -> Vec<Figure> {
         figure("gbt-developable-fig-18", &[[0.5, 1.5], [-2.0, 2.0]], |v| {
             joined(arch(1.0, 1.0)?, Gbt::new(1.0, 1.0)?, [v[0], v[1]])
         }),
-        figure("hermite-developable-fig-2d", &[[1.25, 3.0], [0.25, 2.0], [0.25, 2.0]], |v| {
-            let q = [
-                [-20.0, 60.0, 45.0],
-                [-20.0, -65.0, 40.0],
-                scaled(v[1], [0.0, -30.0, -80.0]),
-                scaled(v[2], [0.0, -50.0, -60.0]),
-            ];
-            cone(&HermiteCone::cubic([125.0, 30.0, 45.0], v[0], q)?)
-        }),
-        figure("hermite-developable-fig-3a", &[[1.25, 3.0], [0.25, 2.0], [0.25, 2.0]], |v| {
-            let data = QuarticData {
-                p_start: [40.0, 40.0, 45.0],
-                p_middle: [40.0, 12.5, 60.0],
-                q_ends: [[-20.0, 60.0, 45.0], [-20.0, -50.0, 45.0]],
-                q_tangents: [
-                    scaled(v[1], [0.0, -30.0, 60.0]),
+        figure(
+            "hermite-developable-fig-2d",
+            &[[1.25, 3.0], [0.25, 2.0], [0.25, 2.0]],
+            |v| {
+                let q = [
+                    [-20.0, 60.0, 45.0],
+                    [-20.0, -65.0, 40.0],
+                    scaled(v[1], [0.0, -30.0, -80.0]),
                     scaled(v[2], [0.0, -50.0, -60.0]),
-                ],
-            };
-            cone(&HermiteCone::quartic(v[0], data)?)
-        }),
-        figure("hermite-developable-fig-4a", &[[1.25, 3.0], [0.25, 2.0], [0.25, 2.0]], |v| {
-            cone(&quintic(v[0], v[1], v[2])?)
-        }),
+                ];
+                cone(&HermiteCone::cubic([125.0, 30.0, 45.0], v[0], q)?)
+            },
+        ),
+        figure(
+            "hermite-developable-fig-3a",
+            &[[1.25, 3.0], [0.25, 2.0], [0.25, 2.0]],
+            |v| {
+                let data = QuarticData {
+                    p_start: [40.0, 40.0, 45.0],
+                    p_middle: [40.0, 12.5, 60.0],
+                    q_ends: [[-20.0, 60.0, 45.0], [-20.0, -50.0, 45.0]],
+                    q_tangents: [
+                        scaled(v[1], [0.0, -30.0, 60.0]),
+                        scaled(v[2], [0.0, -50.0, -60.0]),
+                    ],
+                };
+                cone(&HermiteCone::quartic(v[0], data)?)
+            },
+        ),
+        figure(
+            "hermite-developable-fig-4a",
+            &[[1.25, 3.0], [0.25, 2.0], [0.25, 2.0]],
+            |v| cone(&quintic(v[0], v[1], v[2])?),
+        ),
         figure("hermite-developable-fig-5a", &[[1.25, 3.0]], |v| {
             let cone = quintic(v[0], 1.0, 1.0)?;
             // Through q(0), spanned by (-30, -200, 0) and (0, 0, 200).
@@ -184,7 +200,9 @@ fn quintic(k: f64, first: f64, last: f64) -> Fallible<HermiteCone<f64>> {
 
 fn cone(cone: &HermiteCone<f64>) -> Fallible<Vec<Value>> {
     let patch = cone.patch()?;
-    Ok(vec![piece(&patch, &patch, [0.0, 1.0], |_| Some(cone.summit))?])
+    Ok(vec![piece(&patch, &patch, [0.0, 1.0], |_| {
+        Some(cone.summit)
+    })?])
 }
 
 fn scaled(factor: f64, vector: [f64; 3]) -> [f64; 3] {

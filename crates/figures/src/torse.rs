@@ -52,6 +52,8 @@ pub struct TorsePiece {
     pub over: [f64; 2],
     /// Where each ruling starts and ends.
     pub along: [f64; 2],
+    /// How far a ruling is shown from where it is counted, both ways; as far as it goes if there is none.
+    pub limit: Option<f64>,
     /// What it is called in the legend, in the [label language](crate#labels); empty for no entry.
     pub label: String,
     /// Its colour.
@@ -78,16 +80,20 @@ impl Torse {
     ) -> Result<Self, InteractiveError> {
         count("sliders", sliders.len(), 1, crate::MOST_SLIDERS)?;
         count("pieces", pieces.len(), 1, 8)?;
-        let formulas = pieces.iter().flat_map(|piece| piece.curves.iter().flatten());
+        let formulas = pieces
+            .iter()
+            .flat_map(|piece| piece.curves.iter().flatten());
         let sizes = formulas.flat_map(Quotient::sums).map(<[Monomial]>::len);
         count("monomials", sizes.sum(), 1, MOST_MONOMIALS)?;
         check_sliders(&sliders)?;
         for (number, piece) in pieces.iter().enumerate() {
             label::parse(&piece.label)?;
-            piece.check(sliders.len()).map_err(|problem| InteractiveError::Piece {
-                piece: number,
-                problem,
-            })?;
+            piece
+                .check(sliders.len())
+                .map_err(|problem| InteractiveError::Piece {
+                    piece: number,
+                    problem,
+                })?;
         }
         if view.iter().any(|angle| !angle.is_finite()) {
             let problem = "the angles of the view are not finite";
@@ -140,6 +146,12 @@ impl TorsePiece {
         if !proper(self.over) || !proper(self.along) {
             return Err("an interval is empty or not finite");
         }
+        if self
+            .limit
+            .is_some_and(|limit| !(limit > 0.0 && limit.is_finite()))
+        {
+            return Err("the limit of its rulings is no positive number");
+        }
         let formulas = self.curves.iter().flatten();
         for monomial in formulas.flat_map(Quotient::sums).flatten() {
             let exponents = || monomial.atoms.iter().chain(&monomial.sliders);
@@ -147,7 +159,9 @@ impl TorsePiece {
                 || monomial.sliders.len() != sliders
                 || exponents().any(|exponent| *exponent > HIGHEST_EXPONENT)
             {
-                return Err("a monomial is not finite, has too high exponents, or not one for each slider");
+                return Err(
+                    "a monomial is not finite, has too high exponents, or not one for each slider",
+                );
             }
         }
         Ok(())
@@ -184,6 +198,7 @@ mod tests {
             curves: vec![vec![number(1.0); 3]; 2],
             over: [0.0, 1.0],
             along: [0.0, 1.0],
+            limit: None,
             label: String::new(),
             colour: Colour::INK,
         };
@@ -196,12 +211,16 @@ mod tests {
         assert!(torse(|_| {}).is_ok());
         let refused = |change: fn(&mut TorsePiece)| {
             let error = torse(change).unwrap_err();
-            assert!(matches!(error, InteractiveError::Piece { piece: 0, .. }), "{error}");
+            assert!(
+                matches!(error, InteractiveError::Piece { piece: 0, .. }),
+                "{error}"
+            );
         };
         refused(|piece| piece.rulings = Rulings::Envelope);
         refused(|piece| piece.curves.truncate(1));
         refused(|piece| piece.over = [1.0, 1.0]);
         refused(|piece| piece.along = [0.0, f64::INFINITY]);
+        refused(|piece| piece.limit = Some(0.0));
         refused(|piece| piece.curves[0][0] = number(f64::NAN));
         refused(|piece| piece.curves[1][2].numerator[0].sliders.clear());
         refused(|piece| piece.curves[1][2].numerator[0].atoms[4] = HIGHEST_EXPONENT + 1);

@@ -11,7 +11,9 @@ use torse_plates::Plate;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let folder = arguments.next().ok_or("usage: torses DERIVATIONS [ID]...")?;
+    let folder = arguments
+        .next()
+        .ok_or("usage: torses DERIVATIONS [ID]...")?;
     let papers = load(&PathBuf::from(folder)).map_err(|e| format!("{:?}", miette(e)))?;
     let wanted: Vec<String> = arguments.collect();
     for figure in papers.iter().flat_map(|paper| paper.figures()) {
@@ -32,7 +34,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn monomials(piece: &TorsePiece) -> usize {
     let size = |q: &Quotient| {
-        q.numerator.len() + q.denominator.iter().map(|(sum, _)| sum.len()).sum::<usize>()
+        q.numerator.len()
+            + q.denominator
+                .iter()
+                .map(|(sum, _)| sum.len())
+                .sum::<usize>()
     };
     piece.curves.iter().flatten().map(size).sum()
 }

@@ -17,7 +17,7 @@ use torse_language::derivation::schema::figure::{ColourName, Shape};
 
 /// Samples of a curve, and of a surface along both variables.
 const CURVE: u64 = 65;
-const SURFACE: [u64; 2] = [33, 17];
+const SURFACE: [u64; 2] = [29, 15];
 
 /// A formula by monomials of the sliders.
 type Split = BTreeMap<Vec<u32>, Fraction>;

@@ -36,7 +36,9 @@ fn torse(torse: &figure::Torse) -> Result<Torse, PlateError> {
     });
     let pieces = torse.pieces.iter().map(|piece| {
         let curve = |curve: &Vec<Fraction>| {
-            let each = curve.iter().map(|one| quotient(one, &piece.over.name, &names));
+            let each = curve
+                .iter()
+                .map(|one| quotient(one, &piece.over.name, &names));
             each.collect::<Result<Vec<_>, _>>()
         };
         Ok(TorsePiece {
@@ -45,9 +47,14 @@ fn torse(torse: &figure::Torse) -> Result<Torse, PlateError> {
                 Word::Tangent => Rulings::Tangent,
                 Word::Ruled => Rulings::Ruled,
             },
-            curves: piece.curves.iter().map(curve).collect::<Result<_, PlateError>>()?,
+            curves: piece
+                .curves
+                .iter()
+                .map(curve)
+                .collect::<Result<_, PlateError>>()?,
             over: ends(&piece.over.range)?,
             along: ends(&piece.along)?,
+            limit: piece.limit.as_ref().map(number).transpose()?,
             label: piece.label.clone(),
             colour: palette(piece.colour),
         })

@@ -171,6 +171,12 @@
       for (const event of ["pointerleave", "blur"]) node.addEventListener(event, () => show(null));
     }
   }
+  // What a word means is told where it is pointed at.
+  const meanings = JSON.parse(byId("words").textContent);
+  document.addEventListener("pointerover", ({ target }) => {
+    const word = target.closest("[data-word]");
+    if (word && !word.title) word.title = meanings[word.dataset.word] || "";
+  });
   addEventListener("hashchange", reveal);
   byId("tools").hidden = false;
   recall();

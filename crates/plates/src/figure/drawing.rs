@@ -78,6 +78,8 @@ pub struct Piece {
     pub over: Running,
     /// Where each ruling starts and ends.
     pub along: Interval,
+    /// How far it is shown, from where it is counted.
+    pub limit: Option<Fraction>,
     /// Its entry in the legend.
     pub label: String,
     /// Its number in the palette.

@@ -9,9 +9,9 @@ mod environment;
 mod layer;
 mod loops;
 mod panel;
-mod torse;
 #[cfg(test)]
 mod tests;
+mod torse;
 
 pub use drawing::{Drawing, Interval, Layer, Panel, Piece, Running, Scale, Slider, Torse};
 pub use torse::torse;

@@ -110,11 +110,13 @@ impl Context<'_> {
             return Err(Box::new(complaint(environment.source, at, message)));
         }
         let along = ends(environment, &entry.along, &environment.value(&entry.along)?)?;
+        let limit = entry.limit.as_ref().map(|text| environment.number(text));
         Ok(Piece {
             rulings: entry.draw,
             curves,
             over,
             along,
+            limit: limit.transpose()?,
             label: entry.label.clone(),
             colour: entry.colour,
         })

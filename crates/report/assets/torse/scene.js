@@ -3,7 +3,7 @@ const scene = (() => {
   // Strips of a piece along the sheet and cells along a ruling; every so many strips a ruling is drawn.
   const STRIPS = 72, CELLS = 6, EVERY = 6;
   // Colours of the first and the last ruling and of the edge of regression.
-  const MARKS = { first: [0, 158, 115], last: [180, 80, 140], edge: [213, 94, 0] };
+  const MARKS = { first: [201, 135, 0], last: [180, 80, 140], edge: [213, 94, 0] };
   const MARGIN = 46;
 
   const css = (colour) => `rgb(${colour.join(",")})`;
@@ -17,9 +17,26 @@ const scene = (() => {
     return data.pieces.map((piece) => {
       const stations = develop.developed(ruling.settled(piece, values), STRIPS, before);
       before = stations[stations.length - 1];
-      return { colour: piece.colour, label: piece.label, stations, ...edgeOf(stations) };
+      return { ...piece, stations, ...edgeOf(stations) };
     });
   }
+
+  // The pieces as they are shown: rulings to their limit.
+  const seen = (pieces) => pieces.map((piece) => {
+    if (!piece.limit) return piece;
+    const near = (span) => Math.max(-piece.limit, Math.min(piece.limit, span));
+    const stations = piece.stations.map((station) => {
+      const spans = station.spans.map(near);
+      return { ...station, spans, ends: spans.map((span) => ruling.plus(station.base, ruling.scaled(station.direction, span))) };
+    });
+    return { ...piece, stations, ...edgeOf(stations) };
+  });
+
+  // The first ruling of the first piece and the last one of the last piece are marked; joints are not.
+  const mark = (pieces, piece, k) => {
+    if (k === 0 && piece === pieces[0]) return css(MARKS.first);
+    return k === piece.stations.length - 1 && piece === pieces[pieces.length - 1] ? css(MARKS.last) : null;
+  };
 
   // Where the edge of regression is near enough to be shown: within twice the length of a ruling of the sheet. It is one
   // point, the summit, for a cone.
@@ -67,7 +84,7 @@ const scene = (() => {
       const { stations, shown, summit } = piece, last = stations.length - 1, dark = css(piece.colour.map((c) => Math.round(0.42 * c)));
       for (let k = 0; k <= last; k += 1) {
         const here = stations[k], next = stations[k + 1];
-        const mark = k === 0 ? css(MARKS.first) : k === last ? css(MARKS.last) : dark;
+        const end = mark(pieces, piece, k);
         for (let j = 0; j < CELLS; j += 1) {
           const [a, b] = [j / CELLS, (j + 1) / CELLS];
           if (next) {
@@ -75,10 +92,10 @@ const scene = (() => {
             const colour = stage.lit(piece.colour, seen);
             add(0, [between(here.ends, a), between(next.ends, a), between(next.ends, b), between(here.ends, b)], (placed) => pen.face(placed, colour, 0.8));
           }
-          if (k === 0 || k === last) line(3, [between(here.ends, a), between(here.ends, b)], mark, 3);
-          else if (k % EVERY === 0) line(1.5, [between(here.ends, a), between(here.ends, b)], mark, 0.7);
+          if (end) line(3, [between(here.ends, a), between(here.ends, b)], end, 3);
+          else if (k % EVERY === 0) line(1.5, [between(here.ends, a), between(here.ends, b)], dark, k % last ? 0.7 : 1.4);
         }
-        if (next) for (const end of [0, 1]) line(1.5, [here.ends[end], next.ends[end]], dark, 1.1);
+        if (next) for (const side of [0, 1]) line(1.5, [here.ends[side], next.ends[side]], dark, 1.1);
         if (summit && k % EVERY === 0) line(0, [here.edge, here.ends[Math.abs(here.reach - here.spans[0]) < Math.abs(here.reach - here.spans[1]) ? 0 : 1]], ink(0.5), 0.7);
       }
       if (summit) add(4, [shown[0].edge], ([p]) => pen.dot(p, css(MARKS.edge), 4));
@@ -114,8 +131,8 @@ const scene = (() => {
         else pen.text([at + 3, pen.height - 9], stage.shown(value), ink(0.75), "left");
       }
     });
-    for (const { colour, stations, shown, summit } of pieces) {
-      const last = stations.length - 1, flat = (station, share) => place(develop.flat(station, between(station.spans.map((span) => [span]), share)[0]));
+    for (const piece of pieces) {
+      const { colour, stations, shown, summit } = piece, last = stations.length - 1, flat = (station, share) => place(develop.flat(station, between(station.spans.map((span) => [span]), share)[0]));
       const pale = css(colour.map((c) => Math.round(c + (238 - c) * 0.62))), dark = css(colour.map((c) => Math.round(0.5 * c)));
       for (let k = 0; k < last; k += 1) {
         for (let j = 0; j < CELLS; j += 1) {
@@ -130,12 +147,11 @@ const scene = (() => {
       };
       stations.forEach((station, k) => { if (k % EVERY === 0 && k && k < last) straight(station, dark, 0.6); });
       for (const share of [0, 1]) pen.line(stations.map((station) => flat(station, share)).filter(finite), dark, 1.4);
-      straight(stations[0], css(MARKS.first), 3);
-      straight(stations[last], css(MARKS.last), 3);
+      for (const k of [0, last]) straight(stations[k], mark(pieces, piece, k) || dark, mark(pieces, piece, k) ? 3 : 1.4);
       if (summit) pen.dot(place(develop.flat(shown[0], shown[0].reach)), css(MARKS.edge), 4);
       else for (const chain of chains(shown, stations)) pen.line(chain.map((one) => place(develop.flat(one, one.reach))).filter(finite), css(MARKS.edge), 2.2);
     }
   }
 
-  return { state, boxOf, pointsOf, flatOf, refitted, drawSpace, drawFlat, MARKS, css };
+  return { state, seen, boxOf, pointsOf, flatOf, refitted, drawSpace, drawFlat, MARKS, css };
 })();

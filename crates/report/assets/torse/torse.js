@@ -114,7 +114,8 @@
 
     // Other values: the rulings are worked out anew, and the frame fits them.
     move() {
-      this.pieces = this.state();
+      this.whole = this.state();
+      this.pieces = scene.seen(this.whole);
       const points = scene.pointsOf(this.pieces), flat = scene.flatOf(this.pieces);
       if (points.length) {
         const boxes = [scene.boxOf(points), scene.boxOf(flat)];
@@ -129,10 +130,11 @@
       this.live.innerHTML = this.data.sliders.map(({ label }, k) => `${label} = ${shown(this.values[k], 3)}`).join(", ");
       this.edge.hidden = this.pieces.every(({ shown: near }) => !near.length);
       const several = this.pieces.length > 1;
-      this.readout.textContent = this.pieces.map(({ stations, crossed }, k) => {
+      this.readout.textContent = this.whole.map(({ stations, crossed, limit }, k) => {
         const length = ({ spans }) => shown(Math.abs(spans[1] - spans[0]));
+        const cut = limit && stations.some(({ spans }) => spans.some((span) => Math.abs(span) > limit));
         const name = several ? `${["First", "Second", "Third"][k] || k + 1} piece: first` : "First";
-        return `${name} ruling ${length(stations[0])} long, last ruling ${length(stations[stations.length - 1])} long${crossed ? "; the edge of regression lies in the sheet" : ""}.`;
+        return `${name} ruling ${length(stations[0])} long, last ruling ${length(stations[stations.length - 1])} long${crossed ? "; the edge of regression lies in the sheet" : ""}${cut ? `; shown to ${shown(limit)} from the middle` : ""}.`;
       }).join(" ");
     }
 

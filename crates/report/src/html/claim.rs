@@ -36,17 +36,15 @@ pub(super) fn write(
     if let Some(term) = claim.evidence {
         write!(
             out,
-            " <span class=\"evidence\" title=\"{}\">by {}</span>",
-            Text(term.meaning),
-            term.label
+            " <span class=\"evidence\" data-word=\"{}\">by {}</span>",
+            term.key, term.label
         )?;
     }
     if let Some(term) = claim.level.filter(|level| *level != words::DECIDED) {
         write!(
             out,
-            " <span class=\"evidence\" title=\"{}\">· {}</span>",
-            Text(term.meaning),
-            term.label
+            " <span class=\"evidence\" data-word=\"{}\">· {}</span>",
+            term.key, term.label
         )?;
     }
     writeln!(

@@ -20,8 +20,9 @@ use crate::model::Report;
 use crate::words::{self, KINDS, Term};
 use crate::{FigureImage, Image, ReportError, base64};
 use drawing::{Drawing, Files, Shelf};
-use pack::Pack;
 pub use landing::landing_page;
+use pack::Pack;
+use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 use text::{Listed, Sentence, Text, badge};
 
@@ -167,7 +168,27 @@ impl Page<'_> {
         Ok(())
     }
 
+    /// What the words of claims and figures mean, once for the page.
+    fn meanings(&self) -> BTreeMap<&'static str, &'static str> {
+        let claims = self.report.claims();
+        let words = claims.flat_map(|claim| {
+            let more = [claim.evidence, claim.level, claim.expected];
+            more.into_iter().flatten().chain([claim.verdict])
+        });
+        let figures = self.report.figures.iter().map(|figure| figure.verdict);
+        words
+            .chain(figures)
+            .map(|term| (term.key, term.meaning))
+            .collect()
+    }
+
     fn write_end(&self, out: &mut String) -> fmt::Result {
+        let meanings = serde_json::to_string(&self.meanings()).unwrap_or_default();
+        writeln!(
+            out,
+            "<script type=\"application/json\" id=\"words\">{}</script>",
+            meanings.replace('<', "\\u003c")
+        )?;
         write!(
             out,
             "<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
@@ -229,11 +250,7 @@ impl Page<'_> {
             return Ok(());
         };
         let alt = Text(&figure.alt);
-        write!(
-            out,
-            "<figure id=\"{}\">{}",
-            figure.anchor, picture.element,
-        )?;
+        write!(out, "<figure id=\"{}\">{}", figure.anchor, picture.element,)?;
         // A developable can be moved in more ways, so that its nets are not needed besides.
         if let Some(data) = &picture.torse {
             write!(

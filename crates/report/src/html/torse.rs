@@ -64,6 +64,7 @@ fn piece(piece: &TorsePiece) -> Result<Value, ReportError> {
         "curves": piece.curves.iter().map(curve).collect::<Vec<_>>(),
         "over": piece.over,
         "along": piece.along,
+        "limit": piece.limit,
         "label": label_html(&piece.label)?,
         "colour": [r, g, b],
     }))
@@ -72,7 +73,9 @@ fn piece(piece: &TorsePiece) -> Result<Value, ReportError> {
 fn quotient(quotient: &Quotient) -> Value {
     let numerator = rows(&quotient.numerator);
     let below = quotient.denominator.iter();
-    let denominator: Vec<Value> = below.map(|(sum, power)| json!([rows(sum), power])).collect();
+    let denominator: Vec<Value> = below
+        .map(|(sum, power)| json!([rows(sum), power]))
+        .collect();
     match denominator.is_empty() {
         true => json!({ "n": numerator }),
         false => json!({ "n": numerator, "d": denominator }),
@@ -110,6 +113,7 @@ mod tests {
             curves: vec![vec![quotient; 3]; 2],
             over: [0.0, 1.0],
             along: [0.0, 0.5],
+            limit: None,
             label: "</script>".to_owned(),
             colour: palette(0),
         };
@@ -124,7 +128,10 @@ mod tests {
         let text = data(&Torse::new(vec![slider], [1.0, 2.0], vec![piece]).unwrap()).unwrap();
         assert!(!text.contains('<'), "{text}");
         let row = "[0.30000000000000004,0,2,1,0,0,3]";
-        assert!(text.contains(&format!("{{\"d\":[[[{row}],2]],\"n\":[{row}]}}")), "{text}");
+        assert!(
+            text.contains(&format!("{{\"d\":[[[{row}],2]],\"n\":[{row}]}}")),
+            "{text}"
+        );
         let value: Value = serde_json::from_str(&text).unwrap();
         assert_eq!(value["pieces"][0]["label"], "&lt;/script&gt;");
         assert_eq!(value["sliders"][0]["label"], "<i>k</i> &lt; 2");

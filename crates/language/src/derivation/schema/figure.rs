@@ -84,6 +84,8 @@ pub struct PieceEntry {
     pub over: Text,
     /// Where each ruling starts and ends.
     pub along: Text,
+    /// Rulings are shown to this distance from where they are counted, both ways.
+    pub limit: Option<Text>,
     /// Its entry in the legend.
     #[serde(default)]
     pub label: String,

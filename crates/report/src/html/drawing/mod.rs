@@ -15,8 +15,8 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Most bytes of all pixels of a page; where the finest do not fit, coarser ones are taken.
-const MOST_BYTES: usize = 500_000;
+/// Most bytes of all pixels of a page; where the finest do not fit, fewer in coarser colours are taken.
+const MOST_BYTES: usize = 420_000;
 
 /// A drawing that can stand in a page.
 pub(super) struct Drawing {
@@ -55,17 +55,19 @@ pub(super) struct Files(Vec<Vec<Vec<u8>>>);
 impl Files {
     /// The finest files that fit a page.
     pub fn fitting(drawings: &[Option<Drawing>]) -> Self {
-        let of = |share: u32| {
+        let of = |(share, step): (u32, u8)| {
             let each = drawings.par_iter().map(|drawing| {
                 let pixels = drawing.iter().flat_map(Drawing::pixels);
-                let file = |pixels: &Pixels| pixels.quartered(share).indexed().unwrap_or_default();
+                let file =
+                    |pixels: &Pixels| pixels.quartered(share).indexed(step).unwrap_or_default();
                 pixels.map(file).collect::<Vec<_>>()
             });
             Files(each.collect())
         };
-        let fine = [4, 3].into_iter().map(of);
-        let fits = |files: &Files| files.0.iter().flatten().map(Vec::len).sum::<usize>() <= MOST_BYTES;
-        fine.into_iter().find(fits).unwrap_or_else(|| of(2))
+        let fine = [(4, 4), (3, 6), (2, 8)].into_iter().map(of);
+        let fits =
+            |files: &Files| files.0.iter().flatten().map(Vec::len).sum::<usize>() <= MOST_BYTES;
+        fine.into_iter().find(fits).unwrap_or_else(|| of((2, 14)))
     }
 
     /// The files of the drawing with this number.
@@ -109,10 +111,23 @@ impl Drawing {
 
     fn path(&mut self, line: &str) -> Option<()> {
         let data = rounded(attribute(line, "d")?)?;
-        let style = style(line, &["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-opacity"])?;
+        let style = style(
+            line,
+            &[
+                "fill",
+                "fill-opacity",
+                "stroke",
+                "stroke-width",
+                "stroke-dasharray",
+                "stroke-opacity",
+            ],
+        )?;
         // Opaque strokes of one colour do not show in which order they were made.
         let joins = style.starts_with(" fill=\"none\"") && !style.contains("opacity");
-        if let Some(Element::Path { style: before, data: longer }) = self.elements.last_mut()
+        if let Some(Element::Path {
+            style: before,
+            data: longer,
+        }) = self.elements.last_mut()
             && joins
             && *before == style
         {
@@ -126,11 +141,19 @@ impl Drawing {
     fn letters(&mut self, line: &str, outlines: &BTreeMap<&str, String>) -> Option<()> {
         let style = style(
             line.split_once('>')?.0,
-            &["fill", "stroke", "stroke-width", "stroke-linejoin", "paint-order"],
+            &[
+                "fill",
+                "stroke",
+                "stroke-width",
+                "stroke-linejoin",
+                "paint-order",
+            ],
         )?;
         for letter in line.split("<use ").skip(1) {
             let letter = format!("<use {letter}");
-            let outline = outlines.get(attribute(&letter, "href")?.strip_prefix('#')?)?.clone();
+            let outline = outlines
+                .get(attribute(&letter, "href")?.strip_prefix('#')?)?
+                .clone();
             let transform = plain(attribute(&letter, "transform")?)?;
             let matrix = transform.strip_prefix("matrix(")?.strip_suffix(')')?;
             let parts: Vec<&str> = matrix.split(' ').collect();
@@ -138,16 +161,22 @@ impl Drawing {
                 return None;
             };
             if (b, c) != ("0", "0") || a != d {
-                self.elements.push(Element::Turned { style: style.clone(), outline, transform });
+                self.elements.push(Element::Turned {
+                    style: style.clone(),
+                    outline,
+                    transform,
+                });
                 continue;
             }
             let unit: f64 = a.parse().ok().filter(|unit| *unit > 0.0)?;
             let in_units = |text: &str| Some((text.parse::<f64>().ok()? / unit).round() as i64);
             let place = [in_units(x)?, in_units(y)?];
             match self.elements.last_mut() {
-                Some(Element::Type { style: before, scale, letters })
-                    if *before == style && *scale == a =>
-                {
+                Some(Element::Type {
+                    style: before,
+                    scale,
+                    letters,
+                }) if *before == style && *scale == a => {
                     letters.push((outline, place));
                 }
                 _ => self.elements.push(Element::Type {
@@ -189,7 +218,11 @@ impl Drawing {
             // Writing to a string cannot fail.
             let _ = match element {
                 Element::Path { style, data } => write!(out, "<path{style} d=\"{data}\"/>"),
-                Element::Type { style, scale, letters } => {
+                Element::Type {
+                    style,
+                    scale,
+                    letters,
+                } => {
                     let _ = write!(out, "<g{style} transform=\"scale({scale})\">");
                     for (outline, [x, y]) in letters {
                         let number = shelf.number(outline);
@@ -197,14 +230,24 @@ impl Drawing {
                     }
                     write!(out, "</g>")
                 }
-                Element::Turned { style, outline, transform } => {
+                Element::Turned {
+                    style,
+                    outline,
+                    transform,
+                } => {
                     let number = shelf.number(outline);
-                    write!(out, "<g{style}><use href=\"#g{number}\" transform=\"{transform}\"/></g>")
+                    write!(
+                        out,
+                        "<g{style}><use href=\"#g{number}\" transform=\"{transform}\"/></g>"
+                    )
                 }
                 Element::Image { place, pixels } => {
                     let [x, y] = place.map(|c| tenths(i64::from(c) * 5));
                     let [w, h] = pixels.size().map(|c| tenths(i64::from(c) * 5));
-                    let file = files.next().map(|file| base64::encode(file)).unwrap_or_default();
+                    let file = files
+                        .next()
+                        .map(|file| base64::encode(file))
+                        .unwrap_or_default();
                     write!(
                         out,
                         "<image x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" preserveAspectRatio=\"none\" href=\"data:image/png;base64,{file}\"/>"
@@ -284,7 +327,11 @@ mod tests {
              <g fill=\"#1c1c1e\" transform=\"scale(0.01)\"><use href=\"#g0\" x=\"1000\" y=\"2000\"/><use href=\"#g0\" x=\"1250\" y=\"2000\"/></g>\
              <g fill=\"#1c1c1e\"><use href=\"#g0\" transform=\"matrix(0 -0.01 0.01 0 5 6)\"/></g></svg>"
         );
-        assert!(shelf.written().contains("<path id=\"g0\" d=\"m1 2l3 4z\"/>"));
+        assert!(
+            shelf
+                .written()
+                .contains("<path id=\"g0\" d=\"m1 2l3 4z\"/>")
+        );
     }
 
     #[test]
@@ -298,7 +345,10 @@ mod tests {
             ("d=\"m1 2l3 4z\"", "d=\"&quot;\""),
             ("matrix(0.01 0 0 0.01 10 20)", "scale(2)"),
         ] {
-            assert!(Drawing::read(&FILE.replacen(old, new, 1)).is_none(), "{new}");
+            assert!(
+                Drawing::read(&FILE.replacen(old, new, 1)).is_none(),
+                "{new}"
+            );
         }
     }
 }

@@ -206,7 +206,10 @@ mod tests {
             rounded("m80.43 200.14l127.08 -64 0 -124.14 -127.08 64zm1 1l2 0").unwrap(),
             "M80.4 200.1l127.1-64 0-124.1-127.1 64zM81.4 201.1l2 0"
         );
-        assert_eq!(rounded("m1 2c0.1 0.2 0.3 0.4 0.5 0.6").unwrap(), "M1 2c.1.2.3.4.5.6".replace("c.1.2.3.4.5.6", "c.1 .2 .3 .4 .5 .6"));
+        assert_eq!(
+            rounded("m1 2c0.1 0.2 0.3 0.4 0.5 0.6").unwrap(),
+            "M1 2c.1.2.3.4.5.6".replace("c.1.2.3.4.5.6", "c.1 .2 .3 .4 .5 .6")
+        );
     }
 
     #[test]
@@ -220,12 +223,24 @@ mod tests {
             (x, y) = (to_x, to_y);
         }
         let path = rounded(&data.replacen("l ", "l", 1)).unwrap();
-        assert!(path.len() < data.len() / 5, "{} of {}", path.len(), data.len());
+        assert!(
+            path.len() < data.len() / 5,
+            "{} of {}",
+            path.len(),
+            data.len()
+        );
     }
 
     #[test]
     fn other_letters_and_words_are_refused() {
-        for data in ["M0 0", "m0", "m0 0a1 1 0 0 0 2 2", "m0 0 1 1", "m0 x", "m0 0\"/>"] {
+        for data in [
+            "M0 0",
+            "m0",
+            "m0 0a1 1 0 0 0 2 2",
+            "m0 0 1 1",
+            "m0 x",
+            "m0 0\"/>",
+        ] {
             assert!(rounded(data).is_none(), "{data}");
         }
     }

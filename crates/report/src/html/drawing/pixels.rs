@@ -19,7 +19,9 @@ const MOST_COLOURS: usize = 256;
 impl Pixels {
     /// The pixels of a PNG file with 8 bits for each of the four.
     pub fn read(png: &[u8]) -> Option<Self> {
-        let mut reader = png::Decoder::new(std::io::Cursor::new(png)).read_info().ok()?;
+        let mut reader = png::Decoder::new(std::io::Cursor::new(png))
+            .read_info()
+            .ok()?;
         let mut samples = vec![0; reader.output_buffer_size()?];
         let frame = reader.next_frame(&mut samples).ok()?;
         if (frame.color_type, frame.bit_depth) != (png::ColorType::Rgba, png::BitDepth::Eight) {
@@ -103,11 +105,15 @@ impl Pixels {
         }
     }
 
-    /// A PNG file with a palette: colours in the finest steps of which 256 suffice.
-    pub fn indexed(&self) -> Option<Vec<u8>> {
-        for step in (4..=64).step_by(2) {
+    /// A PNG file with a palette: colours in steps of at least `finest`, the finest of which 256 suffice.
+    pub fn indexed(&self, finest: u8) -> Option<Vec<u8>> {
+        for step in (finest.max(1)..=64).step_by(2) {
             let mut palette = BTreeMap::new();
-            let coarse: Vec<[u8; 4]> = self.rgba.iter().map(|pixel| coarser(*pixel, step)).collect();
+            let coarse: Vec<[u8; 4]> = self
+                .rgba
+                .iter()
+                .map(|pixel| coarser(*pixel, step))
+                .collect();
             for colour in &coarse {
                 let next = palette.len();
                 palette.entry(*colour).or_insert(next);
@@ -130,7 +136,12 @@ impl Pixels {
         let mut encoder = png::Encoder::new(&mut file, self.width, self.height);
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_palette(order.iter().flat_map(|(c, _)| c.iter().take(3).copied()).collect::<Vec<u8>>());
+        encoder.set_palette(
+            order
+                .iter()
+                .flat_map(|(c, _)| c.iter().take(3).copied())
+                .collect::<Vec<u8>>(),
+        );
         encoder.set_trns(order.iter().map(|(c, _)| c[3]).collect::<Vec<u8>>());
         encoder.set_compression(png::Compression::High);
         encoder.set_filter(png::Filter::NoFilter);
@@ -143,7 +154,10 @@ impl Pixels {
 
 /// The old pixels under the new one `k` of `new`, with the parts of each that it covers, in shares of `new`.
 fn covered(k: u32, new: u32, old: u32) -> Vec<(u32, u64)> {
-    let (from, to) = (u64::from(k) * u64::from(old), u64::from(k + 1) * u64::from(old));
+    let (from, to) = (
+        u64::from(k) * u64::from(old),
+        u64::from(k + 1) * u64::from(old),
+    );
     let new = u64::from(new);
     (from / new..to.div_ceil(new))
         .map(|pixel| {
@@ -219,7 +233,7 @@ mod tests {
 
     #[test]
     fn a_file_with_a_palette_holds_the_picture_within_its_steps() {
-        let file = disc().indexed().unwrap();
+        let file = disc().indexed(4).unwrap();
         let mut decoder = png::Decoder::new(std::io::Cursor::new(&file));
         decoder.set_transformations(png::Transformations::EXPAND);
         let mut reader = decoder.read_info().unwrap();
