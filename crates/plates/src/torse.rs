@@ -65,10 +65,9 @@ fn torse(torse: &figure::Torse) -> Result<Torse, PlateError> {
 }
 
 fn quotient(formula: &Fraction, variable: &str, sliders: &[&str]) -> Result<Quotient, PlateError> {
-    let denominator = formula.denominator_factors().map(|(factor, power)| {
-        let power = u32::try_from(power).unwrap_or(u32::MAX);
-        Ok((sum(factor, variable, sliders)?, power))
-    });
+    let denominator = formula
+        .denominator_factors()
+        .map(|(factor, power)| Ok((sum(factor, variable, sliders)?, power)));
     Ok(Quotient {
         denominator: denominator.collect::<Result<_, PlateError>>()?,
         numerator: sum(formula.numerator(), variable, sliders)?,

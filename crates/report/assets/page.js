@@ -172,7 +172,7 @@
     }
   }
   // What a word means is told where it is pointed at.
-  const meanings = JSON.parse(byId("words").textContent);
+  const meanings = JSON.parse(byId("meanings").textContent);
   document.addEventListener("pointerover", ({ target }) => {
     const word = target.closest("[data-word]");
     if (word && !word.title) word.title = meanings[word.dataset.word] || "";

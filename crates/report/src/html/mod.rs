@@ -186,7 +186,7 @@ impl Page<'_> {
         let meanings = serde_json::to_string(&self.meanings()).unwrap_or_default();
         writeln!(
             out,
-            "<script type=\"application/json\" id=\"words\">{}</script>",
+            "<script type=\"application/json\" id=\"meanings\">{}</script>",
             meanings.replace('<', "\\u003c")
         )?;
         write!(
