@@ -159,7 +159,7 @@ fn written(segments: &[Segment]) -> String {
         let letter = if *letter == 'm' { 'M' } else { *letter };
         if letter != last || letter == 'M' {
             out.push(letter);
-        } else if !steps.iter().flatten().next().is_some_and(|c| *c < 0) {
+        } else if steps.iter().flatten().next().is_none_or(|c| *c >= 0) {
             out.push(' ');
         }
         last = letter;
