@@ -9,6 +9,7 @@ what it should, and a slider, a turn and a key change the picture, and putting b
 nothing is tested, which is said; nothing but Python is needed.
 """
 
+import base64
 import html
 import json
 import pathlib
@@ -17,6 +18,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zlib
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 
@@ -63,7 +65,8 @@ addEventListener("load", async () => {
     const last = shown().at(-1);
     location.hash = last.id;
     await frame();
-    seen.opened = last.querySelector("details").open;
+    await frame();
+    seen.opened = last.querySelector("details").open && Boolean(last.querySelector("dl + dl"));
     const cut = (box) => box.scrollWidth - box.clientWidth;
     // A fraction that is wider than the window is scrolled; everything else is broken.
     const piece = (box) => [...box.children].some((part) => part.getBoundingClientRect().width + 26 > box.clientWidth);
@@ -71,6 +74,9 @@ addEventListener("load", async () => {
     seen.short = document.querySelectorAll("#in-short li").length;
     seen.wide = document.documentElement.scrollWidth - innerWidth;
     seen.math = all("math").length;
+    document.getElementById("unfold").click();
+    for (let tries = 0; document.querySelector("[data-inside]") && tries < 100; tries += 1) await frame();
+    seen.packed = all("[data-inside]").length;
     seen.moving = [];
     for (const details of all("details.moving")) {
       for (let part = details.parentElement; part; part = part.parentElement) if (part.tagName === "DETAILS") part.open = true;
@@ -101,6 +107,18 @@ addEventListener("load", async () => {
 </script></body>"""
 
 
+def dumped(browser, page, width):
+    """The page as it stands after its scripts have run, in a window of this width."""
+    with tempfile.TemporaryDirectory() as profile:
+        command = [
+            browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+            "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage",
+            f"--user-data-dir={profile}", f"--window-size={width},900", "--virtual-time-budget=60000",
+            "--dump-dom", page.as_uri(),
+        ]
+        return subprocess.run(command, capture_output=True, text=True, timeout=300, check=False).stdout
+
+
 def run(browser, page, width):
     """What the page's visitor saw in a window of this width."""
     text = page.read_text(encoding="utf-8")
@@ -110,16 +128,20 @@ def run(browser, page, width):
         text = text.replace("<head>", "<head>" + FIRST, 1)
         head, _, tail = text.rpartition("</body>")
         copy.write_text(head + LAST + tail, encoding="utf-8")
-        command = [
-            browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-            "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage",
-            f"--user-data-dir={folder / 'profile'}", f"--window-size={width},900", "--virtual-time-budget=60000",
-            "--dump-dom", copy.as_uri(),
-        ]
-        dump = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False).stdout
+        dump = dumped(browser, copy, width)
     found = re.search(r'<pre id="what-was-seen">(.*?)</pre>', dump, re.S)
     return json.loads(html.unescape(found.group(1))) if found else None
 
+
+def unpacked(text):
+    """The page with the insides of its claims, which it holds compressed, after what it shows."""
+    packed = re.search(r'id="packed">([^<]*)<', text)
+    insides = json.loads(zlib.decompress(base64.b64decode(packed.group(1)), -15)) if packed else []
+    return text + "".join(insides)
+
+
+# The most bytes of a page.
+BUDGET = 2_000_000
 
 # Mathematics as it is typed, which readers should not see: `mu1`, `x^2`, `Q_{k}`.
 TYPED = re.compile(r"\b(mu|nu|pi|sqrt|lambda|gamma)\d*\b|\^|_\{")
@@ -127,10 +149,11 @@ TYPED = re.compile(r"\b(mu|nu|pi|sqrt|lambda|gamma)\d*\b|\^|_\{")
 
 def typed(page):
     """Stretches of a page's words, outside of formulas, code and names of claims, that are typed mathematics."""
-    text = page.read_text(encoding="utf-8")
+    text = unpacked(page.read_text(encoding="utf-8"))
     for hidden in ("script", "style", "code", "math", "svg"):
         text = re.sub(rf"<{hidden}\b.*?</{hidden}>", " ", text, flags=re.S)
-    words = html.unescape(re.sub(r"<[^>]*>", " ", text))
+    # One sentence of the worked example names functions of the language.
+    words = html.unescape(re.sub(r"<[^>]*>", " ", text)).replace("sum, binom, factorial, sqrt, sin and cos", "")
     return [words[max(0, found.start() - 20):found.end() + 20] for found in TYPED.finditer(words)]
 
 
@@ -160,6 +183,8 @@ def faults(seen):
         wrong.append("the search finds nothing or everything")
     if seen["wide"] > 0:
         wrong.append(f"the page is {seen['wide']} pixels wider than the window")
+    if seen["packed"]:
+        wrong.append(f"{seen['packed']} claims stay packed")
     if seen["math"] == 0:
         wrong.append("no formulas")
     for figure in seen["moving"]:
@@ -182,6 +207,9 @@ def main():
         return 2
     failed = False
     for page in pages:
+        if page.stat().st_size > BUDGET:
+            failed = True
+            print(f"{page.name}: {page.stat().st_size} bytes are more than {BUDGET}")
         found = typed(page)
         if found:
             failed = True

@@ -43,6 +43,7 @@ pub fn check(papers: &[Paper], mistakes: &mut Mistakes) {
         .map(|figure| {
             guard::named(&figure.id, || {
                 figure::drawing(figure)?;
+                figure::torse(figure)?;
                 figure::interactive(figure)
             })
         })
@@ -89,6 +90,7 @@ pub fn shown(
                 None => draw(&plate, folder, &name, failed)?,
             };
             let interactive = plate.interactive().map_err(failed)?;
+            let torse = plate.torse().map_err(failed)?;
             progress.step();
             let drawing = plate.drawing();
             let image = FigureImage {
@@ -101,6 +103,7 @@ pub fn shown(
                 assumes: drawing.assumes.clone(),
                 stand_in: drawing.stand_in.clone(),
                 interactive,
+                torse,
             };
             Ok(Shown { image, fingerprint })
         })

@@ -201,6 +201,14 @@ pub enum InteractiveError {
         /// Its coordinates.
         value: [f64; 3],
     },
+    /// A piece of a developable that cannot be shown.
+    #[error("piece {piece}: {problem}")]
+    Piece {
+        /// The piece, from 0.
+        piece: usize,
+        /// What is wrong with it.
+        problem: &'static str,
+    },
     /// A label that does not parse.
     #[error(transparent)]
     Label(#[from] FigureError),
@@ -280,7 +288,7 @@ impl Interactive {
     }
 }
 
-fn count(
+pub(crate) fn count(
     what: &'static str,
     got: usize,
     least: usize,
@@ -297,7 +305,7 @@ fn count(
     }
 }
 
-fn check_sliders(sliders: &[Slider]) -> Result<(), InteractiveError> {
+pub(crate) fn check_sliders(sliders: &[Slider]) -> Result<(), InteractiveError> {
     let mut names = BTreeSet::new();
     for (number, slider) in sliders.iter().enumerate() {
         if slider.name.is_empty() || !names.insert(&slider.name) {

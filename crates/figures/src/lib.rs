@@ -10,6 +10,7 @@
 //! | surfaces, nets, space curves, tangent planes | [`View`] |
 //! | panels (a), (b), ... with captions | [`Figure`] |
 //! | data for a viewer with sliders | [`Interactive`] |
+//! | a developable for a viewer that unrolls it | [`Torse`] |
 //!
 //! How it works: charts are laid out by plotters (axes of the plane, projection of space) on a drawing backend
 //! that records vectors; solids are rasterised by a z-buffer of our own in linear light and laid between the axes
@@ -33,6 +34,7 @@ mod interactive;
 mod legend;
 mod picture;
 mod space;
+mod torse;
 
 pub use colormap::ColourMap;
 pub use colour::{Colour, DASHES, Dash, Line, PALETTE, palette};
@@ -50,3 +52,4 @@ pub use space::{
     Border, Bounds, Camera, Grid, Paint, Scale, Solid, Stage, Surface, SurfaceLines, View,
     WORK_LIMIT,
 };
+pub use torse::{MOST_MONOMIALS, Monomial, Quotient, Rulings, Torse, TorsePiece};

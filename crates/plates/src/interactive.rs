@@ -17,7 +17,7 @@ use torse_language::derivation::schema::figure::{ColourName, Shape};
 
 /// Samples of a curve, and of a surface along both variables.
 const CURVE: u64 = 65;
-const SURFACE: [u64; 2] = [33, 17];
+const SURFACE: [u64; 2] = [29, 15];
 
 /// A formula by monomials of the sliders.
 type Split = BTreeMap<Vec<u32>, Fraction>;
@@ -75,7 +75,7 @@ fn interactive(drawing: &Drawing) -> Result<Option<Interactive>, PlateError> {
             }
             _ => looks::colour(layer, torse_figures::Colour::GREY),
         };
-        let label = layer.label.clone();
+        let label = live(&layer.label, &names);
         parts.push(Part {
             label,
             colour,
@@ -90,6 +90,13 @@ fn interactive(drawing: &Drawing) -> Result<Option<Interactive>, PlateError> {
         .collect::<Result<_, PlateError>>()?;
     let ambient = ambient(panel);
     Ok(Some(Interactive::new(sliders, monomials, ambient, parts)?))
+}
+
+/// A label in which `{name}` of a slider waits for a value: the name between two signs that a viewer looks for.
+fn live(label: &str, sliders: &[&str]) -> String {
+    sliders.iter().fold(label.to_owned(), |label, name| {
+        label.replace(&format!("{{{name}}}"), &format!("\\mathrm{{@{name}@}}"))
+    })
 }
 
 fn ambient(panel: &Panel) -> Ambient {
@@ -112,7 +119,7 @@ fn slider(slider: &crate::figure::Slider) -> Result<Slider, PlateError> {
 }
 
 /// The name of a symbol as a formula: a number at its end is a subscript.
-fn label(name: &str) -> String {
+pub(crate) fn label(name: &str) -> String {
     const GREEK: [&str; 6] = ["mu", "nu", "lambda", "alpha", "gamma", "theta"];
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let index = name.get(base.len()..).unwrap_or("");

@@ -9,6 +9,7 @@
 //! | all figures of a paper | [`plates`] |
 //! | the picture | [`Plate::draw`] |
 //! | the picture that follows sliders | [`Plate::interactive`] |
+//! | the developable to move and unroll | [`Plate::torse`] |
 //! | whether it changed | [`Plate::fingerprint`] |
 
 mod error;
@@ -20,6 +21,7 @@ mod plane;
 mod plate;
 mod sample;
 mod space;
+mod torse;
 
 pub use error::PlateError;
 pub use function::Function;

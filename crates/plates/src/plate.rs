@@ -14,6 +14,7 @@ const VERSION: u32 = 1;
 pub struct Plate {
     pub(crate) drawing: Drawing,
     pub(crate) movable: Option<Drawing>,
+    pub(crate) torse: Option<figure::Torse>,
 }
 
 /// The plates of a paper: those of its figures, then our own.
@@ -33,6 +34,7 @@ impl Plate {
         Ok(Self {
             drawing: figure::drawing(figure)?,
             movable: figure::interactive(figure)?,
+            torse: figure::torse(figure)?,
         })
     }
 

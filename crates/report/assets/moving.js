@@ -71,10 +71,20 @@
       list.className = "legend";
       for (const part of this.data.parts.filter((one) => one.label)) {
         const entry = document.createElement("span");
-        entry.innerHTML = `<i class="swatch" style="background:${css(part.colour)}"></i>${part.label}`;
+        // Where a label names a slider between two signs, its value is shown.
+        const label = part.label.replace(/@(\w+)@/g, (_, name) => `<output data-slider="${name}"></output>`);
+        entry.innerHTML = `<i class="swatch" style="background:${css(part.colour)}"></i>${label}`;
         list.append(entry);
       }
+      this.live = [...list.querySelectorAll("output")];
       return list;
+    }
+
+    showValues() {
+      for (const output of this.live) {
+        const value = this.values[this.data.sliders.findIndex(({ name }) => name === output.dataset.slider)];
+        output.textContent = String(Number(value.toPrecision(3))).replace("-", "−");
+      }
     }
 
     controls() {
@@ -289,6 +299,7 @@
       this.width = canvas.clientWidth;
       this.height = canvas.clientHeight;
       if (!this.width) return;
+      this.showValues();
       canvas.width = Math.round(this.width * density);
       canvas.height = Math.round(this.height * density);
       const pen = canvas.getContext("2d");
@@ -301,8 +312,7 @@
     }
   }
 
-  for (const details of document.querySelectorAll("details.moving")) {
-    details.classList.add("ready");
-    details.addEventListener("toggle", () => { if (details.open && !details.querySelector("canvas")) new Moving(details); });
-  }
+  document.addEventListener("toggle", ({ target }) => {
+    if (target.open && target.matches("details.moving:not(.torse)") && !target.querySelector("canvas")) new Moving(target);
+  }, true);
 })();

@@ -1,4 +1,4 @@
-// Filter, search, keyboard and theme. Without this script the page is complete, only not filtered.
+// Opens the claims; filter, search, keyboard and theme.
 "use strict";
 (() => {
   const byId = (id) => document.getElementById(id);
@@ -7,6 +7,34 @@
   const sections = [...document.querySelectorAll("section[data-section]")];
   const chips = [...document.querySelectorAll(".chip")];
   const search = byId("search"), kind = byId("kind"), section = byId("section");
+
+  // The insides of the claims: a list in JSON, packed.
+  const insides = (async () => {
+    const bytes = Uint8Array.from(atob(byId("packed").textContent), (sign) => sign.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+    return JSON.parse(await new Response(stream).text());
+  })();
+
+  // Puts the inside into a claim, once.
+  function fill(details, list) {
+    if (details.dataset.inside === undefined) return;
+    details.insertAdjacentHTML("beforeend", list[details.dataset.inside]);
+    delete details.dataset.inside;
+  }
+  document.addEventListener("toggle", async ({ target }) => {
+    if (target.open && target.dataset.inside !== undefined) fill(target, await insides);
+  }, true);
+
+  // Readers search what they have not opened, too.
+  insides.then((list) => {
+    for (const claim of claims) {
+      const { inside } = claim.querySelector("details").dataset;
+      if (inside === undefined) continue;
+      const words = list[inside].replace(/<(script|svg).*?<\/\1>/gs, " ").replace(/<[^>]*>/g, " ");
+      texts.set(claim, `${texts.get(claim)} ${words.toLowerCase()}`);
+    }
+    if (search.value) filter();
+  });
 
   const visible = () => claims.filter((claim) => !claim.hidden);
 
@@ -57,9 +85,19 @@
   }
 
   // A link to a claim shows and opens it, whatever the filter hides.
-  function reveal() {
-    const target = byId(decodeURIComponent(location.hash.slice(1)));
+  async function reveal() {
+    const name = decodeURIComponent(location.hash.slice(1));
+    if (!name) return;
+    if (!byId(name)) {
+      const list = await insides;
+      const inside = list.findIndex((html) => html.includes(`id="${name}"`));
+      const details = document.querySelector(`details[data-inside="${inside}"]`);
+      if (details) fill(details, list);
+    }
+    const target = byId(name);
     if (!target) return;
+    const own = target.querySelector(":scope > details");
+    if (own) fill(own, await insides);
     if (target.closest("[hidden]")) reset();
     for (let part = target.querySelector(":scope > details") || target; part; part = part.parentElement) {
       if (part.tagName === "DETAILS") part.open = true;
@@ -133,6 +171,12 @@
       for (const event of ["pointerleave", "blur"]) node.addEventListener(event, () => show(null));
     }
   }
+  // What a word means is told where it is pointed at.
+  const meanings = JSON.parse(byId("meanings").textContent);
+  document.addEventListener("pointerover", ({ target }) => {
+    const word = target.closest("[data-word]");
+    if (word && !word.title) word.title = meanings[word.dataset.word] || "";
+  });
   addEventListener("hashchange", reveal);
   byId("tools").hidden = false;
   recall();

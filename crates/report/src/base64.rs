@@ -23,6 +23,33 @@ pub(crate) fn encode(bytes: &[u8]) -> String {
     text
 }
 
+/// The bytes that a text in base 64 stands for; none for any other text.
+pub(crate) fn decode(text: &str) -> Option<Vec<u8>> {
+    let digits = text.trim_end_matches('=').as_bytes();
+    let mut bytes = Vec::with_capacity(digits.len() / 4 * 3 + 2);
+    for chunk in digits.chunks(4) {
+        let mut bits = 0_u32;
+        for digit in chunk {
+            bits = bits << 6 | u32::from(value(*digit)?);
+        }
+        // Two digits hold one byte, three hold two.
+        let [_, first, second, third] = (bits << (6 * (4 - chunk.len()))).to_be_bytes();
+        bytes.extend([first, second, third].iter().take(chunk.len() - 1));
+    }
+    Some(bytes)
+}
+
+fn value(digit: u8) -> Option<u8> {
+    match digit {
+        b'A'..=b'Z' => Some(digit - b'A'),
+        b'a'..=b'z' => Some(digit - b'a' + 26),
+        b'0'..=b'9' => Some(digit - b'0' + 52),
+        b'+' => Some(62),
+        b'/' => Some(63),
+        _ => None,
+    }
+}
+
 /// The digit for the lowest six bits.
 fn digit(bits: u32) -> char {
     let value = (bits & 63) as u8;
@@ -37,7 +64,7 @@ fn digit(bits: u32) -> char {
 
 #[cfg(test)]
 mod tests {
-    use super::encode;
+    use super::{decode, encode};
 
     #[test]
     fn the_test_vectors_of_rfc_4648_are_met() {
@@ -52,7 +79,10 @@ mod tests {
         ];
         for (plain, encoded) in vectors {
             assert_eq!(encode(plain.as_bytes()), encoded);
+            assert_eq!(decode(encoded).unwrap(), plain.as_bytes());
         }
         assert_eq!(encode(&[0xFB, 0xFF, 0xBF]), "+/+/");
+        assert_eq!(decode("+/+/").unwrap(), [0xFB, 0xFF, 0xBF]);
+        assert!(decode("a b").is_none());
     }
 }

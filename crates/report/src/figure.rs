@@ -1,6 +1,6 @@
 //! Pictures as the report takes them: bytes, a caption, and the claims they illustrate.
 
-use torse_figures::Interactive;
+use torse_figures::{Interactive, Torse};
 use torse_language::words::Verdict;
 
 /// The bytes of a picture.
@@ -65,4 +65,6 @@ pub struct FigureImage {
     pub stand_in: Vec<String>,
     /// The picture with sliders, for pages that can move it.
     pub interactive: Option<Interactive>,
+    /// The developable that it shows, for pages that can move and unroll it.
+    pub torse: Option<Torse>,
 }

@@ -2,7 +2,9 @@
 
 use serde::{Serialize, Serializer};
 use torse_algebra::Fraction;
-use torse_language::derivation::schema::figure::{Aspect, ColourMap, Frame, Legend, Shape, Style};
+use torse_language::derivation::schema::figure::{
+    Aspect, ColourMap, Frame, Legend, Rulings, Shape, Style,
+};
 
 /// A figure ready to be sampled and drawn.
 #[derive(Debug, Clone, Serialize)]
@@ -52,6 +54,36 @@ pub struct Interval {
     /// The upper end.
     #[serde(serialize_with = "exact")]
     pub high: Fraction,
+}
+
+/// A developable with its sliders left symbolic.
+#[derive(Debug, Clone)]
+pub struct Torse {
+    /// What a reader may move.
+    pub sliders: Vec<Slider>,
+    /// Azimuth and elevation in degrees.
+    pub view: [f64; 2],
+    /// The pieces, one joined to the other.
+    pub pieces: Vec<Piece>,
+}
+
+/// A piece of a developable.
+#[derive(Debug, Clone)]
+pub struct Piece {
+    /// How its rulings are given.
+    pub rulings: Rulings,
+    /// The coordinates of the plane or of the two points that run.
+    pub curves: Vec<Vec<Fraction>>,
+    /// What runs.
+    pub over: Running,
+    /// Where each ruling starts and ends.
+    pub along: Interval,
+    /// How far it is shown, from where it is counted.
+    pub limit: Option<Fraction>,
+    /// Its entry in the legend.
+    pub label: String,
+    /// Its number in the palette.
+    pub colour: usize,
 }
 
 /// One panel.

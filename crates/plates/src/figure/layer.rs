@@ -14,7 +14,7 @@ use torse_prove::decide::interval::exact;
 use torse_prove::evaluate::value::Value;
 
 /// An index that runs through a range, both ends included.
-struct Index {
+pub(super) struct Index {
     name: String,
     low: i64,
     high: i64,
@@ -105,7 +105,7 @@ impl Context<'_> {
     }
 
     /// The points of a value: one for a vector, one for each row of a matrix.
-    fn positions(
+    pub(super) fn positions(
         &self,
         environment: &Environment<'_>,
         text: &Text,
@@ -230,13 +230,13 @@ impl drawing::Layer {
 }
 
 /// What a text of `over` means.
-enum Over {
+pub(super) enum Over {
     Index(Index),
     Running(Box<Running>),
 }
 
 /// `x`, `x in [0, 1/2]` or `i in 0..3`.
-fn range(environment: &Environment<'_>, text: &Text) -> Faulty<Over> {
+pub(super) fn range(environment: &Environment<'_>, text: &Text) -> Faulty<Over> {
     let source = environment.source;
     let (name, rest) = match text.get_ref().split_once(" in ") {
         Some((name, rest)) => (name.trim(), Some(rest)),

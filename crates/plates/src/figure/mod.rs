@@ -11,8 +11,10 @@ mod loops;
 mod panel;
 #[cfg(test)]
 mod tests;
+mod torse;
 
-pub use drawing::{Drawing, Interval, Layer, Panel, Running, Scale, Slider};
+pub use drawing::{Drawing, Interval, Layer, Panel, Piece, Running, Scale, Slider, Torse};
+pub use torse::torse;
 
 use environment::{Environment, complaint};
 use loops::Round;

@@ -257,3 +257,56 @@ fn a_figure_of_its_own_has_an_id_of_its_own() {
     let drawn = super::drawing(paper.figures().next().unwrap()).unwrap();
     assert_eq!((drawn.id.as_str(), drawn.claims.len()), ("tiny/own", 1));
 }
+
+/// The developable of the tiny figure.
+fn torse(
+    entry: &str,
+) -> Result<Option<super::Torse>, Box<torse_language::derivation::DerivationError>> {
+    let panel = "[[claim.figure.panel]]\nlayer = [{ draw = 'curve', at = 'G(x)', over = ['x'] }]";
+    let paper = tiny(&format!("{CLAIM}\n{panel}\n[claim.figure.torse]\n{entry}")).unwrap();
+    super::torse(paper.figures().next().unwrap())
+}
+
+#[test]
+fn a_developable_leaves_its_sliders_symbolic_and_follows_what_it_sets() {
+    let piece =
+        "piece = [{ draw = 'envelope', at = ['[1, x, mu*x, t]'], over = 'x', along = '[0, 2]' }]";
+    let torse = torse(&format!(
+        "view = [0, 30]\nsliders = {{ mu = '[-1, 0, 1/2]' }}\nset = {{ t = '2*mu' }}\n{piece}"
+    ));
+    let torse = torse.unwrap().unwrap();
+    let texts = |fractions: &[torse_algebra::Fraction]| -> Vec<String> {
+        fractions.iter().map(ToString::to_string).collect()
+    };
+    assert_eq!(
+        texts(&torse.pieces[0].curves[0]),
+        ["1", "x", "mu*x", "2*mu"]
+    );
+    let slider = &torse.sliders[0];
+    let numbers = [
+        slider.range.low.clone(),
+        slider.start.clone(),
+        slider.range.high.clone(),
+    ];
+    assert_eq!(texts(&numbers), ["-1", "0", "1/2"]);
+}
+
+#[test]
+fn a_developable_wants_three_numbers_a_slider_and_the_curves_of_its_kind() {
+    let entry = |sliders: &str, at: &str| {
+        format!(
+            "view = [0, 30]\nsliders = {{ mu = '{sliders}' }}\npiece = [{{ draw = 'ruled', at = [{at}], over = 'x', along = '[0, 1]' }}]"
+        )
+    };
+    let fine = "'[x, 0, mu]', '[x, 1, mu]'";
+    assert!(torse(&entry("[-1, 0, 1]", fine)).is_ok());
+    for (sliders, at) in [
+        ("[-1, 1]", fine),
+        ("1", fine),
+        ("[-1, 0, 1]", "'[x, 0, mu]'"),
+        ("[-1, 0, 1]", "'[x, 0, mu, 1]', '[x, 1, mu, 1]'"),
+        ("[-1, 0, 1]", "'[x, 0, t]', '[x, 1, mu]'"),
+    ] {
+        assert!(torse(&entry(sliders, at)).is_err(), "{sliders} {at}");
+    }
+}

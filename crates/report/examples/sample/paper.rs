@@ -354,6 +354,7 @@ pub fn figures() -> Vec<FigureImage> {
         assumes: Vec::new(),
         stand_in: Vec::new(),
         interactive: None,
+        torse: None,
     };
     let basis = of(
         "basis",

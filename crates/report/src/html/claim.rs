@@ -1,6 +1,7 @@
 //! One claim of the page.
 
 use super::Page;
+use super::pack::Pack;
 use super::text::{Code, Listed, Sentence, Text, badge, formula};
 use crate::math::Prose;
 use crate::model::{
@@ -16,13 +17,17 @@ pub(super) fn write(
     page: &Page<'_>,
     claim: &ClaimView,
     section: &str,
+    pack: &mut Pack,
 ) -> fmt::Result {
+    let mut inside = String::new();
+    write_inside(&mut inside, page, claim)?;
+    let number = pack.put(inside);
     let evidence = claim.evidence.map_or("none", |term| term.key);
     let (anchor, verdict, kind) = (&claim.anchor, claim.verdict.key, claim.kind.key);
     writeln!(
         out,
         "<article id=\"{anchor}\" class=\"v-{verdict}\" tabindex=\"-1\" data-verdict=\"{verdict}\" data-kind=\"{kind}\" data-evidence=\"{evidence}\" data-section=\"{section}\">\n\
-         <details><summary><h3><code>{}</code></h3><span class=\"where\">{} · {}</span><span class=\"answer\">{}",
+         <details data-inside=\"{number}\"><summary><h3><code>{}</code></h3><span class=\"where\">{} · {}</span><span class=\"answer\">{}",
         Text(&claim.name),
         Text(&claim.at),
         claim.kind.label,
@@ -31,26 +36,29 @@ pub(super) fn write(
     if let Some(term) = claim.evidence {
         write!(
             out,
-            " <span class=\"evidence\" title=\"{}\">by {}</span>",
-            Text(term.meaning),
-            term.label
+            " <span class=\"evidence\" data-word=\"{}\">by {}</span>",
+            term.key, term.label
         )?;
     }
     if let Some(term) = claim.level.filter(|level| *level != words::DECIDED) {
         write!(
             out,
-            " <span class=\"evidence\" title=\"{}\">· {}</span>",
-            Text(term.meaning),
-            term.label
+            " <span class=\"evidence\" data-word=\"{}\">· {}</span>",
+            term.key, term.label
         )?;
     }
     writeln!(
         out,
         "</span></summary>\n<a class=\"permalink\" href=\"#{anchor}\" aria-label=\"Link to {}\">link</a>\n<dl>\n\
-         <dt>printed</dt><dd><blockquote class=\"printed\">{}</blockquote></dd>",
+         <dt>printed</dt><dd><blockquote class=\"printed\">{}</blockquote></dd>\n</dl></details></article>",
         Text(&claim.name),
         Sentence(&claim.printed)
-    )?;
+    )
+}
+
+/// What the script puts into an open claim: the rest of the list, then its figures.
+fn write_inside(out: &mut String, page: &Page<'_>, claim: &ClaimView) -> fmt::Result {
+    out.push_str("<dl>");
     if let Some(expected) = claim.expected {
         writeln!(
             out,
@@ -111,7 +119,6 @@ pub(super) fn write(
     for figure in &claim.figures {
         page.figure(out, *figure)?;
     }
-    out.push_str("</details></article>\n");
     Ok(())
 }
 

@@ -2,20 +2,27 @@
 //!
 //! Three depths: what a reader must know in a minute, the corrections, and every claim, closed until it is asked for.
 //! Style, script and pictures are inside of the page, and its content policy forbids any other source.
-//! Without the script it is a complete report; the script adds filter, search and keys.
+//! Without the script a reader has the first two and the printed sentences with their verdicts; the script opens the claims,
+//! and adds filter, search and keys.
 
 mod claim;
+mod drawing;
 mod graph;
 mod landing;
 mod moving;
 mod overview;
+mod pack;
 mod picture;
 mod text;
+mod torse;
 
 use crate::model::Report;
 use crate::words::{self, KINDS, Term};
-use crate::{FigureImage, ReportError, base64};
+use crate::{FigureImage, Image, ReportError, base64};
+use drawing::{Drawing, Files, Shelf};
 pub use landing::landing_page;
+use pack::Pack;
+use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 use text::{Listed, Sentence, Text, badge};
 
@@ -37,16 +44,21 @@ const MOVING: &str = include_str!("../../assets/moving.js");
 /// [`ReportError::Label`] for a label of a picture that does not parse; [`ReportError::Typeset`] when a string refuses to
 /// be written to, which memory does not do.
 pub fn html_page(report: &Report, figures: &[FigureImage]) -> Result<String, ReportError> {
+    let (pictures, letters) = pictures(report, figures)?;
     let page = Page {
         report,
-        pictures: figures.iter().map(picture).collect::<Result<_, _>>()?,
+        pictures,
+        letters,
     };
-    let mut html = String::new();
-    page.write(&mut html)
+    let (mut html, mut pack, mut end) = (String::new(), Pack::default(), String::new());
+    page.write(&mut html, &mut pack)
+        .and_then(|()| page.write_end(&mut end))
         .map_err(|fmt::Error| ReportError::Typeset {
             document: "the HTML page",
             messages: vec!["a string refused to be written to".to_owned()],
         })?;
+    html.push_str(&pack.written()?);
+    html.push_str(&end);
     Ok(html)
 }
 
@@ -60,27 +72,59 @@ fn style() -> String {
 
 /// A picture as the page holds it.
 struct PagePicture {
-    /// Its address, with the bytes in it.
-    source: String,
+    /// The element that shows it.
+    element: String,
     /// The data of its version with sliders, JSON.
     moving: Option<String>,
+    /// The data of its developable, JSON.
+    torse: Option<String>,
+    /// The name of the files that a reader saves.
+    name: String,
 }
 
-fn picture(figure: &FigureImage) -> Result<PagePicture, ReportError> {
-    Ok(PagePicture {
-        source: picture::data_uri(&figure.image),
-        moving: figure.interactive.as_ref().map(moving::data).transpose()?,
-    })
+/// The pictures, and the letters that they share as an element of the page.
+fn pictures(
+    report: &Report,
+    figures: &[FigureImage],
+) -> Result<(Vec<PagePicture>, String), ReportError> {
+    let read = |figure: &FigureImage| match &figure.image {
+        Image::Svg(text) => Drawing::read(text),
+        Image::Png(_) => None,
+    };
+    let drawings: Vec<Option<Drawing>> = figures.iter().map(read).collect();
+    let files = Files::fitting(&drawings);
+    let mut shelf = Shelf::default();
+    let mut pictures = Vec::with_capacity(figures.len());
+    for (position, (figure, drawing)) in figures.iter().zip(&drawings).enumerate() {
+        let alt = report.figures.get(position).map_or("", |shown| &shown.alt);
+        let alt = Text(alt).to_string();
+        let element = match drawing {
+            Some(drawing) => drawing.written(&mut shelf, files.of(position), &alt),
+            None => {
+                let source = picture::data_uri(&figure.image);
+                format!("<img src=\"{source}\" alt=\"{alt}\" loading=\"lazy\">")
+            }
+        };
+        pictures.push(PagePicture {
+            element,
+            moving: figure.interactive.as_ref().map(moving::data).transpose()?,
+            torse: figure.torse.as_ref().map(torse::data).transpose()?,
+            name: figure.name.clone(),
+        });
+    }
+    Ok((pictures, shelf.written()))
 }
 
-/// The report with what the page needs besides: pictures as addresses.
+/// The report with what the page needs besides.
 struct Page<'a> {
     report: &'a Report,
     pictures: Vec<PagePicture>,
+    /// The letters that the pictures share.
+    letters: String,
 }
 
 impl Page<'_> {
-    fn write(&self, out: &mut String) -> fmt::Result {
+    fn write(&self, out: &mut String, pack: &mut Pack) -> fmt::Result {
         let title = Text(&self.report.title);
         write!(
             out,
@@ -95,9 +139,10 @@ impl Page<'_> {
             Text(&self.report.authors),
             Text(&self.report.venue),
         )?;
+        out.push_str(&self.letters);
         overview::write(out, self.report)?;
         graph::write(out, self.report)?;
-        out.push_str("<h2 id=\"every-claim\">Every claim</h2>\n");
+        out.push_str("<h2 id=\"every-claim\">Every claim</h2>\n<noscript><p>Claims open to what is printed. What is understood, proofs, figures and consequences are put in by the page's script; the PDF beside this page has all of them.</p></noscript>\n");
         self.tools(out)?;
         out.push_str("<div id=\"claims\">\n<p id=\"nothing\" hidden>No claim matches. <button type=\"button\" id=\"all\">Show all</button></p>\n");
         for section in &self.report.sections {
@@ -107,7 +152,7 @@ impl Page<'_> {
                 "<section id=\"{anchor}\" data-section>\n<h3 class=\"section\">{heading}</h3>"
             )?;
             for claim in &section.claims {
-                claim::write(out, self, claim, anchor)?;
+                claim::write(out, self, claim, anchor, pack)?;
             }
             out.push_str("</section>\n");
         }
@@ -119,10 +164,36 @@ impl Page<'_> {
             }
         }
         overview::write_appendix(out, self.report)?;
+        out.push_str("</main>\n");
+        Ok(())
+    }
+
+    /// What the words of claims and figures mean, once for the page.
+    fn meanings(&self) -> BTreeMap<&'static str, &'static str> {
+        let claims = self.report.claims();
+        let words = claims.flat_map(|claim| {
+            let more = [claim.evidence, claim.level, claim.expected];
+            more.into_iter().flatten().chain([claim.verdict])
+        });
+        let figures = self.report.figures.iter().map(|figure| figure.verdict);
+        words
+            .chain(figures)
+            .map(|term| (term.key, term.meaning))
+            .collect()
+    }
+
+    fn write_end(&self, out: &mut String) -> fmt::Result {
+        let meanings = serde_json::to_string(&self.meanings()).unwrap_or_default();
+        writeln!(
+            out,
+            "<script type=\"application/json\" id=\"meanings\">{}</script>",
+            meanings.replace('<', "\\u003c")
+        )?;
         write!(
             out,
-            "</main>\n<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
-             <kbd>Esc</kbd> clear the search; in a moving figure the arrows turn it, <kbd>+</kbd> and <kbd>-</kbd> scale it, <kbd>Home</kbd> puts it back.</p></footer>\n<script>\n{SCRIPT}{MOVING}</script>\n</body>\n</html>\n"
+            "<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
+             <kbd>Esc</kbd> clear the search; in a moving figure the arrows turn it, <kbd>+</kbd> and <kbd>-</kbd> scale it, <kbd>Home</kbd> puts it back.</p></footer>\n<script>\n{SCRIPT}{MOVING}{}</script>\n</body>\n</html>\n",
+            torse::SCRIPT
         )
     }
 
@@ -179,12 +250,16 @@ impl Page<'_> {
             return Ok(());
         };
         let alt = Text(&figure.alt);
-        write!(
-            out,
-            "<figure id=\"{}\"><img src=\"{}\" alt=\"{alt}\" loading=\"lazy\">",
-            figure.anchor, picture.source,
-        )?;
-        if let Some(data) = &picture.moving {
+        write!(out, "<figure id=\"{}\">{}", figure.anchor, picture.element,)?;
+        // A developable can be moved in more ways, so that its nets are not needed besides.
+        if let Some(data) = &picture.torse {
+            write!(
+                out,
+                "<details class=\"moving torse\" data-name=\"{}\" data-alt=\"{alt}\"><summary>Move and unroll it</summary>\
+                 <script type=\"application/json\">{data}</script></details>",
+                Text(&picture.name),
+            )?;
+        } else if let Some(data) = &picture.moving {
             write!(
                 out,
                 "<details class=\"moving\" data-alt=\"{alt}\"><summary>Move it</summary>\

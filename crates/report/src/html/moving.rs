@@ -5,7 +5,7 @@ use serde_json::{Map, Number, Value, json};
 use torse_figures::{Ambient, Colour, Interactive, Part, Shape, label_html};
 
 /// Coordinates keep this many decimals relative to the largest of them: finer than any screen.
-const DIGITS: i32 = 5;
+const DIGITS: i32 = 4;
 
 /// The data of the picture, as JSON that may stand inside of a `script` element.
 ///
@@ -15,18 +15,8 @@ const DIGITS: i32 = 5;
 ///
 /// [`ReportError::Label`] for a label that does not parse, which a checked picture does not have.
 pub(super) fn data(picture: &Interactive) -> Result<String, ReportError> {
-    let sliders: Vec<Value> = (picture.sliders().iter())
-        .map(|slider| {
-            Ok(json!({
-                "name": slider.name,
-                "label": label_html(&slider.label)?,
-                "least": slider.least,
-                "greatest": slider.greatest,
-                "start": slider.start,
-                "step": slider.step,
-            }))
-        })
-        .collect::<Result<_, ReportError>>()?;
+    let sliders = picture.sliders().iter().map(super::torse::slider);
+    let sliders: Vec<Value> = sliders.collect::<Result<_, ReportError>>()?;
     let dimension = match picture.ambient() {
         Ambient::Plane => 2,
         Ambient::Space => 3,
@@ -111,7 +101,7 @@ mod tests {
     #[test]
     fn numbers_are_rounded_relative_to_the_largest_and_the_element_cannot_be_left() {
         let text = data(&segment(20.0)).unwrap();
-        assert!(text.contains("\"nets\":[[0,0,20,-0.333]]"), "{text}");
+        assert!(text.contains("\"nets\":[[0,0,20,-0.33]]"), "{text}");
         assert!(text.contains("\"colour\":[0,114,178]"), "{text}");
         assert!(!text.contains('<'), "{text}");
         let value: Value = serde_json::from_str(&text).unwrap();

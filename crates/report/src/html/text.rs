@@ -5,13 +5,11 @@ use crate::model::FormulaView;
 use crate::words::Term;
 use std::fmt::{self, Write};
 
-/// A verdict as a coloured word; its mark is in the style.
+/// A verdict as a coloured word; its mark is in the style, what it means is told by the script.
 pub(super) fn badge(verdict: Term) -> String {
     format!(
-        "<span class=\"badge v-{}\" title=\"{}\">{}</span>",
-        verdict.key,
-        Text(verdict.meaning),
-        verdict.label
+        "<span class=\"badge v-{}\" data-word=\"{}\">{}</span>",
+        verdict.key, verdict.key, verdict.label
     )
 }
 

@@ -47,12 +47,64 @@ pub struct FigureEntry {
     /// Symbols that a reader may move in the interactive version, and where they start.
     #[serde(default)]
     pub sliders: BTreeMap<String, Text>,
+    /// The developable of the figure, for readers who move and unroll it.
+    pub torse: Option<TorseEntry>,
     /// Panels in a row; as many as look well if left out.
     pub columns: Option<usize>,
     /// Width and height of a panel in pixels of 1/96 inch.
     pub size: Option<[u32; 2]>,
     /// The panels.
     pub panel: Vec<PanelEntry>,
+}
+
+/// A developable that follows sliders.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TorseEntry {
+    /// What a reader may move: `[least, at first, greatest]`. Their values in `set` of the figure do not count.
+    pub sliders: BTreeMap<String, Text>,
+    /// Values in place of those of the figure; they may follow sliders.
+    #[serde(default)]
+    pub set: BTreeMap<String, Text>,
+    /// Azimuth and elevation in degrees.
+    pub view: [f64; 2],
+    /// The pieces, one joined to the other.
+    pub piece: Vec<PieceEntry>,
+}
+
+/// A piece of a developable.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PieceEntry {
+    /// How its rulings are given.
+    pub draw: Rulings,
+    /// A plane [p, q, r, s] that runs, or for a ruled piece two points that run.
+    pub at: Vec<Text>,
+    /// What runs: `"x"`, `"x in [0, 1/2]"`.
+    pub over: Text,
+    /// Where each ruling starts and ends.
+    pub along: Text,
+    /// Rulings are shown to this distance from where they are counted, both ways.
+    pub limit: Option<Text>,
+    /// Its entry in the legend.
+    #[serde(default)]
+    pub label: String,
+    /// Its number in the palette.
+    #[serde(default)]
+    pub colour: usize,
+}
+
+/// How the rulings of a piece are given, and what its `along` counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rulings {
+    /// Lines in which a plane that runs meets its neighbours: multiples of the cross product of the normal and its
+    /// derivative, from the foot of the origin.
+    Envelope,
+    /// Tangents of their edge of regression: multiples of its derivative.
+    Tangent,
+    /// Segments between two curves: shares of the way.
+    Ruled,
 }
 
 /// A panel, or with `for` one panel for each round of its loops.
