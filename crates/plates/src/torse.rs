@@ -95,10 +95,10 @@ fn sum(
                     continue;
                 }
                 Symbol::Named(name) if **name == *variable => atoms.first_mut(),
-                Symbol::Sin(name, Angle::QuarterTurn) if **name == *variable => atoms.get_mut(1),
-                Symbol::Cos(name, Angle::QuarterTurn) if **name == *variable => atoms.get_mut(2),
-                Symbol::Sin(name, Angle::Radian) if **name == *variable => atoms.get_mut(3),
-                Symbol::Cos(name, Angle::Radian) if **name == *variable => atoms.get_mut(4),
+                Symbol::Sin(name, Angle::QUARTER_TURN) if **name == *variable => atoms.get_mut(1),
+                Symbol::Cos(name, Angle::QUARTER_TURN) if **name == *variable => atoms.get_mut(2),
+                Symbol::Sin(name, Angle::RADIAN) if **name == *variable => atoms.get_mut(3),
+                Symbol::Cos(name, Angle::RADIAN) if **name == *variable => atoms.get_mut(4),
                 Symbol::Named(name) => {
                     let place = sliders.iter().position(|slider| **slider == **name);
                     place.and_then(|place| powers.get_mut(place))
