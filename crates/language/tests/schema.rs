@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 use torse_language::derivation::schema::figure::{
     Aspect, Border, ColourMap, Dash, FigureEntry, Frame, LayerEntry, Legend, Marker, NamedColour,
-    PanelEntry, Place, ScaleEntry, Shape, Style,
+    PanelEntry, PieceEntry, Place, Rulings, ScaleEntry, Shape, Style, TorseEntry,
 };
 use torse_language::derivation::schema::{
     AnswerEntry, BasisEntry, ClaimEntry, PaperHead, ReadingEntry, SymbolEntry,
@@ -80,6 +80,8 @@ fn the_schema_has_the_entries_that_the_reader_knows() {
         ("reading", names::<ReadingEntry>()),
         ("answer", names::<AnswerEntry>()),
         ("figure", names::<FigureEntry>()),
+        ("torse", names::<TorseEntry>()),
+        ("piece", names::<PieceEntry>()),
         ("panel", names::<PanelEntry>()),
         ("layer", names::<LayerEntry>()),
         ("style", names::<Style>()),
@@ -102,6 +104,7 @@ fn the_schema_has_the_words_that_the_reader_knows() {
         ("claim", "expect", names::<Verdict>()),
         ("answer", "flag", names::<Flag>()),
         ("layer", "draw", names::<Shape>()),
+        ("piece", "draw", names::<Rulings>()),
         ("panel", "aspect", names::<Aspect>()),
         ("panel", "frame", names::<Frame>()),
         ("panel", "legend", names::<Legend>()),

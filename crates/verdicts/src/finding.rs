@@ -10,7 +10,7 @@ use torse_algebra::{Fraction, Rational};
 use torse_language::derivation::{Claim, DerivationError, Form, Piece, Written};
 use torse_language::syntax::parse;
 use torse_prove::case::solve_given;
-use torse_prove::decide::domain::enclosure;
+use torse_prove::decide::order::enclosure;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::value::Value;

@@ -125,22 +125,16 @@ fn the_text_is_plain_where_no_terminal_is_and_no_wider_than_100_columns() {
 
 #[test]
 fn a_run_over_the_time_limit_is_ended_without_verdicts_and_names_the_claim() {
-    // Half a minute and more: a form of six variables and degree 40.
-    let symbols = ["a", "b", "c", "d", "e"]
-        .map(|name| format!("{name} = {{}}"))
-        .join(", ");
-    let slow = format!("symbols = {{ {symbols} }}");
-    let folder = mini(
-        &[
-            claim("slow", "(a + b + c + d + e + x)^40 > 0", &slow),
-            claim("right", TRUE, ""),
-        ]
-        .concat(),
-    );
+    // Half a minute and more: a form of four variables of which no sign is found, many times.
+    let form = "(x + y + z + w)^24 - (x - y + z - w)^24 + (x*y - z*w)^11 > -1/10^12";
+    let inside = ["y", "z", "w"].map(|name| format!("{name} = {{ in = \"[0, 1]\" }}"));
+    let symbols = format!("symbols = {{ {} }}", inside.join(", "));
+    let slow = (0..80).map(|n| claim(&format!("slow-{n}"), form, &symbols));
+    let folder = mini(&(slow.collect::<String>() + &claim("right", TRUE, "")));
     let patient = ["verify", "--time-limit", "1", "--budget", "1000000000"];
     let ran = on(folder.path(), &patient);
     assert_eq!((ran.code, ran.out.as_str()), (Some(8), ""), "{}", ran.err);
-    assert!(ran.err.contains("being decided: mini/slow"), "{}", ran.err);
+    assert!(ran.err.contains("being decided: mini/slow-"), "{}", ran.err);
     assert_eq!(
         on(folder.path(), &["verify", "--time-limit", "0"]).code,
         Some(2)

@@ -5,7 +5,7 @@
 //! are decided by exact arithmetic or by a certified enclosure. An integer printed among decimals is
 //! read with as many digits as the neighbour that has the fewest; integers alone are exact.
 
-use super::domain::{enclosure, truth};
+use super::order::{enclosure, truth};
 use super::{Decision, Refutation};
 use crate::evidence::{Evidence, Witness};
 use num_traits::Signed;

@@ -5,8 +5,9 @@
 //! is asked. About the multiple m of a quarter turn that is nearest to the middle, `t = tan((angle - m)/2)` increases,
 //! and sine and cosine are rational functions of it. An angle that runs too far for that is cut in [`Domain::parts`].
 
-use super::domain::{Domain, enclosure};
-use super::interval::{Bound, Interval};
+use super::domain::Domain;
+use super::interval::{Bound, Interval, Part};
+use super::order::enclosure;
 use num_traits::Signed;
 use std::cmp::Ordering;
 use torse_algebra::rational::{integer, ratio};
@@ -75,10 +76,6 @@ impl Half {
         })
     }
 }
-
-/// A part of the domain: a symbol, and the interval that it is looked at in. The interval of the cosine of an angle is
-/// one of its variable, for that angle alone: an angle is given but for whole turns.
-pub type Part = (Symbol, Interval);
 
 impl Domain<'_> {
     /// Where the angle of a sine or cosine runs.

@@ -1,7 +1,8 @@
 //! Values that are tried for a symbol: simple ones first, then those that its interval suggests. A number that has to differ
 //! from 1 is rather 2 than 0: lengths and factors of 0 are degenerate.
 
-use super::domain::{Domain, truth};
+use super::domain::Domain;
+use super::order::truth;
 use crate::decide::interval::{Bound, Interval};
 use num_traits::Signed;
 use torse_algebra::rational::{integer, ratio};

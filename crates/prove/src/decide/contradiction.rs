@@ -1,6 +1,7 @@
 //! Domains without points.
 
-use super::domain::{Constraint, Domain, truth};
+use super::domain::{Constraint, Domain};
+use super::order::truth;
 use super::sign::{Sign, of};
 use torse_algebra::Affine;
 use torse_algebra::planted::{Planted, planted};

@@ -1,16 +1,12 @@
 //! Where a statement is meant to hold: the declared ranges of its symbols and its assumptions.
 
-use crate::decide::angle::Part;
-use crate::decide::interval::{Bound, Interval};
+use crate::decide::interval::{Bound, Interval, Part};
+use crate::decide::order::order;
 use std::cmp::Ordering;
 use torse_algebra::planted::{Planted, planted};
-use torse_algebra::rational::integer;
-use torse_algebra::{Affine, Ball, Fraction, Polynomial, Rational, Scalar as _, Symbol};
+use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::syntax::Relation;
-
-/// Bits of the enclosures that decide signs of constants, tried in turn.
-const BITS: [usize; 4] = [256, 1024, 4096, 16_384];
 
 /// A condition `value relation 0` from the assumptions.
 #[derive(Debug, Clone)]
@@ -189,53 +185,4 @@ impl Domain<'_> {
         }
         rest.as_constant().is_some()
     }
-}
-
-/// The enclosure of a fraction without free symbols: pi and roots only.
-#[must_use]
-pub fn enclosure(value: &Fraction, bits: usize) -> Option<Ball> {
-    let like = Ball::from_rational(&integer(0), bits);
-    let part = |p: &Polynomial| {
-        p.evaluate(&like, |symbol| match symbol {
-            Symbol::Pi => Ok(Ball::pi(bits)),
-            Symbol::Root(prime) => {
-                Ball::from_rational(&Rational::from_integer((*prime).into()), bits)
-                    .sqrt()
-                    .map_err(drop)
-            }
-            _ => Err(()),
-        })
-        .ok()
-    };
-    let denominator = part(&value.denominator())?;
-    part(value.numerator())?.divided_by(&denominator).ok()
-}
-
-/// How a fraction without free symbols compares with zero: zero is decided by the normal form, the sign of a nonzero number
-/// by an enclosure.
-#[must_use]
-pub fn order(value: &Fraction) -> Option<Ordering> {
-    if value.is_zero() {
-        return Some(Ordering::Equal);
-    }
-    match value.as_rational() {
-        Some(number) => Some(number.cmp(&Rational::default())),
-        None => BITS
-            .into_iter()
-            .find_map(|bits| enclosure(value, bits).and_then(|ball| ball.sign())),
-    }
-}
-
-/// Whether `value relation 0` holds, for a fraction without free symbols.
-#[must_use]
-pub fn truth(value: &Fraction, relation: Relation) -> Option<bool> {
-    let order = order(value)?;
-    Some(match relation {
-        Relation::Equal => order == Ordering::Equal,
-        Relation::Different => order != Ordering::Equal,
-        Relation::Less => order == Ordering::Less,
-        Relation::AtMost => order != Ordering::Greater,
-        Relation::Greater => order == Ordering::Greater,
-        Relation::AtLeast => order != Ordering::Less,
-    })
 }

@@ -8,7 +8,8 @@
 //! than full rank there. A rank drop at one admissible choice refutes the statement exactly. For a proof
 //! at every degree see [`independent`].
 
-use super::domain::{Domain, truth};
+use super::domain::Domain;
+use super::order::truth;
 use super::sharpness::Bounded;
 use super::sign::{self, Sign};
 use super::witness::{self, Point};

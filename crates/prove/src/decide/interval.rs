@@ -1,6 +1,6 @@
 //! Intervals with exact ends.
 
-use super::domain::order;
+use super::order::order;
 use std::cmp::Ordering;
 use torse_algebra::{Fraction, Scalar as _, Symbol};
 use torse_language::derivation::declarations::{self, Constant};
@@ -50,6 +50,10 @@ impl Interval {
         }
     }
 }
+
+/// A part of the domain: a symbol, and the interval that it is looked at in. The interval of the cosine of an angle is
+/// one of its variable, for that angle alone: an angle is given but for whole turns.
+pub type Part = (Symbol, Interval);
 
 /// The exact value of a constant.
 #[must_use]

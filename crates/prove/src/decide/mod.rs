@@ -17,6 +17,7 @@ pub mod family;
 pub mod instances;
 pub mod interval;
 pub mod lively;
+pub mod order;
 pub mod sharpness;
 pub mod sign;
 pub mod variation;

@@ -5,7 +5,8 @@
 //! points are sought in the coordinates of the proof of sign, where a variable under a quarter turn is
 //! given by the tangent of half its angle, so that sine and cosine are exact.
 
-use super::domain::{Domain, truth};
+use super::domain::Domain;
+use super::order::truth;
 use super::sign::coordinates::Coordinates;
 use super::sign::prove;
 use crate::evaluate::value::Statement;

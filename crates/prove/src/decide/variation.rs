@@ -22,8 +22,9 @@
 //! curve that changes sign twice over control values with one change.
 
 use super::candidates::{Turns, simplest_between};
-use super::domain::{Domain, enclosure, truth};
+use super::domain::Domain;
 use super::family::{DEGREES, family, functions, parameter_points};
+use super::order::{enclosure, truth};
 use super::sign::{self, Sign};
 use super::{Decision, Refutation, witness};
 use crate::evaluate::Evaluator;

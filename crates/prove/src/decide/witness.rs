@@ -6,8 +6,9 @@
 //! goes back only where assumptions bind.
 
 use super::candidates::Turns;
-use super::domain::{Domain, enclosure, truth};
+use super::domain::Domain;
 use super::lively::livened;
+use super::order::{enclosure, truth};
 use crate::evidence::Witness;
 use crate::formula;
 use num_traits::Signed;
@@ -21,6 +22,8 @@ use torse_language::syntax::Relation;
 
 /// The most values tried in one search.
 const MAX_TRIES: usize = 6_000;
+/// The values of each symbol that are tried once more where that was not enough.
+const FEW: usize = 4;
 /// Digits of the decimals shown.
 const DIGITS: usize = 12;
 
@@ -132,7 +135,16 @@ pub fn find(
         tries: 0,
         point: Point::new(),
     };
-    let found = search.run(difference.clone(), &constraints, &candidates);
+    let found = search.run(difference.clone(), &constraints, &candidates) || {
+        // Where the first symbols have many values, the last ones get no turn.
+        let few = candidates.iter().map(|(symbol, values)| {
+            let few = values.iter().take(FEW).cloned();
+            (symbol.clone(), few.collect())
+        });
+        search.tries = 0;
+        search.point.clear();
+        search.run(difference.clone(), &constraints, &few.collect::<Vec<_>>())
+    };
     let point = found.then(|| std::mem::take(&mut search.point))?;
     let fails = |point: &Point| search.fails_at(difference, &constraints, point);
     let mut point = livened(point, domain.declarations, &fails);

@@ -4,7 +4,7 @@
 //! at once where the polynomial is negative at one.
 
 use super::coordinates::{Coordinates, Region, Side};
-use crate::decide::domain::order;
+use crate::decide::order::order;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use torse_algebra::bernstein::{BernsteinForm, Term};

@@ -14,7 +14,8 @@
 //! polynomial of degree e in d - j arguments a and j arguments b, divided by `C(d, e)`.
 
 use super::coordinates::{Coordinates, Region};
-use crate::decide::domain::{Domain, truth};
+use crate::decide::domain::Domain;
+use crate::decide::order::truth;
 use std::collections::BTreeMap;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::positivity::RationalBox;
