@@ -304,3 +304,37 @@ fn the_status_table_of_the_readme_is_the_computed_one() {
         status_table()
     );
 }
+
+#[test]
+fn the_verdicts_that_changed_are_listed_as_they_are_now() {
+    let page = std::fs::read_to_string(root().join("derivations/CHANGES.md")).unwrap();
+    let verdict = |id: &str| {
+        let mut claims = PAPERS.iter().flat_map(|paper| &paper.claims);
+        let claim = claims.find(|claim| claim.id == id);
+        claim.map(|claim| serde_json::to_value(claim.verdict).unwrap())
+    };
+    let mut rows = 0;
+    for line in page
+        .lines()
+        .skip_while(|line| !line.starts_with("|---"))
+        .skip(1)
+    {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let [_, id, before, now, ..] = cells.as_slice() else {
+            panic!("{line}")
+        };
+        assert_ne!(before, now, "{id}");
+        rows += 1;
+        match now.strip_prefix("in parts: ") {
+            None => assert_eq!(verdict(id), Some((*now).into()), "{id}"),
+            Some(parts) => {
+                for part in parts.split(", ") {
+                    let (letter, now) = part.split_once(' ').unwrap();
+                    let id = format!("{id}.{letter}");
+                    assert_eq!(verdict(&id), Some(now.into()), "{id}");
+                }
+            }
+        }
+    }
+    assert!(page.contains(&format!("({rows} of 675)")), "{rows}");
+}
