@@ -58,10 +58,10 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
   2 * (IZR l - 2) + PI * (1 + mu2) <> 0.
 End intro_continuity_free_a.
 
-Module intro_continuity_free_b.
-(* gbt-developable/intro-continuity-free.b, Sect. 1, list of contributions, last item, for the smooth connection (5.12)
+Module intro_continuity_free_b_any_values.
+(* gbt-developable/intro-continuity-free.b.any values, Sect. 1, list of contributions, last item, for the smooth connection (5.12)
    printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
-   read as: 'smooth connection' is checked for each of the paper's three conditions: (5.5), (5.12), (5.16). Here (5.12), by (5.11): the shape parameters of the second family are changed from mu2, nu2 to mu3, nu3, and the derivatives still agree.
+   read as: Whatever values the shape parameters of the second family get, the derivatives still agree.
    stated: N2'(0) == H1'(1) and N2''(0) == H1''(1) *)
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
@@ -91,4 +91,56 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (mu3 : R)
   (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
   (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) ->
   (let x____ := 0%Z in Derive_n (fun x_____ => N2 P2 l mu3 nu3 x_____) 1 (IZR x____)) = (let x_____ := 1%Z in Derive_n (fun x______ => H1_ P1 k mu1 nu1 x______) 1 (IZR x_____)) /\ (let x______ := 0%Z in Derive_n (fun x_______ => N2 P2 l mu3 nu3 x_______) 2 (IZR x______)) = (let x_______ := 1%Z in Derive_n (fun x________ => H1_ P1 k mu1 nu1 x________) 2 (IZR x_______)).
-End intro_continuity_free_b.
+End intro_continuity_free_b_any_values.
+
+Module intro_continuity_free_b_suitable_values.
+(* gbt-developable/intro-continuity-free.b.suitable values, Sect. 1, list of contributions, last item, for the smooth connection (5.12)
+   printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
+   read as: There are other values with which the connection stays: exhibited for cubic families that join with all shape parameters 0, of which all four are changed together, along a curve with the parameter t.
+   stated: N2(0) == N1(1) and N2'(0) == N1'(1) and N2''(0) == N1''(1) and -1 <= inner and inner <= 1 and -1 <= outer and outer <= 1 and not inner == 0 and not outer == 0 *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition F2 (B : Z -> R) (x : Z) : R :=
+  sum 0%Z 3%Z (fun i => g (IZR x) 0 0 i 3%Z * B i).
+Definition F1 (A : Z -> R) (x : Z) : R :=
+  sum 0%Z 3%Z (fun i => g (IZR x) 0 0 i 3%Z * A i).
+Definition F2_ (B : Z -> R) (x : R) : R :=
+  sum 0%Z 3%Z (fun i => g x 0 0 i 3%Z * B i).
+Definition F1_ (A : Z -> R) (x : R) : R :=
+  sum 0%Z 3%Z (fun i => g x 0 0 i 3%Z * A i).
+Definition inner (t : R) : R :=
+  (t * (2 + PI) - 2) / PI - 1.
+Definition outer (t : R) : R :=
+  1 - ((4 + PI) / 8 * ((4 + 2 * PI) * (2 * t * (2 + PI) - 4) - 4 * PI ^ 2) - 4 * (t * (2 + PI) - 2)) / PI ^ 2.
+Definition N2 (B : Z -> R) (t : R) (x : Z) : R :=
+  sum 0%Z 3%Z (fun i => g (IZR x) (inner t) (outer t) i 3%Z * B i).
+Definition N1 (A : Z -> R) (t : R) (x : Z) : R :=
+  sum 0%Z 3%Z (fun i => g (IZR x) (outer t) (inner t) i 3%Z * A i).
+Definition N2_ (B : Z -> R) (t : R) (x : R) : R :=
+  sum 0%Z 3%Z (fun i => g x (inner t) (outer t) i 3%Z * B i).
+Definition N1_ (A : Z -> R) (t : R) (x : R) : R :=
+  sum 0%Z 3%Z (fun i => g x (outer t) (inner t) i 3%Z * A i).
+Definition statement : Prop :=
+forall (A : Z -> R) (B : Z -> R) (t : R),
+  19 / 20 <= t <= 21 / 20 ->
+  F2 B 0%Z = F1 A 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => F2_ B x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => F1_ A x__) 1 (IZR x_)) ->
+  (let x__ := 0%Z in Derive_n (fun x___ => F2_ B x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => F1_ A x____) 2 (IZR x___)) ->
+  N2 B t 0%Z = N1 A t 1%Z /\ (let x____ := 0%Z in Derive_n (fun x_____ => N2_ B t x_____) 1 (IZR x____)) = (let x_____ := 1%Z in Derive_n (fun x______ => N1_ A t x______) 1 (IZR x_____)) /\ (let x______ := 0%Z in Derive_n (fun x_______ => N2_ B t x_______) 2 (IZR x______)) = (let x_______ := 1%Z in Derive_n (fun x________ => N1_ A t x________) 2 (IZR x_______)) /\ - 1 <= inner t /\ inner t <= 1 /\ - 1 <= outer t /\ outer t <= 1 /\ ~ (forall (A : Z -> R) (B : Z -> R) (t : R),
+  19 / 20 <= t <= 21 / 20 ->
+  F2 B 0%Z = F1 A 1%Z ->
+  (let x________ := 0%Z in Derive_n (fun x_________ => F2_ B x_________) 1 (IZR x________)) = (let x_________ := 1%Z in Derive_n (fun x__________ => F1_ A x__________) 1 (IZR x_________)) ->
+  (let x__________ := 0%Z in Derive_n (fun x___________ => F2_ B x___________) 2 (IZR x__________)) = (let x___________ := 1%Z in Derive_n (fun x____________ => F1_ A x____________) 2 (IZR x___________)) ->
+  inner t = 0) /\ ~ (forall (A : Z -> R) (B : Z -> R) (t : R),
+  19 / 20 <= t <= 21 / 20 ->
+  F2 B 0%Z = F1 A 1%Z ->
+  (let x____________ := 0%Z in Derive_n (fun x_____________ => F2_ B x_____________) 1 (IZR x____________)) = (let x_____________ := 1%Z in Derive_n (fun x______________ => F1_ A x______________) 1 (IZR x_____________)) ->
+  (let x______________ := 0%Z in Derive_n (fun x_______________ => F2_ B x_______________) 2 (IZR x______________)) = (let x_______________ := 1%Z in Derive_n (fun x________________ => F1_ A x________________) 2 (IZR x_______________)) ->
+  outer t = 0).
+Definition instance : Prop :=
+exists (A : Z -> R) (B : Z -> R) (t : R),
+  19 / 20 <= t <= 21 / 20 /\
+  F2 B 0%Z = F1 A 1%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => F2_ B x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => F1_ A x__) 1 (IZR x_)) /\
+  (let x__ := 0%Z in Derive_n (fun x___ => F2_ B x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => F1_ A x____) 2 (IZR x___)).
+End intro_continuity_free_b_suitable_values.

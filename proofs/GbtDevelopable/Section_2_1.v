@@ -216,6 +216,40 @@ forall (mu : R) (nu : R) (x : R) (z : R),
   g x mu nu 0%Z 3%Z = (1 - x) * seed0 mu (sin (PI / 2 * x)) /\ (1 - x) * seed0 mu z = (1 - z) ^ 3.
 End thm_1_1_k3plus_substitution.
 
+Module thm_1_1_k3plus_letters.
+(* gbt-developable/thm-1.1.k3plus.letters, Sect. 2.1, Theorem 1, item 1, at k ≥ 3
+   printed: (same sentence) ... g_{i,k}(x) = B_{i,k}(x), i = 0, 1, ..., k; k ≥ 2
+   read as: The letter x is written for both expressions, as g_{i,k}(x) = B_{i,k}(x) has it, without asking whether any x makes both equal to x.
+   stated: formal[i,k](x, mu, nu, sin(pi/2*x), cos(pi/2*x)) == g[i,k](x) and formal[i,k](x, mu, nu, x, 1 - x) == b[i,k](x) *)
+Definition formal (x : R) (mu : R) (nu : R) (sine : R) (cosine : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sine) * (1 - mu * sine); 1 - (1 - sine) * (1 - mu * sine) - (1 - cosine) * (1 - nu * cosine); (1 - cosine) * (1 - nu * cosine)] i k.
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition b (x : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [1] i k.
+Definition statement : Prop :=
+forall (i : Z) (k : Z) (mu : R) (nu : R) (x : R),
+  (0 <= i <= k)%Z ->
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  mu = 1 ->
+  nu = 1 ->
+  (0 <= k)%Z ->
+  formal x mu nu (sin (PI / 2 * x)) (cos (PI / 2 * x)) i k = g x mu nu i k /\ formal x mu nu x (1 - x) i k = b x i k.
+Definition instance : Prop :=
+exists (i : Z) (k : Z) (mu : R) (nu : R) (x : R),
+  (0 <= i <= k)%Z /\
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= x <= 1 /\
+  mu = 1 /\
+  nu = 1 /\
+  (0 <= k)%Z.
+End thm_1_1_k3plus_letters.
+
 Module thm_1_1_degeneration.
 (* gbt-developable/thm-1.1.degeneration, Sect. 2.1, Theorem 1, item 1
    printed: At k = 2 the functions are the Bernstein functions of sin(π/2 x) for (μ, ν) = (1, −1), and of 1 − cos(π/2 x) for (μ, ν) = (−1, 1).

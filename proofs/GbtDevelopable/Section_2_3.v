@@ -409,7 +409,7 @@ Definition to_hull (t : R) : R :=
   entry (zigzag t (1 / 3)) 2.
 Definition statement : Prop :=
 forall (t : R),
-  (-1) <= t <= 1 ->
+  (-1) <= t <= (-1) / 2 ->
   Derive_n (fun t_ => to_hull t_) 1 t <= 0.
 End sec_2_3_concl_2_boundary_of_the_hull.
 
@@ -426,7 +426,7 @@ Definition to_leg2 (t : R) : R :=
   (entry (loop t (1 / 2)) 1 + 1 - 2 * entry (loop t (1 / 2)) 2) ^ 2 / 5.
 Definition statement : Prop :=
 forall (t : R),
-  (-1) <= t <= 1 ->
+  (-1) <= t <= (-1) / 2 ->
   Derive_n (fun t_ => to_leg2 t_) 1 t <= 0.
 End sec_2_3_concl_2_control_polygon.
 

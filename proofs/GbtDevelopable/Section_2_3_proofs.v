@@ -46,11 +46,11 @@ End sec_2_3_range.
 Module sec_2_3_concl_2_boundary_of_the_hull.
 Import GbtDevelopable.Section_2_3.sec_2_3_concl_2_boundary_of_the_hull.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g zigzag to_hull] in no; refuting (no ((-1) / 3)). Qed.
+Proof. intro no; cbv beta zeta delta [statement g zigzag to_hull] in no; refuting (no ((-5) / 6)). Qed.
 End sec_2_3_concl_2_boundary_of_the_hull.
 
 Module sec_2_3_concl_2_control_polygon.
 Import GbtDevelopable.Section_2_3.sec_2_3_concl_2_control_polygon.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g loop to_leg2] in no; refuting (no (1)). Qed.
+Proof. intro no; cbv beta zeta delta [statement g loop to_leg2] in no; refuting (no (-1)). Qed.
 End sec_2_3_concl_2_control_polygon.

@@ -70,7 +70,7 @@ End sec_3_2_psi_y.
 Module sec_3_2_psi_z.
 Import GbtDevelopable.Section_3_2.sec_3_2_psi_z.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement a a' phi theta] in no; refuting (no (1) (1) (1) (1) (1) (0) (1) (1)). Qed.
+Proof. intro no; cbv beta zeta delta [statement a a' phi theta] in no; refuting (no (1) (1) (1) (1) (1) (2) (1) (1)). Qed.
 End sec_3_2_psi_z.
 
 Module sec_3_2_psi_z_corrected.

@@ -6,7 +6,7 @@ Open Scope R_scope.
 Module sec_3_3_S_vec.
 Import GbtDevelopable.Section_3_3.sec_3_3_S_vec.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement a a' a'' system cramer1 cramer2 cramer3 S_] in no; refuting (no (1) (1) (1) (1) (1) (2) (1) (0) (1) (1) (1) (1)). Qed.
+Proof. intro no; cbv beta zeta delta [statement a a' a'' system cramer1 cramer2 cramer3 S_] in no; refuting (no (1) (1) (1) (1) (1) (2) (1) (2) (1) (1) (1) (1)). Qed.
 End sec_3_3_S_vec.
 
 Module sec_3_3_S_x.

@@ -66,10 +66,38 @@ exists (k : Z) (R_ : Z -> R) (U : Z -> R) (mu : R) (nu : R) (w : Z -> R),
   w k <> 0.
 End sec_5_weighted_a.
 
-Module sec_5_weighted_b.
-(* gbt-developable/sec-5.weighted.b, Sect. 5, paragraph after (5.1), for the linearity in the shape parameters
+Module sec_5_weighted_b_four_coordinates.
+(* gbt-developable/sec-5.weighted.b.four coordinates, Sect. 5, paragraph after (5.1), for the linearity in the shape parameters
    printed: It is understood that the weighted GBT-Bézier curve share the basic features with GBT-Bézier curves.
-   read as: 'weighted curve' read as the curve obtained from (5.1) by dividing by the last homogeneous coordinate, for positive weights ω_i. Here the feature of Sect. 2.3 that it is a linear function of every shape parameter; degree 2 and weights from 1 to 2 are enough to refute.
+   read as: The weighted curve is (5.1), with the points R̂_i of four coordinates, for every degree.
+   stated: D(hat(x), mu, 2) == 0 and D(hat(x), nu, 2) == 0 *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition hat (U : Z -> list R) (k : Z) (nu : R) (w : Z -> R) (mu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) [w i * entry (U i) 1; w i * entry (U i) 2; w i * entry (U i) 3; w i]).
+Definition hat_ (U : Z -> list R) (k : Z) (mu : R) (w : Z -> R) (nu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) [w i * entry (U i) 1; w i * entry (U i) 2; w i * entry (U i) 3; w i]).
+Definition statement : Prop :=
+forall (k : Z) (U'1 U'2 U'3 : Z -> R) (mu : R) (nu : R) (w : Z -> R) (x : R),
+  let U := fun i0 => [U'1 i0; U'2 i0; U'3 i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  vDerive 4 (fun mu_ => hat U k nu w mu_ x) 2 mu = zeros 4 /\ vDerive 4 (fun nu_ => hat_ U k mu w nu_ x) 2 nu = zeros 4.
+Definition instance : Prop :=
+exists (k : Z) (U'1 U'2 U'3 : Z -> R) (mu : R) (nu : R) (w : Z -> R) (x : R),
+  let U := fun i0 => [U'1 i0; U'2 i0; U'3 i0] in
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= x <= 1.
+End sec_5_weighted_b_four_coordinates.
+
+Module sec_5_weighted_b_after_division.
+(* gbt-developable/sec-5.weighted.b.after division, Sect. 5, paragraph after (5.1), for the linearity in the shape parameters
+   printed: It is understood that the weighted GBT-Bézier curve share the basic features with GBT-Bézier curves.
+   read as: The weighted curve is obtained from (5.1) by dividing by the last homogeneous coordinate, for positive weights ω_i; degree 2 and weights from 1 to 2 are enough to refute.
    stated: D(rational(x), mu, 2) == 0 *)
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
@@ -89,7 +117,7 @@ forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (w0 : R) (w1 : R) (w2 : R) (x : R
   (0 <= 2 <= k)%Z ->
   locally mu (fun mu_ => g x mu_ nu 0%Z 2%Z * w0 + g x mu_ nu 1%Z 2%Z * w1 + g x mu_ nu 2%Z 2%Z * w2 <> 0) ->
   Derive_n (fun mu_ => rational R_ nu w0 w1 w2 mu_ x) 2 mu = 0.
-End sec_5_weighted_b.
+End sec_5_weighted_b_after_division.
 
 Module eq_5_2.
 (* gbt-developable/eq-5.2, Sect. 5, eq. (5.2)

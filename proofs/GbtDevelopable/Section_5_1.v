@@ -147,85 +147,77 @@ End eq_5_4_nec_suf_curves_in_space.
 Module sec_5_1_certify.
 (* gbt-developable/sec-5.1.certify, Sect. 5.1, sentence before Theorem 2
    printed: the geometric continuity among two curves in a 4D homogeneous space certifies the geometric continuity among two conforming developable surfaces developed by using the duality principle in a 3D Euclidean space
-   read as: h, d, dd are the plane of the first family at the joint and its first two derivatives, h2, d2, dd2 those of the second; JA and JB the rulings (3.7) of both surfaces. The surfaces have the generator in common, and their tangent vectors across it point to the same side: the second sheet continues the first.
-   stated: JB(0) == JA(0) and cross(direction(h, d), JB'(0)) == e2/(gamma*e1)*cross(direction(h, d), JA'(0)) *)
-Definition P (d : list R) (dd : list R) (h : list R) (e : Z) : list R :=
-  vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) dd).
-Definition P_ (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
-  vadd (vadd h (vscale e d)) (vscale (e ^ 2 / 2) dd).
-Definition normal (P__ : list R) : list R :=
-  [entry P__ 1; entry P__ 2; entry P__ 3].
-Definition direction (P__ : list R) (D_ : list R) : list R :=
-  cross (normal P__) (normal D_).
-Definition moment (P__ : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P__)) (vscale (entry P__ 4) (normal D_)).
-Definition foot (P__ : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P__ D_) (moment P__ D_)) (dot (direction P__ D_) (direction P__ D_)).
-Definition JA (d : list R) (dd : list R) (h : list R) (x1 : R) (e : Z) : list R :=
-  vadd (vscale x1 (direction (P d dd h e) (vDerive 4 (fun e_ => P_ d dd h e_) 1 (IZR e)))) (foot (P d dd h e) (vDerive 4 (fun e_ => P_ d dd h e_) 1 (IZR e))).
-Definition e1 (d : list R) (dd : list R) (h : list R) (x1 : R) : R :=
-  entry dd 4 - dot (normal dd) (JA d dd h x1 0%Z).
-Definition e2 (d : list R) (dd : list R) (dd2 : list R) (h : list R) (x1 : R) : R :=
-  entry dd2 4 - dot (normal dd2) (JA d dd h x1 0%Z).
-Definition O_ (d2 : list R) (dd2 : list R) (h2 : list R) (e : Z) : list R :=
-  vadd (vadd h2 (vscale (IZR e) d2)) (vscale (IZR e ^ 2 / 2) dd2).
-Definition O__ (d2 : list R) (dd2 : list R) (h2 : list R) (e : R) : list R :=
-  vadd (vadd h2 (vscale e d2)) (vscale (e ^ 2 / 2) dd2).
-Definition JB (d2 : list R) (dd2 : list R) (gamma : R) (h2 : list R) (x1 : R) (e : Z) : list R :=
-  vadd (vscale (x1 / gamma) (direction (O_ d2 dd2 h2 e) (vDerive 4 (fun e_ => O__ d2 dd2 h2 e_) 1 (IZR e)))) (foot (O_ d2 dd2 h2 e) (vDerive 4 (fun e_ => O__ d2 dd2 h2 e_) 1 (IZR e))).
-Definition JB_ (d2 : list R) (dd2 : list R) (gamma : R) (h2 : list R) (x1 : R) (e : R) : list R :=
-  vadd (vscale (x1 / gamma) (direction (O__ d2 dd2 h2 e) (vDerive 4 (fun e_ => O__ d2 dd2 h2 e_) 1 e))) (foot (O__ d2 dd2 h2 e) (vDerive 4 (fun e_ => O__ d2 dd2 h2 e_) 1 e)).
-Definition JA_ (d : list R) (dd : list R) (h : list R) (x1 : R) (e : R) : list R :=
-  vadd (vscale x1 (direction (P_ d dd h e) (vDerive 4 (fun e_ => P_ d dd h e_) 1 e))) (foot (P_ d dd h e) (vDerive 4 (fun e_ => P_ d dd h e_) 1 e)).
+   read as: h, d and the plane (n, ...) are the plane of the first family at the joint and its first two derivatives, h2, d2 and (n2, ...) those of the second; JA and JB the rulings (3.7) of both surfaces, start the point of the generator. The surfaces have the generator in common, and their tangent vectors across it are multiples of each other with the factor (e1 e2/γ)/e1², which is positive: the second sheet continues the first.
+   stated: JB(0) == JA(0) and cross(direction(h, d), JB'(0)) == e1*e2/gamma/e1^2*cross(direction(h, d), JA'(0)) and e1*e2/gamma > 0 *)
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition direction (P : list R) (D_ : list R) : list R :=
+  cross (normal P) (normal D_).
+Definition moment (P : list R) (D_ : list R) : list R :=
+  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
+Definition foot (P : list R) (D_ : list R) : list R :=
+  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
+Definition start (d : list R) (h : list R) (x1 : R) : list R :=
+  vadd (vscale x1 (direction h d)) (foot h d).
+Definition dd2 (d : list R) (e2 : R) (h : list R) (n2 : list R) (x1 : R) : list R :=
+  [entry n2 1; entry n2 2; entry n2 3; dot n2 (start d h x1) + e2].
+Definition O_ (d : list R) (d2 : list R) (e2 : R) (h : list R) (h2 : list R) (n2 : list R) (x1 : R) (e : Z) : list R :=
+  vadd (vadd h2 (vscale (IZR e) d2)) (vscale (IZR e ^ 2 / 2) (dd2 d e2 h n2 x1)).
+Definition O__ (d : list R) (d2 : list R) (e2 : R) (h : list R) (h2 : list R) (n2 : list R) (x1 : R) (e : R) : list R :=
+  vadd (vadd h2 (vscale e d2)) (vscale (e ^ 2 / 2) (dd2 d e2 h n2 x1)).
+Definition dd (d : list R) (e1 : R) (h : list R) (n : list R) (x1 : R) : list R :=
+  [entry n 1; entry n 2; entry n 3; dot n (start d h x1) + e1].
+Definition P_ (d : list R) (e1 : R) (h : list R) (n : list R) (x1 : R) (e : Z) : list R :=
+  vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) (dd d e1 h n x1)).
+Definition P__ (d : list R) (e1 : R) (h : list R) (n : list R) (x1 : R) (e : R) : list R :=
+  vadd (vadd h (vscale e d)) (vscale (e ^ 2 / 2) (dd d e1 h n x1)).
+Definition JB (d : list R) (d2 : list R) (e2 : R) (gamma : R) (h : list R) (h2 : list R) (n2 : list R) (x1 : R) (e : Z) : list R :=
+  vadd (vscale (x1 / gamma) (direction (O_ d d2 e2 h h2 n2 x1 e) (vDerive 4 (fun e_ => O__ d d2 e2 h h2 n2 x1 e_) 1 (IZR e)))) (foot (O_ d d2 e2 h h2 n2 x1 e) (vDerive 4 (fun e_ => O__ d d2 e2 h h2 n2 x1 e_) 1 (IZR e))).
+Definition JA (d : list R) (e1 : R) (h : list R) (n : list R) (x1 : R) (e : Z) : list R :=
+  vadd (vscale x1 (direction (P_ d e1 h n x1 e) (vDerive 4 (fun e_ => P__ d e1 h n x1 e_) 1 (IZR e)))) (foot (P_ d e1 h n x1 e) (vDerive 4 (fun e_ => P__ d e1 h n x1 e_) 1 (IZR e))).
+Definition JB_ (d : list R) (d2 : list R) (e2 : R) (gamma : R) (h : list R) (h2 : list R) (n2 : list R) (x1 : R) (e : R) : list R :=
+  vadd (vscale (x1 / gamma) (direction (O__ d d2 e2 h h2 n2 x1 e) (vDerive 4 (fun e_ => O__ d d2 e2 h h2 n2 x1 e_) 1 e))) (foot (O__ d d2 e2 h h2 n2 x1 e) (vDerive 4 (fun e_ => O__ d d2 e2 h h2 n2 x1 e_) 1 e)).
+Definition JA_ (d : list R) (e1 : R) (h : list R) (n : list R) (x1 : R) (e : R) : list R :=
+  vadd (vscale x1 (direction (P__ d e1 h n x1 e) (vDerive 4 (fun e_ => P__ d e1 h n x1 e_) 1 e))) (foot (P__ d e1 h n x1 e) (vDerive 4 (fun e_ => P__ d e1 h n x1 e_) 1 e)).
 Definition statement : Prop :=
-forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R) (x1 : R),
+forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (e1 : R) (e2 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R) (n'1 n'2 n'3 : R) (n2'1 n2'2 n2'3 : R) (x1 : R),
   let d := [d'1; d'2; d'3; d'4] in
   let d2 := [d2'1; d2'2; d2'3; d2'4] in
-  let dd := [dd'1; dd'2; dd'3; dd'4] in
-  let dd2 := [dd2'1; dd2'2; dd2'3; dd2'4] in
   let h := [h'1; h'2; h'3; h'4] in
   let h2 := [h2'1; h2'2; h2'3; h2'4] in
+  let n := [n'1; n'2; n'3] in
+  let n2 := [n2'1; n2'2; n2'3] in
   0 < gamma ->
-  dot (direction (P d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P_ d dd h e__) 1 (IZR e_))) (direction (P d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P_ d dd h e__) 1 (IZR e_))) <> 0 ->
-  dot (direction (P d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P_ d dd h e____) 1 (IZR e___))) (direction (P d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P_ d dd h e____) 1 (IZR e___))) <> 0 ->
-  e1 d dd h x1 * e2 d dd dd2 h x1 > 0 ->
+  dot (direction h d) (direction h d) <> 0 ->
+  e1 * e2 > 0 ->
   h2 = h ->
   d2 = vscale gamma d ->
   gamma <> 0 ->
-  dot (direction (O_ d2 dd2 h2 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => O__ d2 dd2 h2 e______) 1 (IZR e_____))) (direction (O_ d2 dd2 h2 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => O__ d2 dd2 h2 e______) 1 (IZR e_____))) <> 0 ->
-  dot (direction (P d dd h 0%Z) (let e_______ := 0%Z in vDerive 4 (fun e________ => P_ d dd h e________) 1 (IZR e_______))) (direction (P d dd h 0%Z) (let e_______ := 0%Z in vDerive 4 (fun e________ => P_ d dd h e________) 1 (IZR e_______))) <> 0 ->
-  locally (IZR 0%Z) (fun e________ => dot (direction (O__ d2 dd2 h2 e________) (let e__________ := e________ in vDerive 4 (fun e___________ => O__ d2 dd2 h2 e___________) 1 e__________)) (direction (O__ d2 dd2 h2 e________) (let e__________ := e________ in vDerive 4 (fun e___________ => O__ d2 dd2 h2 e___________) 1 e__________)) <> 0) ->
-  dot (direction (P d dd h 0%Z) (let e___________ := 0%Z in vDerive 4 (fun e____________ => P_ d dd h e____________) 1 (IZR e___________))) (direction (P d dd h 0%Z) (let e___________ := 0%Z in vDerive 4 (fun e____________ => P_ d dd h e____________) 1 (IZR e___________))) <> 0 ->
-  dot (direction (P d dd h 0%Z) (let e_____________ := 0%Z in vDerive 4 (fun e______________ => P_ d dd h e______________) 1 (IZR e_____________))) (direction (P d dd h 0%Z) (let e_____________ := 0%Z in vDerive 4 (fun e______________ => P_ d dd h e______________) 1 (IZR e_____________))) <> 0 ->
-  gamma * e1 d dd h x1 <> 0 ->
-  locally (IZR 0%Z) (fun e______________ => dot (direction (P_ d dd h e______________) (let e________________ := e______________ in vDerive 4 (fun e_________________ => P_ d dd h e_________________) 1 e________________)) (direction (P_ d dd h e______________) (let e________________ := e______________ in vDerive 4 (fun e_________________ => P_ d dd h e_________________) 1 e________________)) <> 0) ->
-  dot (direction (P d dd h 0%Z) (let e_________________ := 0%Z in vDerive 4 (fun e__________________ => P_ d dd h e__________________) 1 (IZR e_________________))) (direction (P d dd h 0%Z) (let e_________________ := 0%Z in vDerive 4 (fun e__________________ => P_ d dd h e__________________) 1 (IZR e_________________))) <> 0 ->
-  dot (direction (P d dd h 0%Z) (let e___________________ := 0%Z in vDerive 4 (fun e____________________ => P_ d dd h e____________________) 1 (IZR e___________________))) (direction (P d dd h 0%Z) (let e___________________ := 0%Z in vDerive 4 (fun e____________________ => P_ d dd h e____________________) 1 (IZR e___________________))) <> 0 ->
-  JB d2 dd2 gamma h2 x1 0%Z = JA d dd h x1 0%Z /\ cross (direction h d) (let e____________________ := 0%Z in vDerive 3 (fun e_____________________ => JB_ d2 dd2 gamma h2 x1 e_____________________) 1 (IZR e____________________)) = vscale (e2 d dd dd2 h x1 / (gamma * e1 d dd h x1)) (cross (direction h d) (let e_____________________ := 0%Z in vDerive 3 (fun e______________________ => JA_ d dd h x1 e______________________) 1 (IZR e_____________________))).
+  dot (direction h (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) (direction h (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) <> 0 ->
+  dot (direction h (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) (direction h (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) <> 0 ->
+  locally (IZR 0%Z) (fun e____ => dot (direction h (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) (direction h (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) <> 0) ->
+  e1 ^ 2 <> 0 ->
+  locally (IZR 0%Z) (fun e____ => dot (direction h (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) (direction h (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) <> 0) ->
+  JB d d2 e2 gamma h h2 n2 x1 0%Z = JA d e1 h n x1 0%Z /\ cross (direction h d) (let e____ := 0%Z in vDerive 3 (fun e_________ => JB_ d d2 e2 gamma h h2 n2 x1 e_________) 1 (IZR e____)) = vscale (e1 * e2 / gamma / e1 ^ 2) (cross (direction h d) (let e_________ := 0%Z in vDerive 3 (fun e__________ => JA_ d e1 h n x1 e__________) 1 (IZR e_________))) /\ e1 * e2 / gamma > 0.
 Definition instance : Prop :=
-exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R) (x1 : R),
+exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (e1 : R) (e2 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R) (n'1 n'2 n'3 : R) (n2'1 n2'2 n2'3 : R) (x1 : R),
   let d := [d'1; d'2; d'3; d'4] in
   let d2 := [d2'1; d2'2; d2'3; d2'4] in
-  let dd := [dd'1; dd'2; dd'3; dd'4] in
-  let dd2 := [dd2'1; dd2'2; dd2'3; dd2'4] in
   let h := [h'1; h'2; h'3; h'4] in
   let h2 := [h2'1; h2'2; h2'3; h2'4] in
+  let n := [n'1; n'2; n'3] in
+  let n2 := [n2'1; n2'2; n2'3] in
   0 < gamma /\
-  dot (direction (P d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P_ d dd h e__) 1 (IZR e_))) (direction (P d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P_ d dd h e__) 1 (IZR e_))) <> 0 /\
-  dot (direction (P d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P_ d dd h e____) 1 (IZR e___))) (direction (P d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P_ d dd h e____) 1 (IZR e___))) <> 0 /\
-  e1 d dd h x1 * e2 d dd dd2 h x1 > 0 /\
+  dot (direction h d) (direction h d) <> 0 /\
+  e1 * e2 > 0 /\
   h2 = h /\
   d2 = vscale gamma d /\
   gamma <> 0 /\
-  dot (direction (O_ d2 dd2 h2 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => O__ d2 dd2 h2 e______) 1 (IZR e_____))) (direction (O_ d2 dd2 h2 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => O__ d2 dd2 h2 e______) 1 (IZR e_____))) <> 0 /\
-  dot (direction (P d dd h 0%Z) (let e_______ := 0%Z in vDerive 4 (fun e________ => P_ d dd h e________) 1 (IZR e_______))) (direction (P d dd h 0%Z) (let e_______ := 0%Z in vDerive 4 (fun e________ => P_ d dd h e________) 1 (IZR e_______))) <> 0 /\
-  locally (IZR 0%Z) (fun e________ => dot (direction (O__ d2 dd2 h2 e________) (let e__________ := e________ in vDerive 4 (fun e___________ => O__ d2 dd2 h2 e___________) 1 e__________)) (direction (O__ d2 dd2 h2 e________) (let e__________ := e________ in vDerive 4 (fun e___________ => O__ d2 dd2 h2 e___________) 1 e__________)) <> 0) /\
-  dot (direction (P d dd h 0%Z) (let e___________ := 0%Z in vDerive 4 (fun e____________ => P_ d dd h e____________) 1 (IZR e___________))) (direction (P d dd h 0%Z) (let e___________ := 0%Z in vDerive 4 (fun e____________ => P_ d dd h e____________) 1 (IZR e___________))) <> 0 /\
-  dot (direction (P d dd h 0%Z) (let e_____________ := 0%Z in vDerive 4 (fun e______________ => P_ d dd h e______________) 1 (IZR e_____________))) (direction (P d dd h 0%Z) (let e_____________ := 0%Z in vDerive 4 (fun e______________ => P_ d dd h e______________) 1 (IZR e_____________))) <> 0 /\
-  gamma * e1 d dd h x1 <> 0 /\
-  locally (IZR 0%Z) (fun e______________ => dot (direction (P_ d dd h e______________) (let e________________ := e______________ in vDerive 4 (fun e_________________ => P_ d dd h e_________________) 1 e________________)) (direction (P_ d dd h e______________) (let e________________ := e______________ in vDerive 4 (fun e_________________ => P_ d dd h e_________________) 1 e________________)) <> 0) /\
-  dot (direction (P d dd h 0%Z) (let e_________________ := 0%Z in vDerive 4 (fun e__________________ => P_ d dd h e__________________) 1 (IZR e_________________))) (direction (P d dd h 0%Z) (let e_________________ := 0%Z in vDerive 4 (fun e__________________ => P_ d dd h e__________________) 1 (IZR e_________________))) <> 0 /\
-  dot (direction (P d dd h 0%Z) (let e___________________ := 0%Z in vDerive 4 (fun e____________________ => P_ d dd h e____________________) 1 (IZR e___________________))) (direction (P d dd h 0%Z) (let e___________________ := 0%Z in vDerive 4 (fun e____________________ => P_ d dd h e____________________) 1 (IZR e___________________))) <> 0.
+  dot (direction h (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) (direction h (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) <> 0 /\
+  dot (direction h (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) (direction h (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) <> 0 /\
+  locally (IZR 0%Z) (fun e____ => dot (direction h (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) (direction h (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) <> 0) /\
+  e1 ^ 2 <> 0 /\
+  locally (IZR 0%Z) (fun e____ => dot (direction h (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) (direction h (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) <> 0).
 End sec_5_1_certify.
 
 Module sec_5_1_certify_sheets.

@@ -5,7 +5,7 @@ Open Scope R_scope.
 Module abs_basis_a.
 (* gbt-surfaces/abs.basis.a, Abstract, second sentence
    printed: GBTB basis functions with two shape parameters are derived in explicit expression which satisfied the basic geometric features of the traditional Bernstein basis functions
-   read as: The features of Theorem 1, and the values at the ends.
+   read as: The features of Theorem 1 but the degeneracy, which is a claim of its own: nonnegativity, partition of unity, symmetry for equal shape parameters; and the values at the ends.
    stated: nonnegative(f) and sum(k, 0, m, f[k,m](z)) == 1 and f[m-k,m](z, mu, mu) == f[k,m](1 - z, mu, mu) and f[0,m](0) == 1 and f[m,m](1) == 1 *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
@@ -96,6 +96,47 @@ exists (c0 : R) (c1 : R) (c2 : R) (c3 : R) (mu : R) (nu : R),
   (let z_ := 1%Z in Derive_n (fun z__ => K_ c0 c1 c2 c3 mu nu z__) 1 (IZR z_)) = 0 /\
   K c0 c1 c2 c3 mu nu 1%Z = 0.
 End abs_basis_cubic.
+
+Module abs_basis_all.
+(* gbt-surfaces/abs.basis.all, Abstract, second sentence
+   printed: What a curve of order m ≥ 3 is made of: three polynomials, a function of the sine and one of the cosine.
+   stated: F(z) == A + ((1 + mu)*sin(pi/2*z) - mu*sin(pi/2*z)^2)*(B - A) + (1 - (1 + nu)*cos(pi/2*z) + nu*cos(pi/2*z)^2)*(C - B) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition e (z : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [1] i k.
+Definition A (Q : Z -> R) (m : Z) (z : R) : R :=
+  sum 0%Z (m - 2)%Z (fun k => e z k (m - 2)%Z * Q k).
+Definition B (Q : Z -> R) (m : Z) (z : R) : R :=
+  sum 0%Z (m - 2)%Z (fun k => e z k (m - 2)%Z * Q (k + 1)%Z).
+Definition C_ (Q : Z -> R) (m : Z) (z : R) : R :=
+  sum 0%Z (m - 2)%Z (fun k => e z k (m - 2)%Z * Q (k + 2)%Z).
+Definition statement : Prop :=
+forall (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (forall k : Z, (0 <= k <= (m - 2))%Z -> (0 <= m - 2)%Z) ->
+  (forall k : Z, (0 <= k <= (m - 2))%Z -> (0 <= k <= m)%Z) ->
+  (forall k : Z, (0 <= k <= (m - 2))%Z -> (0 <= k + 1 <= m)%Z) ->
+  (forall k : Z, (0 <= k <= (m - 2))%Z -> (0 <= k + 2 <= m)%Z) ->
+  F Q m mu nu z = A Q m z + ((1 + mu) * sin (PI / 2 * z) - mu * sin (PI / 2 * z) ^ 2) * (B Q m z - A Q m z) + (1 - (1 + nu) * cos (PI / 2 * z) + nu * cos (PI / 2 * z) ^ 2) * (C_ Q m z - B Q m z).
+Definition instance : Prop :=
+exists (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= z <= 1 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  (forall k : Z, (0 <= k <= (m - 2))%Z -> (0 <= m - 2)%Z) /\
+  (forall k : Z, (0 <= k <= (m - 2))%Z -> (0 <= k <= m)%Z) /\
+  (forall k : Z, (0 <= k <= (m - 2))%Z -> (0 <= k + 1 <= m)%Z) /\
+  (forall k : Z, (0 <= k <= (m - 2))%Z -> (0 <= k + 2 <= m)%Z).
+End abs_basis_all.
 
 Module abs_continuity_a.
 (* gbt-surfaces/abs.continuity.a, Abstract

@@ -94,35 +94,38 @@ Module eq_2_zero_literal.
 (* gbt-surfaces/eq-2.zero.literal, Sect. 2.1, sentence after eq. (2)
    printed: when k = -1 or k > n, the functions f_{k,m}(z) = 0
    read as: The bound n is a number of its own, which the definition does not name.
-   stated: f[-1,m](z) == 0 and f[n+1,m](z) == 0 *)
+   stated: f[-1,m](z) == 0 and f[n+j,m](z) == 0 *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
-forall (m : Z) (n : Z) (mu : R) (nu : R) (z : R),
+forall (j : Z) (m : Z) (n : Z) (mu : R) (nu : R) (z : R),
+  (1 <= j)%Z ->
   (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (2 <= n)%Z ->
   (-1) <= nu <= 1 ->
   0 <= z <= 1 ->
-  f z mu nu (- 1)%Z m = 0 /\ f z mu nu (n + 1)%Z m = 0.
+  f z mu nu (- 1)%Z m = 0 /\ f z mu nu (n + j)%Z m = 0.
 End eq_2_zero_literal.
 
 Module eq_2_zero_n_is_the_order.
 (* gbt-surfaces/eq-2.zero.n is the order, Sect. 2.1, sentence after eq. (2)
    printed: when k = -1 or k > n, the functions f_{k,m}(z) = 0
    read as: The bound n is the order m of the functions.
-   stated: f[-1,m](z) == 0 and f[m+1,m](z) == 0 *)
+   stated: f[-1,m](z) == 0 and f[m+j,m](z) == 0 *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
-forall (m : Z) (mu : R) (nu : R) (z : R),
+forall (j : Z) (m : Z) (mu : R) (nu : R) (z : R),
+  (1 <= j)%Z ->
   (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   0 <= z <= 1 ->
-  f z mu nu (- 1)%Z m = 0 /\ f z mu nu (m + 1)%Z m = 0.
+  f z mu nu (- 1)%Z m = 0 /\ f z mu nu (m + j)%Z m = 0.
 Definition instance : Prop :=
-exists (m : Z) (mu : R) (nu : R) (z : R),
+exists (j : Z) (m : Z) (mu : R) (nu : R) (z : R),
+  (1 <= j)%Z /\
   (2 <= m)%Z /\
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1 /\

@@ -30,7 +30,7 @@ End eq_1_f2.
 Module eq_2_zero_literal.
 Import GbtSurfaces.Section_2_1.eq_2_zero_literal.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((3))%Z ((2))%Z ((-1) / 3) (1) (1/2)). Qed.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((1))%Z ((3))%Z ((2))%Z ((-1) / 3) (1) (1/2)). Qed.
 End eq_2_zero_literal.
 
 Module eq_2_zero_n_is_the_order.
@@ -38,7 +38,7 @@ Import GbtSurfaces.Section_2_1.eq_2_zero_n_is_the_order.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_2_zero_n_is_the_order.
 
 Module thm_1_1_as_functions.

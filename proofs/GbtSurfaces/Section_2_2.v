@@ -2,6 +2,41 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module def_2_points_one_letter.
+(* gbt-surfaces/def-2.points.one letter, Sect. 2.2, Definition 2, first line
+   printed: For any control points Q_k ∈ R^m, m = 2, 3; k = 0, 1, ..., m
+   read as: The dimension of the space is the degree of the curve, 2 or 3.
+   stated: m <= 3 *)
+Definition statement : Prop :=
+forall (m : Z),
+  (2 <= m)%Z ->
+  IZR m <= 3.
+End def_2_points_one_letter.
+
+Module def_2_points_two_letters.
+(* gbt-surfaces/def-2.points.two letters, Sect. 2.2, Definition 2, first line
+   printed: For any control points Q_k ∈ R^m, m = 2, 3; k = 0, 1, ..., m
+   read as: The m of R^m is the dimension, 2 or 3, and the m of k = 0, ..., m the degree: (3) is meant coordinate by coordinate.
+   stated: sum(k, 0, m, f[k,m](z)*P[k]) == [sum(k, 0, m, f[k,m](z)*P[k][1]), sum(k, 0, m, f[k,m](z)*P[k][2]), sum(k, 0, m, f[k,m](z)*P[k][3])] *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition statement : Prop :=
+forall (m : Z) (P'1 P'2 P'3 : Z -> R) (mu : R) (nu : R) (z : R),
+  let P := fun i0 => [P'1 i0; P'2 i0; P'3 i0] in
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  vsum 3 0%Z m (fun k => vscale (f z mu nu k m) (P k)) = [sum 0%Z m (fun k => f z mu nu k m * entry (P k) 1); sum 0%Z m (fun k => f z mu nu k m * entry (P k) 2); sum 0%Z m (fun k => f z mu nu k m * entry (P k) 3)].
+Definition instance : Prop :=
+exists (m : Z) (P'1 P'2 P'3 : Z -> R) (mu : R) (nu : R) (z : R),
+  let P := fun i0 => [P'1 i0; P'2 i0; P'3 i0] in
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= z <= 1.
+End def_2_points_two_letters.
+
 Module eq_3.
 (* gbt-surfaces/eq-3, Sect. 2.2, eq. (3)
    printed: F_m(z;μ,ν) = sum_{k=0}^{m} f_{k,m}(z) Q_k, 0 ≤ z ≤ 1
@@ -45,22 +80,20 @@ Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
 forall (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   0 <= z <= 1 ->
   mu = nu ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   (forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z) ->
   sum 0%Z m (fun k => f z mu nu k m * Q (m - k)%Z) = F Q m mu nu (1 - z).
 Definition instance : Prop :=
 exists (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
-  (3 <= m)%Z /\
+  (2 <= m)%Z /\
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1 /\
   0 <= z <= 1 /\
   mu = nu /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
   (forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z).
 End sec_2_2_symmetry_as_in_Theorem_1.
 
@@ -75,20 +108,18 @@ Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
 forall (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   0 <= z <= 1 ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   (forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z) ->
   sum 0%Z m (fun k => f z nu mu k m * Q (m - k)%Z) = F Q m mu nu (1 - z).
 Definition instance : Prop :=
 exists (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
-  (3 <= m)%Z /\
+  (2 <= m)%Z /\
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1 /\
   0 <= z <= 1 /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
   (forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z).
 End sec_2_2_symmetry_parameters_exchanged.
 
@@ -103,11 +134,10 @@ Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
 forall (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   0 <= z <= 1 ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   (forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z) ->
   sum 0%Z m (fun k => f z mu nu k m * Q (m - k)%Z) = F Q m mu nu (1 - z).
 End sec_2_2_symmetry_as_for_B_zier_curves.
@@ -120,19 +150,17 @@ Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (mu : R) (nu : R) (z : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   0 <= z <= 1 ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   (forall i k : Z, (2 <= k)%Z -> 0 <= f z mu nu i k) /\ sum 0%Z m (fun k_ => f z mu nu k_ m) = 1.
 Definition instance : Prop :=
 exists (m : Z) (mu : R) (nu : R) (z : R),
-  (3 <= m)%Z /\
+  (2 <= m)%Z /\
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1 /\
-  0 <= z <= 1 /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
+  0 <= z <= 1.
 End sec_2_2_convex_hull.
 
 Module sec_2_2_variation_diminishing_order_2.
@@ -168,21 +196,19 @@ Definition statement : Prop :=
 forall (m : Z) (P'1 P'2 P'3 : Z -> R) (c11 : R) (c12 : R) (c13 : R) (c21 : R) (c22 : R) (c23 : R) (c31 : R) (c32 : R) (c33 : R) (mu : R) (nu : R) (r'1 r'2 r'3 : R) (z : R),
   let P := fun i0 => [P'1 i0; P'2 i0; P'3 i0] in
   let r := [r'1; r'2; r'3] in
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   0 <= z <= 1 ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   vsum 3 0%Z m (fun k => vscale (f z mu nu k m) (vadd (mvec (A c11 c12 c13 c21 c22 c23 c31 c32 c33) (P k)) r)) = vadd (mvec (A c11 c12 c13 c21 c22 c23 c31 c32 c33) (vsum 3 0%Z m (fun k => vscale (f z mu nu k m) (P k)))) r.
 Definition instance : Prop :=
 exists (m : Z) (P'1 P'2 P'3 : Z -> R) (c11 : R) (c12 : R) (c13 : R) (c21 : R) (c22 : R) (c23 : R) (c31 : R) (c32 : R) (c33 : R) (mu : R) (nu : R) (r'1 r'2 r'3 : R) (z : R),
   let P := fun i0 => [P'1 i0; P'2 i0; P'3 i0] in
   let r := [r'1; r'2; r'3] in
-  (3 <= m)%Z /\
+  (2 <= m)%Z /\
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1 /\
-  0 <= z <= 1 /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
+  0 <= z <= 1.
 End sec_2_2_invariance.
 
 Module sec_2_2_shape_adjustable.
@@ -197,30 +223,30 @@ Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
 forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   ~ (forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   Derive_n (fun mu_ => let z := 0%Z in Derive_n (fun z_ => F Q m nu mu_ z_) 1 (IZR z)) 1 mu = 0) /\ ~ (forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   Derive_n (fun nu_ => let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu_ z__) 1 (IZR z_)) 1 nu = 0).
 Definition instance : Prop :=
 exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z /\
+  (2 <= m)%Z /\
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1.
 End sec_2_2_shape_adjustable.
 
 Module sec_2_2_terminal_0_values.
 (* gbt-surfaces/sec-2.2.terminal-0.values, Sect. 2.2, sentence after eq. (3)
-   printed: The values of the curve and of its first three derivatives at the start, from (1) to (3).
+   printed: The values of the curve and of its first three derivatives at the start, from (1) to (3), for every order from 3 on.
    stated: F(0) == Q[0] and F'(0) == 1/2*(2*(m - 2) + pi*(1 + mu))*(Q[1] - Q[0]) and F''(0) == 1/4*(4*(m - 2)*(m - 3 + pi*(1 + mu))*(Q[0] - 2*Q[1] + Q[2]) + 2*pi^2*mu*(Q[0] - Q[1]) - pi^2*(1 - nu)*(Q[1] - Q[2])) and F'''(0) == 1/8*(4*(m - 2)*(m - 3)*(2*(m - 4) + 3*pi*(1 + mu))*(Q[3] - 3*Q[2] + 3*Q[1] - Q[0]) + 12*(m - 2)*pi^2*mu*(2*Q[1] - Q[0] - Q[2]) + 6*(m - 2)*pi^2*(1 - nu)*(Q[3] - 2*Q[2] + Q[1]) - pi^3*(1 + mu)*(Q[1] - Q[0])) *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
@@ -253,7 +279,7 @@ End sec_2_2_terminal_0_values.
 
 Module sec_2_2_terminal_1_values.
 (* gbt-surfaces/sec-2.2.terminal-1.values, Sect. 2.2, sentence after eq. (3)
-   printed: The values of the curve and of its first three derivatives at the end, from (1) to (3).
+   printed: The values of the curve and of its first three derivatives at the end, from (1) to (3), for every order from 3 on.
    stated: F(1) == Q[m] and F'(1) == 1/2*(2*(m - 2) + pi*(1 + nu))*(Q[m] - Q[m-1]) and F''(1) == 1/4*(4*(m - 2)*(m - 3 + pi*(1 + nu))*(Q[m] - 2*Q[m-1] + Q[m-2]) + 2*pi^2*nu*(Q[m] - Q[m-1]) - pi^2*(1 - mu)*(Q[m-1] - Q[m-2])) and F'''(1) == 1/8*(4*(m - 2)*(m - 3)*(2*(m - 4) + 3*pi*(1 + nu))*(Q[m] - 3*Q[m-1] + 3*Q[m-2] - Q[m-3]) + 12*(m - 2)*pi^2*nu*(Q[m] - 2*Q[m-1] + Q[m-2]) - 6*(m - 2)*pi^2*(1 - mu)*(Q[m-1] - 2*Q[m-2] + Q[m-3]) - pi^3*(1 + nu)*(Q[m] - Q[m-1])) *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
@@ -294,19 +320,17 @@ Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
 Definition statement : Prop :=
 forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   (0 <= 0 <= m)%Z ->
   (0 <= m <= m)%Z ->
   F Q m mu nu 0%Z = Q 0%Z /\ F Q m mu nu 1%Z = Q m.
 Definition instance : Prop :=
 exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z /\
+  (2 <= m)%Z /\
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1 /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
   (0 <= 0 <= m)%Z /\
   (0 <= m <= m)%Z.
 End sec_2_2_interpolation.
@@ -323,43 +347,43 @@ Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
 forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   ~ (forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   Derive_n (fun mu_ => let z := 0%Z in Derive_n (fun z_ => F Q m nu mu_ z_) 1 (IZR z)) 1 mu = 0) /\ ~ (forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   Derive_n (fun nu_ => let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu_ z__) 1 (IZR z_)) 1 nu = 0) /\ ~ (forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   Derive_n (fun nu_ => let z__ := 0%Z in Derive_n (fun z___ => F_ Q m mu nu_ z___) 2 (IZR z__)) 1 nu = 0) /\ ~ (forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   Derive_n (fun mu_ => let z___ := 1%Z in Derive_n (fun z____ => F Q m nu mu_ z____) 2 (IZR z___)) 1 mu = 0) /\ ~ (forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   Derive_n (fun mu_ => let z____ := 0%Z in Derive_n (fun z_____ => F Q m nu mu_ z_____) 3 (IZR z____)) 1 mu = 0) /\ ~ (forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
+  (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   Derive_n (fun nu_ => let z_____ := 1%Z in Derive_n (fun z______ => F_ Q m mu nu_ z______) 3 (IZR z_____)) 1 nu = 0).
 Definition instance : Prop :=
 exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
-  (3 <= m)%Z /\
+  (2 <= m)%Z /\
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1.
 End sec_2_2_end_derivatives.
@@ -1857,7 +1881,6 @@ forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (n
   b1 mu1 n nu1 <> 0 ->
   4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 ->
   4 * (IZR n - 3) * (IZR n - 4) + 6 * PI * (1 + mu1) * (IZR n - 3) + 3 * PI ^ 2 * (1 - nu1) <> 0 ->
-  IZR n - 2 <> 0 ->
   Q1 0%Z = Q m /\ Q1 1%Z = join11 Q m mu1 n nu /\ Q1 2%Z = join12 Q m mu mu1 n nu nu1 /\ Q1 3%Z = join13 Q m mu mu1 n nu nu1.
 Definition instance : Prop :=
 exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
@@ -1885,8 +1908,7 @@ exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (n
   (0 <= m - 3 <= m)%Z /\
   b1 mu1 n nu1 <> 0 /\
   4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 /\
-  4 * (IZR n - 3) * (IZR n - 4) + 6 * PI * (1 + mu1) * (IZR n - 3) + 3 * PI ^ 2 * (1 - nu1) <> 0 /\
-  IZR n - 2 <> 0.
+  4 * (IZR n - 3) * (IZR n - 4) + 6 * PI * (1 + mu1) * (IZR n - 3) + 3 * PI ^ 2 * (1 - nu1) <> 0.
 End thm_2_4_necessary.
 
 Module thm_2_4_sufficient.

@@ -3,10 +3,24 @@ From Torse Require Import Defs Series Theory Bounds Tactics.
 From GbtSurfaces Require Section_2_2.
 Open Scope R_scope.
 
+Module def_2_points_one_letter.
+Import GbtSurfaces.Section_2_2.def_2_points_one_letter.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no ((4))%Z). Qed.
+End def_2_points_one_letter.
+
+Module def_2_points_two_letters.
+Import GbtSurfaces.Section_2_2.def_2_points_two_letters.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End def_2_points_two_letters.
+
 Module sec_2_2_symmetry_as_for_B_zier_curves.
 Import GbtSurfaces.Section_2_2.sec_2_2_symmetry_as_for_B_zier_curves.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f F] in no; refuting (no ((3))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (1) (0) (1/2)). Qed.
+Proof. intro no; cbv beta zeta delta [statement f F] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (0) (1/2)). Qed.
 End sec_2_2_symmetry_as_for_B_zier_curves.
 
 Module sec_2_2_interpolation.
@@ -14,7 +28,7 @@ Import GbtSurfaces.Section_2_2.sec_2_2_interpolation.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f F]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f F]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f F]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_2_2_interpolation.
 
 Module thm_2_1.

@@ -109,12 +109,18 @@ End sec_2_3_features_b.
 Module sec_2_3_features_c.
 (* gbt-surfaces/sec-2.3.features.c, Sect. 2.3, sentence after eq. (7)
    printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
-   read as: The tangents change with the shape parameters.
-   stated: not D(Tz0(0), mu) == 0 *)
+   read as: The tangents at the corners change with all four shape parameters.
+   stated: not D(Tz0(0), mu) == 0 and not D(Tz1(0), nu) == 0 and not D(Tu0(0), mu1) == 0 and not D(Tu1(0), nu1) == 0 *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition Tz0 (G : Z -> Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (mu : R) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * (let z := 0%Z in Derive_n (fun z_ => sum 0%Z m (fun k => f z_ mu nu k m * G k l)) 1 (IZR z))).
+Definition Tz1 (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu1 : R) (nu : R) (z1 : Z) : R :=
+  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * (let z := 1%Z in Derive_n (fun z_ => sum 0%Z m (fun k => f z_ mu nu k m * G k l)) 1 (IZR z))).
+Definition Tu0 (G : Z -> Z -> R) (m : Z) (mu : R) (n : Z) (nu : R) (nu1 : R) (mu1 : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * (let z1 := 0%Z in Derive_n (fun z1_ => sum 0%Z n (fun l => f z1_ mu1 nu1 l n * G k l)) 1 (IZR z1))).
+Definition Tu1 (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * (let z1 := 1%Z in Derive_n (fun z1_ => sum 0%Z n (fun l => f z1_ mu1 nu1 l n * G k l)) 1 (IZR z1))).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (2 <= m)%Z ->
@@ -133,7 +139,37 @@ forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
   (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) ->
-  Derive_n (fun mu_ => Tz0 G m mu1 n nu nu1 mu_ 0%Z) 1 mu = 0).
+  Derive_n (fun mu_ => Tz0 G m mu1 n nu nu1 mu_ 0%Z) 1 mu = 0) /\ ~ (forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) ->
+  Derive_n (fun nu_ => Tz1 G m mu mu1 n nu1 nu_ 0%Z) 1 nu = 0) /\ ~ (forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (0 <= k <= m)%Z) ->
+  Derive_n (fun mu1_ => Tu0 G m mu n nu nu1 mu1_ 0%Z) 1 mu1 = 0) /\ ~ (forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (0 <= k <= m)%Z) ->
+  Derive_n (fun nu1_ => Tu1 G m mu mu1 n nu nu1_ 0%Z) 1 nu1 = 0).
 Definition instance : Prop :=
 exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (2 <= m)%Z /\
@@ -147,8 +183,8 @@ End sec_2_3_features_c.
 Module sec_2_3_features_d.
 (* gbt-surfaces/sec-2.3.features.d, Sect. 2.3, sentence after eq. (7)
    printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
-   read as: Symmetry: the net in reverse order, with the parameters of its direction exchanged, gives the same surface, run through backwards.
-   stated: sum(l, 0, n, f[l,n](z1, mu1, nu1)*sum(k, 0, m, f[k,m](z, nu, mu)*G[m-k,l])) == T(1 - z, z1) *)
+   read as: Symmetry: the net in reverse order in one direction, with the parameters of that direction exchanged, gives the same surface, run through backwards.
+   stated: sum(l, 0, n, f[l,n](z1, mu1, nu1)*sum(k, 0, m, f[k,m](z, nu, mu)*G[m-k,l])) == T(1 - z, z1) and sum(l, 0, n, f[l,n](z1, nu1, mu1)*sum(k, 0, m, f[k,m](z, mu, nu)*G[k,n-l])) == T(z, 1 - z1) *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
@@ -165,7 +201,8 @@ forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   0 <= z1 <= 1 ->
   (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z) ->
   (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) ->
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k => f z nu mu k m * G (m - k)%Z l)) = T G m mu mu1 n nu nu1 (1 - z) z1.
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= n - l <= n)%Z) ->
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k => f z nu mu k m * G (m - k)%Z l)) = T G m mu mu1 n nu nu1 (1 - z) z1 /\ sum 0%Z n (fun l => f z1 nu1 mu1 l n * sum 0%Z m (fun k => f z mu nu k m * G k (n - l)%Z)) = T G m mu mu1 n nu nu1 z (1 - z1).
 Definition instance : Prop :=
 exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z /\
@@ -177,18 +214,29 @@ exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   0 <= z <= 1 /\
   0 <= z1 <= 1 /\
   (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z) /\
-  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z).
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= l <= n)%Z) /\
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= n - l <= n)%Z).
 End sec_2_3_features_d.
 
 Module sec_2_3_classical_the_features_of_Sect__2_2.
 (* gbt-surfaces/sec-2.3.classical.the features of Sect. 2.2, Sect. 2.3, paragraph after eq. (7)
    printed: The tensor product GBT-Bézier surfaces shares all the properties with classical tensor product Bézier surfaces except for the shape adjustable property which is superior to the properties of classical tensor product Bézier surfaces.
-   read as: The properties are those that Sect. 2.2 lists for curves: convex hull, affine invariance, interpolation of the corners.
-   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and T(0, 0) == G[0,0] and T(1, 0) == G[m,0] and T(0, 1) == G[0,n] and T(1, 1) == G[m,n] *)
+   read as: The properties are those that Sect. 2.2 lists for curves, but for variation diminution: convex hull, affine invariance, interpolation of the corners, symmetry with the parameters exchanged; and the tangents at the corners change with the shape parameters.
+   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and T(0, 0) == G[0,0] and T(1, 0) == G[m,0] and T(0, 1) == G[0,n] and T(1, 1) == G[m,n] and sum(l, 0, n, f[l,n](z1, mu1, nu1)*sum(k, 0, m, f[k,m](z, nu, mu)*G[m-k,l])) == T(1 - z, z1) and not D(Tz0(0), mu) == 0 and not D(Tz1(0), nu) == 0 and not D(Tu0(0), mu1) == 0 and not D(Tu1(0), nu1) == 0 *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
+Definition T_ (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k => f z mu nu k m * G k l)).
+Definition Tz0 (G : Z -> Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (mu : R) (z1 : Z) : R :=
+  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * (let z := 0%Z in Derive_n (fun z_ => sum 0%Z m (fun k => f z_ mu nu k m * G k l)) 1 (IZR z))).
+Definition Tz1 (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu1 : R) (nu : R) (z1 : Z) : R :=
+  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * (let z := 1%Z in Derive_n (fun z_ => sum 0%Z m (fun k => f z_ mu nu k m * G k l)) 1 (IZR z))).
+Definition Tu0 (G : Z -> Z -> R) (m : Z) (mu : R) (n : Z) (nu : R) (nu1 : R) (mu1 : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * (let z1 := 0%Z in Derive_n (fun z1_ => sum 0%Z n (fun l => f z1_ mu1 nu1 l n * G k l)) 1 (IZR z1))).
+Definition Tu1 (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * (let z1 := 1%Z in Derive_n (fun z1_ => sum 0%Z n (fun l => f z1_ mu1 nu1 l n * G k l)) 1 (IZR z1))).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -204,7 +252,56 @@ forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   (0 <= 0 <= n)%Z ->
   (0 <= m <= m)%Z ->
   (0 <= n <= n)%Z ->
-  (forall i k : Z, (2 <= k)%Z -> 0 <= f z mu nu i k) /\ sum 0%Z m (fun k_ => f z mu nu k_ m * sum 0%Z n (fun l => f z1 mu1 nu1 l n)) = 1 /\ T G m mu mu1 n nu nu1 0%Z 0%Z = G 0%Z 0%Z /\ T G m mu mu1 n nu nu1 1%Z 0%Z = G m 0%Z /\ T G m mu mu1 n nu nu1 0%Z 1%Z = G 0%Z n /\ T G m mu mu1 n nu nu1 1%Z 1%Z = G m n.
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z) ->
+  (forall i k : Z, (2 <= k)%Z -> 0 <= f z mu nu i k) /\ sum 0%Z m (fun k_ => f z mu nu k_ m * sum 0%Z n (fun l => f z1 mu1 nu1 l n)) = 1 /\ T G m mu mu1 n nu nu1 0%Z 0%Z = G 0%Z 0%Z /\ T G m mu mu1 n nu nu1 1%Z 0%Z = G m 0%Z /\ T G m mu mu1 n nu nu1 0%Z 1%Z = G 0%Z n /\ T G m mu mu1 n nu nu1 1%Z 1%Z = G m n /\ sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k_ => f z nu mu k_ m * G (m - k_)%Z l)) = T_ G m mu mu1 n nu nu1 (1 - z) z1 /\ ~ (forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k_ : Z, (0 <= k_ <= m)%Z -> (2 <= m)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k_ : Z, (0 <= k_ <= m)%Z -> (0 <= l <= n)%Z) ->
+  Derive_n (fun mu_ => Tz0 G m mu1 n nu nu1 mu_ 0%Z) 1 mu = 0) /\ ~ (forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k_ : Z, (0 <= k_ <= m)%Z -> (2 <= m)%Z) ->
+  (forall l : Z, (0 <= l <= n)%Z -> forall k_ : Z, (0 <= k_ <= m)%Z -> (0 <= l <= n)%Z) ->
+  Derive_n (fun nu_ => Tz1 G m mu mu1 n nu1 nu_ 0%Z) 1 nu = 0) /\ ~ (forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k_ : Z, (0 <= k_ <= m)%Z -> (2 <= m)%Z) ->
+  (forall k_ : Z, (0 <= k_ <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall k_ : Z, (0 <= k_ <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (0 <= k_ <= m)%Z) ->
+  Derive_n (fun mu1_ => Tu0 G m mu n nu nu1 mu1_ 0%Z) 1 mu1 = 0) /\ ~ (forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k_ : Z, (0 <= k_ <= m)%Z -> (2 <= m)%Z) ->
+  (forall k_ : Z, (0 <= k_ <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  (forall k_ : Z, (0 <= k_ <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (0 <= k_ <= m)%Z) ->
+  Derive_n (fun nu1_ => Tu1 G m mu mu1 n nu nu1_ 0%Z) 1 nu1 = 0).
 Definition instance : Prop :=
 exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z /\
@@ -219,7 +316,8 @@ exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   (0 <= 0 <= m)%Z /\
   (0 <= 0 <= n)%Z /\
   (0 <= m <= m)%Z /\
-  (0 <= n <= n)%Z.
+  (0 <= n <= n)%Z /\
+  (forall l : Z, (0 <= l <= n)%Z -> forall k : Z, (0 <= k <= m)%Z -> (0 <= m - k <= m)%Z).
 End sec_2_3_classical_the_features_of_Sect__2_2.
 
 Module sec_2_3_classical_every_property.

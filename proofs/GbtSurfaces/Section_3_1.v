@@ -184,14 +184,22 @@ End sec_3_1_not_tensor_literal.
 Module sec_3_1_not_tensor_as_it_stands.
 (* gbt-surfaces/sec-3.1.not-tensor.as it stands, Sect. 3.1, paragraph after Figure 3
    printed: the cylinder in (9) leads to some complications in designing GBT-Bézier curves and surfaces as it is not a tensor product GBT-Bézier surface
-   read as: With its own two rows of control points, Q_k and Q_k + αV, and the functions of (2), whose order is 2 or more, the cylinder is no tensor product surface.
-   stated: not T(z, z1) == sum(k, 0, m, f[k,m](z, mu, nu)*(f[0,n](z1, mu1, nu1)*net(k, 0) + f[1,n](z1, mu1, nu1)*net(k, 1))) *)
+   read as: With its own two rows of control points, Q_k and Q_k + αV, and the functions of (2), whose order is 2 or more, the cylinder is no tensor product surface: for every order and all shape parameters that surface shrinks to the origin for z_1 = 1, the cylinder does not.
+   stated: rows(z, 1) == 0 and T(z, 1) == F(z) + alpha*V and not T(z, z1) == rows(z, z1) *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition T (Q : Z -> R) (V : R) (alpha : R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  sum 0%Z m (fun k => (Q k + z1 * alpha * V) * f z mu nu k m).
 Definition net (Q : Z -> R) (V : R) (alpha : R) (k : Z) (l : Z) : R :=
   Q k + IZR l * alpha * V.
+Definition rows (Q : Z -> R) (V : R) (alpha : R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * (f (IZR z1) mu1 nu1 0%Z n * net Q V alpha k 0%Z + f (IZR z1) mu1 nu1 1%Z n * net Q V alpha k 1%Z)).
+Definition T (Q : Z -> R) (V : R) (alpha : R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : Z) : R :=
+  sum 0%Z m (fun k => (Q k + IZR z1 * alpha * V) * f z mu nu k m).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition T_ (Q : Z -> R) (V : R) (alpha : R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  sum 0%Z m (fun k => (Q k + z1 * alpha * V) * f z mu nu k m).
+Definition rows_ (Q : Z -> R) (V : R) (alpha : R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * (f z1 mu1 nu1 0%Z n * net Q V alpha k 0%Z + f z1 mu1 nu1 1%Z n * net Q V alpha k 1%Z)).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < alpha ->
@@ -203,7 +211,7 @@ forall (m : Z) (n : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (mu1 : R) (nu :
   (-1) <= nu1 <= 1 ->
   0 <= z <= 1 ->
   0 <= z1 <= 1 ->
-  ~ (forall (m : Z) (n : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  rows Q V alpha m mu mu1 n nu nu1 z 1%Z = 0 /\ T Q V alpha m mu nu z 1%Z = F Q m mu nu z + alpha * V /\ ~ (forall (m : Z) (n : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < alpha ->
   (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
@@ -215,7 +223,7 @@ forall (m : Z) (n : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (mu1 : R) (nu :
   0 <= z1 <= 1 ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= n)%Z) ->
-  T Q V alpha m mu nu z z1 = sum 0%Z m (fun k => f z mu nu k m * (f z1 mu1 nu1 0%Z n * net Q V alpha k 0%Z + f z1 mu1 nu1 1%Z n * net Q V alpha k 1%Z))).
+  T_ Q V alpha m mu nu z z1 = rows_ Q V alpha m mu mu1 n nu nu1 z z1).
 Definition instance : Prop :=
 exists (m : Z) (n : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < alpha /\

@@ -36,13 +36,13 @@ End eq_11.
 Module eq_11_points.
 Import GbtSurfaces.Section_3_1.eq_11_points.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f b] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (0) (1) (1) (1/2) (1)). Qed.
+Proof. intro no; cbv beta zeta delta [statement f b] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (2) (1) (1) (1/2) (1)). Qed.
 End eq_11_points.
 
 Module eq_12_1.
 Import GbtSurfaces.Section_3_1.eq_12_1.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f F] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (0) (1) (1) (1/2) (1)). Qed.
+Proof. intro no; cbv beta zeta delta [statement f F] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (2) (1) (1) (1/2) (1)). Qed.
 End eq_12_1.
 
 Module sec_3_1_any_shape_literal.

@@ -521,30 +521,28 @@ End eq_18_tensor_with_f_l.
 Module sec_3_3_benefits_a.
 (* gbt-surfaces/sec-3.3.benefits.a, Sect. 3.3, paragraph after eq. (18)
    printed: The GBT-Bézier ruled surfaces defined in (18) take over all characteristics and benefits of GBT-Bézier surfaces because these surfaces are expressed in the form of tensor product GBT-Bézier surfaces and the GLs are two GBT-Bézier curves that have the same degree.
-   read as: Convex hull and affine invariance (nonnegative weights that sum to one), interpolation of the corners, change with the shape parameters.
-   stated: nonnegative(f) and nonnegative(b) and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu1, nu1)) == 1 and S(0, 0) == A[0] and S(1, 0) == A[m] and S(0, 1) == B[0] and S(1, 1) == B[m] and not D(at(D(S(z, z1), z), z, 0), mu) == 0 and not D(at(D(S(z, z1), z), z, 0), mu1) == 0 *)
+   read as: Convex hull and affine invariance (nonnegative weights that sum to one), interpolation of the corners, change with the shape parameters; with one set of functions for both guide lines, and with a set for each.
+   stated: nonnegative(f) and nonnegative(b) and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) == 1 and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu1, nu1)) == 1 and printed(0, 0) == A[0] and printed(1, 0) == A[m] and printed(0, 1) == B[0] and printed(1, 1) == B[m] and with_own(0, 0) == A[0] and with_own(1, 0) == A[m] and with_own(0, 1) == B[0] and with_own(1, 1) == B[m] and not D(at(D(printed(z, z1), z), z, 0), mu) == 0 and not D(at(D(printed(z, z1), z), z, 1), nu) == 0 and not D(at(D(with_own(z, z1), z), z, 0), mu) == 0 and not D(at(D(with_own(z, z1), z), z, 1), nu) == 0 and not D(at(D(with_own(z, z1), z), z, 0), mu1) == 0 and not D(at(D(with_own(z, z1), z), z, 1), nu1) == 0 *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition b (z : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu1 nu1 k m * B k).
-Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
-  (1 - IZR z1) * L0 A m mu nu z + IZR z1 * L1 B m mu1 nu1 z.
-Definition L0_ (A : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1_ (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition S__ (A : Z -> R) (B : Z -> R) (m : Z) (mu1 : R) (nu : R) (nu1 : R) (mu : R) (z : R) (z1 : R) : R :=
-  (1 - z1) * L0_ A m nu mu z + z1 * L1_ B m mu1 nu1 z.
-Definition L0__ (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1__ (B : Z -> R) (m : Z) (nu1 : R) (mu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition S___ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (nu1 : R) (mu1 : R) (z : R) (z1 : R) : R :=
-  (1 - z1) * L0__ A m mu nu z + z1 * L1__ B m nu1 mu1 z.
+Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) (z1 : Z) : R :=
+  b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f (IZR z) mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
+Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
+  b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f (IZR z) mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f (IZR z) mu1 nu1 k m * B k).
+Definition printed__ (A : Z -> R) (B : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
+Definition printed___ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
+Definition with_own_ (A : Z -> R) (B : Z -> R) (m : Z) (mu1 : R) (nu : R) (nu1 : R) (mu : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
+Definition with_own__ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu1 : R) (nu : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
+Definition with_own___ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (nu1 : R) (mu1 : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
+Definition with_own____ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -554,7 +552,7 @@ forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   (-1) <= nu1 <= 1 ->
   0 <= z <= 1 ->
   0 <= z1 <= 1 ->
-  (forall i k : Z, (2 <= k)%Z -> 0 <= f z mu nu i k) /\ (forall i_ k_ : Z, (1 <= k_)%Z -> 0 <= b z i_ k_) /\ b z1 0%Z 1%Z * sum 0%Z m (fun k__ => f z mu nu k__ m) + b z1 1%Z 1%Z * sum 0%Z m (fun k__ => f z mu1 nu1 k__ m) = 1 /\ S_ A B m mu mu1 nu nu1 0%Z 0%Z = A 0%Z /\ S_ A B m mu mu1 nu nu1 1%Z 0%Z = A m /\ S_ A B m mu mu1 nu nu1 0%Z 1%Z = B 0%Z /\ S_ A B m mu mu1 nu nu1 1%Z 1%Z = B m /\ ~ (forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (forall i k : Z, (2 <= k)%Z -> 0 <= f z mu nu i k) /\ (forall i_ k_ : Z, (1 <= k_)%Z -> 0 <= b z i_ k_) /\ b z1 0%Z 1%Z * sum 0%Z m (fun k__ => f z mu nu k__ m) + b z1 1%Z 1%Z * sum 0%Z m (fun k__ => f z mu nu k__ m) = 1 /\ b z1 0%Z 1%Z * sum 0%Z m (fun k__ => f z mu nu k__ m) + b z1 1%Z 1%Z * sum 0%Z m (fun k__ => f z mu1 nu1 k__ m) = 1 /\ printed_ A B m mu nu 0%Z 0%Z = A 0%Z /\ printed_ A B m mu nu 1%Z 0%Z = A m /\ printed_ A B m mu nu 0%Z 1%Z = B 0%Z /\ printed_ A B m mu nu 1%Z 1%Z = B m /\ with_own A B m mu mu1 nu nu1 0%Z 0%Z = A 0%Z /\ with_own A B m mu mu1 nu nu1 1%Z 0%Z = A m /\ with_own A B m mu mu1 nu nu1 0%Z 1%Z = B 0%Z /\ with_own A B m mu mu1 nu nu1 1%Z 1%Z = B m /\ ~ (forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= mu1 <= 1 ->
@@ -563,7 +561,7 @@ forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   0 <= z <= 1 ->
   0 <= z1 <= 1 ->
   (forall k__ : Z, (0 <= k__ <= m)%Z -> (2 <= m)%Z) ->
-  Derive_n (fun mu_ => let z_ := 0%Z in Derive_n (fun z__ => S__ A B m mu1 nu nu1 mu_ z__ z1) 1 (IZR z_)) 1 mu = 0) /\ ~ (forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  Derive_n (fun mu_ => let z_ := 0%Z in Derive_n (fun z__ => printed__ A B m nu mu_ z__ z1) 1 (IZR z_)) 1 mu = 0) /\ ~ (forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= mu1 <= 1 ->
@@ -572,7 +570,43 @@ forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   0 <= z <= 1 ->
   0 <= z1 <= 1 ->
   (forall k__ : Z, (0 <= k__ <= m)%Z -> (2 <= m)%Z) ->
-  Derive_n (fun mu1_ => let z_ := 0%Z in Derive_n (fun z__ => S___ A B m mu nu nu1 mu1_ z__ z1) 1 (IZR z_)) 1 mu1 = 0).
+  Derive_n (fun nu_ => let z_ := 1%Z in Derive_n (fun z__ => printed___ A B m mu nu_ z__ z1) 1 (IZR z_)) 1 nu = 0) /\ ~ (forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k__ : Z, (0 <= k__ <= m)%Z -> (2 <= m)%Z) ->
+  Derive_n (fun mu_ => let z_ := 0%Z in Derive_n (fun z__ => with_own_ A B m mu1 nu nu1 mu_ z__ z1) 1 (IZR z_)) 1 mu = 0) /\ ~ (forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k__ : Z, (0 <= k__ <= m)%Z -> (2 <= m)%Z) ->
+  Derive_n (fun nu_ => let z_ := 1%Z in Derive_n (fun z__ => with_own__ A B m mu mu1 nu1 nu_ z__ z1) 1 (IZR z_)) 1 nu = 0) /\ ~ (forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k__ : Z, (0 <= k__ <= m)%Z -> (2 <= m)%Z) ->
+  Derive_n (fun mu1_ => let z_ := 0%Z in Derive_n (fun z__ => with_own___ A B m mu nu nu1 mu1_ z__ z1) 1 (IZR z_)) 1 mu1 = 0) /\ ~ (forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k__ : Z, (0 <= k__ <= m)%Z -> (2 <= m)%Z) ->
+  Derive_n (fun nu1_ => let z_ := 1%Z in Derive_n (fun z__ => with_own____ A B m mu mu1 nu nu1_ z__ z1) 1 (IZR z_)) 1 nu1 = 0).
 Definition instance : Prop :=
 exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z /\
@@ -814,9 +848,9 @@ exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (C_ : Z -> R) (E_ : Z -> R) (mu
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
 End prop_3_4_b.
 
-Module alg_3_as_printed.
-(* gbt-surfaces/alg-3.as printed, Sect. 3.3, Algorithm 3
-   printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw. 6. Two adjacent GBT-Bézier ruled surfaces can be connected by C1, C2, and C3 continuity conditions given in Theorem 2.
+Module alg_3_a_as_printed.
+(* gbt-surfaces/alg-3.a.as printed, Sect. 3.3, Algorithm 3, steps 1 to 5
+   printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
    read as: Steps 2 and 3: the surface (18), with one set of functions for both guide lines, meets the conditions.
    stated: printed(z, 0) == L0(z) and printed(z, 1) == L1(z) *)
 Definition b (z : R) (i : Z) (k : Z) : R :=
@@ -838,11 +872,11 @@ forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   (-1) <= nu1 <= 1 ->
   0 <= z <= 1 ->
   printed_ A B m mu nu z 0%Z = L0 A m mu nu z /\ printed_ A B m mu nu z 1%Z = L1 B m mu1 nu1 z.
-End alg_3_as_printed.
+End alg_3_a_as_printed.
 
-Module alg_3_as_printed_corrected.
-(* gbt-surfaces/alg-3.as printed (corrected), Sect. 3.3, Algorithm 3
-   printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw. 6. Two adjacent GBT-Bézier ruled surfaces can be connected by C1, C2, and C3 continuity conditions given in Theorem 2.
+Module alg_3_a_as_printed_corrected.
+(* gbt-surfaces/alg-3.a.as printed (corrected), Sect. 3.3, Algorithm 3, steps 1 to 5
+   printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
    read as: Steps 2 and 3: the surface (18), with one set of functions for both guide lines, meets the conditions.
    stated: b[0,1](0)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](0)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) == L0(z) and b[0,1](1)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](1)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) == L1(z) *)
 Definition b (z : R) (i : Z) (k : Z) : R :=
@@ -870,11 +904,11 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   (-1) <= nu <= 1 /\
   (-1) <= nu1 <= 1 /\
   0 <= z <= 1.
-End alg_3_as_printed_corrected.
+End alg_3_a_as_printed_corrected.
 
-Module alg_3_with_f_l.
-(* gbt-surfaces/alg-3.with f^l, Sect. 3.3, Algorithm 3
-   printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw. 6. Two adjacent GBT-Bézier ruled surfaces can be connected by C1, C2, and C3 continuity conditions given in Theorem 2.
+Module alg_3_a_with_f_l.
+(* gbt-surfaces/alg-3.a.with f^l, Sect. 3.3, Algorithm 3, steps 1 to 5
+   printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
    read as: Steps 2 and 3: the surface (18), with a set of functions for each guide line, meets the conditions.
    stated: with_own(z, 0) == L0(z) and with_own(z, 1) == L1(z) *)
 Definition b (z : R) (i : Z) (k : Z) : R :=
@@ -904,7 +938,171 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   (-1) <= nu <= 1 /\
   (-1) <= nu1 <= 1 /\
   0 <= z <= 1.
-End alg_3_with_f_l.
+End alg_3_a_with_f_l.
+
+Module alg_3_b_by_the_printed_conditions.
+(* gbt-surfaces/alg-3.b.by the printed conditions, Sect. 3.3, Algorithm 3, step 6
+   printed: 6. Two adjacent GBT-Bézier ruled surfaces can be connected by C1, C2, and C3 continuity conditions given in Theorem 2.
+   read as: The guide lines are joined with Theorem 2 as printed.
+   stated: other(0) == pair(1) and other'(0) == pair'(1) and other''(0) == pair''(1) and other'''(0) == pair'''(1) *)
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
+Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  Q m + 1 / a1 mu1 n nu1 * (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + a3 mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
+Definition b1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - nu1).
+Definition b2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)).
+Definition c1 (mu1 : R) (n : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
+Definition b3 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - nu1).
+Definition b4 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a3 mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 - a m mu1 n nu * (c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - 4 * nu1) + PI ^ 3 * (1 + mu1)) + PI ^ 3 * (1 + nu).
+Definition printed13 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  Q m + 1 / b1 mu1 n nu1 * (b2 m nu * (Q m - 3 * Q (m - 1)%Z + 3 * Q (m - 2)%Z - Q (m - 3)%Z) + a2 m nu / a1 mu1 n nu1 * b3 mu1 n nu1 * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu1) * b3 mu1 n nu1 / a1 mu1 n nu1 * (Q (m - 1)%Z - Q (m - 2)%Z) - b4 m mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
+Definition third (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3 mu1 n nu nu1 * (p - q)).
+Definition fourth (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) (s : R) : R :=
+  p + 1 / b1 mu1 n nu1 * (b2 m nu * (p - 3 * q + 3 * r - s) + a2 m nu / a1 mu1 n nu1 * b3 mu1 n nu1 * (p - 2 * q + r) - PI ^ 2 * (1 - mu1) * b3 mu1 n nu1 / a1 mu1 n nu1 * (q - r) - b4 m mu1 n nu nu1 * (p - q)).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
+  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
+Definition other (E_ : Z -> R) (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) (z : Z) : R :=
+  (1 - z1) * F1 Q1 mu1 n nu1 z + z1 * sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * E_ k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition pair (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : Z) : R :=
+  (1 - z1) * F Q m mu nu z + z1 * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
+Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition other_ (E_ : Z -> R) (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) (z : R) : R :=
+  (1 - z1) * F1_ Q1 mu1 n nu1 z + z1 * sum 0%Z n (fun k => f z mu1 nu1 k n * E_ k).
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition pair_ (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : R) : R :=
+  (1 - z1) * F_ Q m mu nu z + z1 * sum 0%Z m (fun k => f z mu nu k m * B k).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (B : Z -> R) (E_ : Z -> R) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z1 <= 1 ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  Q1 0%Z = Q m ->
+  (0 <= 1 <= n)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  (0 <= m - 1 <= m)%Z ->
+  Q1 1%Z = printed11 Q m mu1 n nu ->
+  (0 <= 2 <= n)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  (0 <= m - 2 <= m)%Z ->
+  Q1 2%Z = printed12 Q m mu mu1 n nu nu1 ->
+  (0 <= 3 <= n)%Z ->
+  b1 mu1 n nu1 <> 0 ->
+  (0 <= m - 3 <= m)%Z ->
+  Q1 3%Z = printed13 Q m mu1 n nu nu1 ->
+  E_ 0%Z = B m ->
+  E_ 1%Z = B m + a m mu1 n nu * (B m - B (m - 1)%Z) ->
+  E_ 2%Z = third m mu mu1 n nu nu1 (B m) (B (m - 1)%Z) (B (m - 2)%Z) ->
+  E_ 3%Z = fourth m mu1 n nu nu1 (B m) (B (m - 1)%Z) (B (m - 2)%Z) (B (m - 3)%Z) ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  other E_ Q1 mu1 n nu1 z1 0%Z = pair B Q m mu nu z1 1%Z /\ (let z := 0%Z in Derive_n (fun z_ => other_ E_ Q1 mu1 n nu1 z1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => pair_ B Q m mu nu z1 z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => other_ E_ Q1 mu1 n nu1 z1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => pair_ B Q m mu nu z1 z____) 2 (IZR z___)) /\ (let z____ := 0%Z in Derive_n (fun z_____ => other_ E_ Q1 mu1 n nu1 z1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => pair_ B Q m mu nu z1 z______) 3 (IZR z_____)).
+End alg_3_b_by_the_printed_conditions.
+
+Module alg_3_b_there_are_such_connections.
+(* gbt-surfaces/alg-3.b.there are such connections, Sect. 3.3, Algorithm 3, step 6
+   printed: 6. Two adjacent GBT-Bézier ruled surfaces can be connected by C1, C2, and C3 continuity conditions given in Theorem 2.
+   read as: They can be connected so: exhibited for every first surface, with guide lines of degree 3 and vanishing shape parameters for the second.
+   stated: other(0) == pair(1) and other'(0) == pair'(1) and other''(0) == pair''(1) and other'''(0) == pair'''(1) *)
+Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
+Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
+Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
+  p + a m nu n mu1 * (p - q).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 n nu1 mu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m nu n nu1 mu1 * (p - q)).
+Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
+Definition c1 (n : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
+Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
+Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
+  6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
+Definition b4_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  a m nu n mu1 * (3 * c1 n mu1 + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * IZR mu1 - IZR nu1) - PI ^ 3 * (1 + IZR mu1)) - a3_true m nu n nu1 mu1 * b3_true n nu1 mu1 / a1 n nu1 mu1 + PI ^ 3 * (1 + nu).
+Definition join3 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) (s : R) : R :=
+  p + 1 / b1 n nu1 mu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 n nu1 mu1 * b3_true n nu1 mu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true n nu1 mu1 / a1 n nu1 mu1 * (q - r) - b4_true m nu n nu1 mu1 * (p - q)).
+Definition next (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : Z) : R :=
+  f (IZR t) 0 0 0%Z 3%Z * p + f (IZR t) 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f (IZR t) 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f (IZR t) 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
+Definition other (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : Z) : R :=
+  (1 - z1) * next m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + z1 * next m mu nu (B m) (B (m - 1)%Z) (B (m - 2)%Z) (B (m - 3)%Z) z.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition pair (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : Z) : R :=
+  (1 - z1) * F Q m mu nu z + z1 * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
+Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
+  f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
+Definition other_ (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : R) : R :=
+  (1 - z1) * next_ m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + z1 * next_ m mu nu (B m) (B (m - 1)%Z) (B (m - 2)%Z) (B (m - 3)%Z) z.
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition pair_ (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : R) : R :=
+  (1 - z1) * F_ Q m mu nu z + z1 * sum 0%Z m (fun k => f z mu nu k m * B k).
+Definition statement : Prop :=
+forall (m : Z) (B : Z -> R) (Q : Z -> R) (mu : R) (nu : R) (z1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z1 <= 1 ->
+  (0 <= m <= m)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  (0 <= m - 3 <= m)%Z ->
+  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 ->
+  a1 3%Z 0%Z 0%Z <> 0 ->
+  b1 3%Z 0%Z 0%Z <> 0 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  other B Q m mu nu z1 0%Z = pair B Q m mu nu z1 1%Z /\ (let z := 0%Z in Derive_n (fun z_ => other_ B Q m mu nu z1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => pair_ B Q m mu nu z1 z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => other_ B Q m mu nu z1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => pair_ B Q m mu nu z1 z____) 2 (IZR z___)) /\ (let z____ := 0%Z in Derive_n (fun z_____ => other_ B Q m mu nu z1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => pair_ B Q m mu nu z1 z______) 3 (IZR z_____)).
+Definition instance : Prop :=
+exists (m : Z) (B : Z -> R) (Q : Z -> R) (mu : R) (nu : R) (z1 : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= z1 <= 1 /\
+  (0 <= m <= m)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  (0 <= m - 2 <= m)%Z /\
+  (0 <= m - 3 <= m)%Z /\
+  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 /\
+  a1 3%Z 0%Z 0%Z <> 0 /\
+  b1 3%Z 0%Z 0%Z <> 0 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
+End alg_3_b_there_are_such_connections.
 
 Module ex_3_3_curves.
 (* gbt-surfaces/ex-3.3.curves, Sect. 3.3, Example 3.3, first line

@@ -83,27 +83,33 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement b f with_own tensor] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
 End prop_3_4_a_with_f_l.
 
-Module alg_3_as_printed.
-Import GbtSurfaces.Section_3_3.alg_3_as_printed.
+Module alg_3_a_as_printed.
+Import GbtSurfaces.Section_3_3.alg_3_a_as_printed.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement b f printed_ L0 L1] in no; refuting (no ((2))%Z (fun i0 => 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2)). Qed.
-End alg_3_as_printed.
+End alg_3_a_as_printed.
 
-Module alg_3_as_printed_corrected.
-Import GbtSurfaces.Section_3_3.alg_3_as_printed_corrected.
+Module alg_3_a_as_printed_corrected.
+Import GbtSurfaces.Section_3_3.alg_3_a_as_printed_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement b f L0 L1]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f L0 L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End alg_3_as_printed_corrected.
+End alg_3_a_as_printed_corrected.
 
-Module alg_3_with_f_l.
-Import GbtSurfaces.Section_3_3.alg_3_with_f_l.
+Module alg_3_a_with_f_l.
+Import GbtSurfaces.Section_3_3.alg_3_a_with_f_l.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement b f with_own L0 L1]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f with_own L0 L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End alg_3_with_f_l.
+End alg_3_a_with_f_l.
+
+Module alg_3_b_by_the_printed_conditions.
+Import GbtSurfaces.Section_3_3.alg_3_b_by_the_printed_conditions.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 b1 b2 c1 b3 b4 printed13 third fourth f F1 other F pair F1_ other_ F_ pair_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (-1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((32 + 7*PI)/(8 + PI)) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (1) (1) (1) (0) (1)). Qed.
+End alg_3_b_by_the_printed_conditions.
 
 Module ex_3_3_curves.
 Import GbtSurfaces.Section_3_3.ex_3_3_curves.

@@ -762,7 +762,7 @@ Module sec_3_4_features_a.
 (* gbt-surfaces/sec-3.4.features.a, Sect. 3.4, paragraph after the proof
    printed: the GBT-Bézier swung surface carried all the characteristics and benefits of GBT-Bézier surface. The shape parameters are used to modify GBT-Bézier swung surface by keeping control net points fixed.
    read as: Convex hull and affine invariance (nonnegative weights that sum to one), interpolation of the corners, change with the shape parameters.
-   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and swung(FX(0), FZ(0), FU(0), FV(0)) == net(0, 0) and swung(FX(1), FZ(1), FU(0), FV(0)) == net(m, 0) and swung(FX(0), FZ(0), FU(1), FV(1)) == net(0, n) and swung(FX(1), FZ(1), FU(1), FV(1)) == net(m, n) and not D(FX'(0), mu) == 0 and not D(FU'(0), mu1) == 0 *)
+   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and swung(FX(0), FZ(0), FU(0), FV(0)) == net(0, 0) and swung(FX(1), FZ(1), FU(0), FV(0)) == net(m, 0) and swung(FX(0), FZ(0), FU(1), FV(1)) == net(0, n) and swung(FX(1), FZ(1), FU(1), FV(1)) == net(m, n) and not D(FX'(0), mu) == 0 and not D(FX'(1), nu) == 0 and not D(FU'(0), mu1) == 0 and not D(FU'(1), nu1) == 0 *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
@@ -779,7 +779,11 @@ Definition net (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R)
   [lambda * X k * U l; lambda * X k * V l; Z_ k].
 Definition FX_ (X : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * X k).
+Definition FX__ (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * X k).
 Definition FU_ (U : Z -> R) (n : Z) (nu1 : R) (mu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
+Definition FU__ (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
   sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
@@ -813,8 +817,30 @@ forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lam
   (-1) <= nu1 <= 1 ->
   0 <= z <= 1 ->
   0 <= z1 <= 1 ->
+  (forall k_ : Z, (0 <= k_ <= m)%Z -> (2 <= m)%Z) ->
+  Derive_n (fun nu_ => let z__ := 1%Z in Derive_n (fun z___ => FX__ X m mu nu_ z___) 1 (IZR z__)) 1 nu = 0) /\ ~ (forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  0 < lambda ->
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
   (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
-  Derive_n (fun mu1_ => let z1_ := 0%Z in Derive_n (fun z1__ => FU_ U n nu1 mu1_ z1__) 1 (IZR z1_)) 1 mu1 = 0).
+  Derive_n (fun mu1_ => let z1_ := 0%Z in Derive_n (fun z1__ => FU_ U n nu1 mu1_ z1__) 1 (IZR z1_)) 1 mu1 = 0) /\ ~ (forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+  0 < lambda ->
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (2 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
+  Derive_n (fun nu1_ => let z1__ := 1%Z in Derive_n (fun z1___ => FU__ U mu1 n nu1_ z1___) 1 (IZR z1__)) 1 nu1 = 0).
 Definition instance : Prop :=
 exists (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda /\
@@ -919,21 +945,39 @@ End sec_3_4_continuity_tc.
 Module sec_3_4_closed.
 (* gbt-surfaces/sec-3.4.closed, Sect. 3.4, paragraph after the proof
    printed: if the swung surface T_swung(z,z_1) is either open or close in z and z_1 directions, then the corresponding profile curve F_m(z) and the trajectory curve F_n(z_1) both will be either open or closed
-   read as: The gap of the surface between the ends of the profile (x0, w0), (x1, w1), and of the trajectory (u0, v0), (u1, v1): it is there if the curve has one, and closed if the curve is.
-   stated: dot(gapz, gapz) == lambda^2*(u^2 + v^2)*(x1 - x0)^2 + (w1 - w0)^2 and dot(gapz1, gapz1) == lambda^2*x^2*((u1 - u0)^2 + (v1 - v0)^2) *)
+   read as: Where the surface is closed in z, at a point of the trajectory with polar coordinates (r, theta), the profile from (x0, w0) to (x1, w1) is closed; where it is closed in z_1, at a point (x, w) of the profile, the trajectory from (u0, v0) to (u1, v1) is. If the curves are closed, so is the surface: it is open only if they are.
+   stated: x1 == x0 and w1 == w0 and u1 == u0 and v1 == v0 and at(at(gapz, x1, x0), w1, w0) == 0 and at(at(gapz1, u1, u0), v1, v0) == 0 *)
 Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
   [lambda * x * u; lambda * x * v; w].
-Definition gapz (lambda : R) (u : R) (v : R) (w0 : R) (w1 : R) (x0 : R) (x1 : R) : list R :=
-  vsub (swung lambda x1 w1 u v) (swung lambda x0 w0 u v).
+Definition gapz (lambda : R) (r : R) (theta : R) (w0 : R) (w1 : R) (x0 : R) (x1 : R) : list R :=
+  vsub (swung lambda x1 w1 (r * cos theta) (r * sin theta)) (swung lambda x0 w0 (r * cos theta) (r * sin theta)).
 Definition gapz1 (lambda : R) (u0 : R) (u1 : R) (v0 : R) (v1 : R) (w : R) (x : R) : list R :=
   vsub (swung lambda x w u1 v1) (swung lambda x w u0 v0).
+Definition gapz_ (lambda : R) (r : R) (theta : R) (w0 : R) (x0 : R) (w1 : R) (x1 : R) : list R :=
+  vsub (swung lambda x1 w1 (r * cos theta) (r * sin theta)) (swung lambda x0 w0 (r * cos theta) (r * sin theta)).
+Definition gapz1_ (lambda : R) (u0 : R) (v0 : R) (w : R) (x : R) (v1 : R) (u1 : R) : list R :=
+  vsub (swung lambda x w u1 v1) (swung lambda x w u0 v0).
 Definition statement : Prop :=
-forall (lambda : R) (u : R) (u0 : R) (u1 : R) (v : R) (v0 : R) (v1 : R) (w : R) (w0 : R) (w1 : R) (x : R) (x0 : R) (x1 : R),
+forall (lambda : R) (r : R) (theta : R) (u0 : R) (u1 : R) (v0 : R) (v1 : R) (w : R) (w0 : R) (w1 : R) (x : R) (x0 : R) (x1 : R),
   0 < lambda ->
-  dot (gapz lambda u v w0 w1 x0 x1) (gapz lambda u v w0 w1 x0 x1) = lambda ^ 2 * (u ^ 2 + v ^ 2) * (x1 - x0) ^ 2 + (w1 - w0) ^ 2 /\ dot (gapz1 lambda u0 u1 v0 v1 w x) (gapz1 lambda u0 u1 v0 v1 w x) = lambda ^ 2 * x ^ 2 * ((u1 - u0) ^ 2 + (v1 - v0) ^ 2).
+  0 <= r ->
+  dot (gapz lambda r theta w0 w1 x0 x1) [cos theta; sin theta; 0] = 0 ->
+  entry (gapz lambda r theta w0 w1 x0 x1) 3 = 0 ->
+  entry (gapz1 lambda u0 u1 v0 v1 w x) 1 = 0 ->
+  entry (gapz1 lambda u0 u1 v0 v1 w x) 2 = 0 ->
+  r <> 0 ->
+  x <> 0 ->
+  x1 = x0 /\ w1 = w0 /\ u1 = u0 /\ v1 = v0 /\ gapz_ lambda r theta w0 x0 w0 x0 = zeros 3 /\ gapz1_ lambda u0 v0 w x v0 u0 = zeros 3.
 Definition instance : Prop :=
-exists (lambda : R) (u : R) (u0 : R) (u1 : R) (v : R) (v0 : R) (v1 : R) (w : R) (w0 : R) (w1 : R) (x : R) (x0 : R) (x1 : R),
-  0 < lambda.
+exists (lambda : R) (r : R) (theta : R) (u0 : R) (u1 : R) (v0 : R) (v1 : R) (w : R) (w0 : R) (w1 : R) (x : R) (x0 : R) (x1 : R),
+  0 < lambda /\
+  0 <= r /\
+  dot (gapz lambda r theta w0 w1 x0 x1) [cos theta; sin theta; 0] = 0 /\
+  entry (gapz lambda r theta w0 w1 x0 x1) 3 = 0 /\
+  entry (gapz1 lambda u0 u1 v0 v1 w x) 1 = 0 /\
+  entry (gapz1 lambda u0 u1 v0 v1 w x) 2 = 0 /\
+  r <> 0 /\
+  x <> 0.
 End sec_3_4_closed.
 
 Module sec_3_4_revolution.
@@ -1005,11 +1049,11 @@ exists (c0 : R) (c1 : R) (c2 : R) (c3 : R) (mu1 : R) (nu1 : R) (z1 : R),
   K c0 c1 c2 c3 mu1 nu1 1%Z = 1.
 End sec_3_4_revolution_not_tensor_cubic.
 
-Module alg_4.
-(* gbt-surfaces/alg-4, Sect. 3.4, Algorithm 4
-   printed: 1. Take a profile curve in XOZ and a trajectory curve in the XOY plane in the form of GBT-Bézier curves. 2. Define a GBT-Bézier swung surface by using (23). 3. Take the control net points in the pattern Q_{k,l} = (λQ^X_{k,0}Q^X_{l,1}, λQ^X_{k,0}Q^Y_{l,1}, Q^Z_{k,0}), where Q^X_{k,0}, Q^Z_{k,0} and Q^X_{l,1}, Q^Y_{k,1} are elements of Q_{k,0} and Q_{l,1}. 4. Construct with suitable λ, μ, ν, μ_1, ν_1. 5. Two adjacent GBT-Bézier swung surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
-   read as: The pattern of step 3 gives the swung surface for every scale factor, and by step 5 two such surfaces join with their profiles; the index of Q^Y_{k,1} in the explanation of step 3 is gbt-surfaces/thm-4.elements.
-   stated: at(sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*net(k, l))), lambda, lambda2) == at(swung(FX(z), FZ(z), FU(z1), FV(z1)), lambda, lambda2) and along_profiles(0) == swung(jumpX(0), jumpZ(0), u, v) and along_profiles(1) == swung(jumpX(1), jumpZ(1), u, v) and along_profiles(2) == swung(jumpX(2), jumpZ(2), u, v) *)
+Module alg_4_a.
+(* gbt-surfaces/alg-4.a, Sect. 3.4, Algorithm 4, steps 1 to 4
+   printed: 1. Take a profile curve in XOZ and a trajectory curve in the XOY plane in the form of GBT-Bézier curves. 2. Define a GBT-Bézier swung surface by using (23). 3. Take the control net points in the pattern Q_{k,l} = (λQ^X_{k,0}Q^X_{l,1}, λQ^X_{k,0}Q^Y_{l,1}, Q^Z_{k,0}), where Q^X_{k,0}, Q^Z_{k,0} and Q^X_{l,1}, Q^Y_{k,1} are elements of Q_{k,0} and Q_{l,1}. 4. Construct with suitable λ, μ, ν, μ_1, ν_1.
+   read as: The pattern of step 3 gives the swung surface for every scale factor; the index of Q^Y_{k,1} in the explanation of step 3 is gbt-surfaces/thm-4.elements.
+   stated: at(sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*net(k, l))), lambda, lambda2) == at(swung(FX(z), FZ(z), FU(z1), FV(z1)), lambda, lambda2) *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
@@ -1020,23 +1064,12 @@ Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
   sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
 Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
   sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
-Definition FX2 (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * X2 k).
-Definition FZ2 (Z2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Z2 k).
-Definition jumpX (X : Z -> R) (X2 : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (r : Z) : R :=
-  (let z := 0%Z in Derive_n (fun z_ => FX2 X2 mu1 n nu1 z_) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => FX X m mu nu z_) (Z.to_nat r) (IZR z)).
-Definition jumpZ (Z_ : Z -> R) (Z2 : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (r : Z) : R :=
-  (let z := 0%Z in Derive_n (fun z_ => FZ2 Z2 mu1 n nu1 z_) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => FZ Z_ m mu nu z_) (Z.to_nat r) (IZR z)).
 Definition net (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (k : Z) (l : Z) : list R :=
   [lambda * X k * U l; lambda * X k * V l; Z_ k].
 Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
   [lambda * x * u; lambda * x * v; w].
-Definition along_profiles (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (u : R) (v : R) (r : Z) : list R :=
-  vsub (let z := 0%Z in vDerive 3 (fun z_ => swung lambda (FX2 X2 mu1 n nu1 z_) (FZ2 Z2 mu1 n nu1 z_) u v) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => swung lambda (FX X m mu nu z_) (FZ Z_ m mu nu z_) u v) (Z.to_nat r) (IZR z)).
 Definition statement : Prop :=
-forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (u : R) (v : R) (z : R) (z1 : R),
-  0 < lambda ->
+forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda2 : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda2 ->
   (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
@@ -1046,10 +1079,9 @@ forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (X2 : Z -> R) (Z_ 
   (-1) <= nu1 <= 1 ->
   0 <= z <= 1 ->
   0 <= z1 <= 1 ->
-  vsum 3 0%Z m (fun k => vsum 3 0%Z n (fun l => vscale (f z mu nu k m * f z1 mu1 nu1 l n) (net U V X Z_ lambda2 k l))) = swung lambda2 (FX X m mu nu z) (FZ Z_ m mu nu z) (FU U mu1 n nu1 z1) (FV V mu1 n nu1 z1) /\ along_profiles X X2 Z_ Z2 lambda m mu mu1 n nu nu1 u v 0%Z = swung lambda (jumpX X X2 m mu mu1 n nu nu1 0%Z) (jumpZ Z_ Z2 m mu mu1 n nu nu1 0%Z) u v /\ along_profiles X X2 Z_ Z2 lambda m mu mu1 n nu nu1 u v 1%Z = swung lambda (jumpX X X2 m mu mu1 n nu nu1 1%Z) (jumpZ Z_ Z2 m mu mu1 n nu nu1 1%Z) u v /\ along_profiles X X2 Z_ Z2 lambda m mu mu1 n nu nu1 u v 2%Z = swung lambda (jumpX X X2 m mu mu1 n nu nu1 2%Z) (jumpZ Z_ Z2 m mu mu1 n nu nu1 2%Z) u v.
+  vsum 3 0%Z m (fun k => vsum 3 0%Z n (fun l => vscale (f z mu nu k m * f z1 mu1 nu1 l n) (net U V X Z_ lambda2 k l))) = swung lambda2 (FX X m mu nu z) (FZ Z_ m mu nu z) (FU U mu1 n nu1 z1) (FV V mu1 n nu1 z1).
 Definition instance : Prop :=
-exists (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (u : R) (v : R) (z : R) (z1 : R),
-  0 < lambda /\
+exists (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda2 : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda2 /\
   (2 <= m)%Z /\
   (-1) <= mu <= 1 /\
@@ -1059,7 +1091,150 @@ exists (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (X2 : Z -> R) (Z_ 
   (-1) <= nu1 <= 1 /\
   0 <= z <= 1 /\
   0 <= z1 <= 1.
-End alg_4.
+End alg_4_a.
+
+Module alg_4_b_by_the_printed_conditions.
+(* gbt-surfaces/alg-4.b.by the printed conditions, Sect. 3.4, Algorithm 4, step 5
+   printed: 5. Two adjacent GBT-Bézier swung surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
+   read as: The profiles are joined with Theorem 2 as printed, with one trajectory and one λ.
+   stated: second(0) == first(1) and second'(0) == first'(1) and second''(0) == first''(1) *)
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
+Definition third (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3 mu1 n nu nu1 * (p - q)).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition FX2 (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
+  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * X2 k).
+Definition FZ2 (Z2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
+  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Z2 k).
+Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * X k).
+Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Z_ k).
+Definition FX2_ (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * X2 k).
+Definition FZ2_ (Z2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Z2 k).
+Definition FX_ (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * X k).
+Definition FZ_ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
+Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
+  [lambda * x * u; lambda * x * v; w].
+Definition second (X2 : Z -> R) (Z2 : Z -> R) (lambda : R) (mu1 : R) (n : Z) (nu1 : R) (u : R) (v : R) (z : Z) : list R :=
+  swung lambda (FX2 X2 mu1 n nu1 z) (FZ2 Z2 mu1 n nu1 z) u v.
+Definition first (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : Z) : list R :=
+  swung lambda (FX X m mu nu z) (FZ Z_ m mu nu z) u v.
+Definition second_ (X2 : Z -> R) (Z2 : Z -> R) (lambda : R) (mu1 : R) (n : Z) (nu1 : R) (u : R) (v : R) (z : R) : list R :=
+  swung lambda (FX2_ X2 mu1 n nu1 z) (FZ2_ Z2 mu1 n nu1 z) u v.
+Definition first_ (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : R) : list R :=
+  swung lambda (FX_ X m mu nu z) (FZ_ Z_ m mu nu z) u v.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (u : R) (v : R),
+  0 < lambda ->
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  X2 0%Z = X m ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  X2 1%Z = X m + a m mu1 n nu * (X m - X (m - 1)%Z) ->
+  a1 mu1 n nu1 <> 0 ->
+  X2 2%Z = third m mu mu1 n nu nu1 (X m) (X (m - 1)%Z) (X (m - 2)%Z) ->
+  Z2 0%Z = Z_ m ->
+  Z2 1%Z = Z_ m + a m mu1 n nu * (Z_ m - Z_ (m - 1)%Z) ->
+  Z2 2%Z = third m mu mu1 n nu nu1 (Z_ m) (Z_ (m - 1)%Z) (Z_ (m - 2)%Z) ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  second X2 Z2 lambda mu1 n nu1 u v 0%Z = first X Z_ lambda m mu nu u v 1%Z /\ (let z := 0%Z in vDerive 3 (fun z_ => second_ X2 Z2 lambda mu1 n nu1 u v z_) 1 (IZR z)) = (let z_ := 1%Z in vDerive 3 (fun z__ => first_ X Z_ lambda m mu nu u v z__) 1 (IZR z_)) /\ (let z__ := 0%Z in vDerive 3 (fun z___ => second_ X2 Z2 lambda mu1 n nu1 u v z___) 2 (IZR z__)) = (let z___ := 1%Z in vDerive 3 (fun z____ => first_ X Z_ lambda m mu nu u v z____) 2 (IZR z___)).
+End alg_4_b_by_the_printed_conditions.
+
+Module alg_4_b_there_are_such_connections.
+(* gbt-surfaces/alg-4.b.there are such connections, Sect. 3.4, Algorithm 4, step 5
+   printed: 5. Two adjacent GBT-Bézier swung surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
+   read as: They can be connected so: exhibited for every first surface, with a profile of degree 3 and vanishing shape parameters for the second.
+   stated: second(0) == first(1) and second'(0) == first'(1) and second''(0) == first''(1) *)
+Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
+Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
+Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
+  p + a m nu n mu1 * (p - q).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 n nu1 mu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m nu n nu1 mu1 * (p - q)).
+Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
+Definition c1 (n : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
+Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
+Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
+  6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
+Definition b4_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  a m nu n mu1 * (3 * c1 n mu1 + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * IZR mu1 - IZR nu1) - PI ^ 3 * (1 + IZR mu1)) - a3_true m nu n nu1 mu1 * b3_true n nu1 mu1 / a1 n nu1 mu1 + PI ^ 3 * (1 + nu).
+Definition join3 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) (s : R) : R :=
+  p + 1 / b1 n nu1 mu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 n nu1 mu1 * b3_true n nu1 mu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true n nu1 mu1 / a1 n nu1 mu1 * (q - r) - b4_true m nu n nu1 mu1 * (p - q)).
+Definition next (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : Z) : R :=
+  f (IZR t) 0 0 0%Z 3%Z * p + f (IZR t) 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f (IZR t) 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f (IZR t) 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
+Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * X k).
+Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Z_ k).
+Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
+  f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
+Definition FX_ (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * X k).
+Definition FZ_ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
+Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
+  [lambda * x * u; lambda * x * v; w].
+Definition second (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : Z) : list R :=
+  swung lambda (next m mu nu (X m) (X (m - 1)%Z) (X (m - 2)%Z) (X (m - 3)%Z) z) (next m mu nu (Z_ m) (Z_ (m - 1)%Z) (Z_ (m - 2)%Z) (Z_ (m - 3)%Z) z) u v.
+Definition first (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : Z) : list R :=
+  swung lambda (FX X m mu nu z) (FZ Z_ m mu nu z) u v.
+Definition second_ (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : R) : list R :=
+  swung lambda (next_ m mu nu (X m) (X (m - 1)%Z) (X (m - 2)%Z) (X (m - 3)%Z) z) (next_ m mu nu (Z_ m) (Z_ (m - 1)%Z) (Z_ (m - 2)%Z) (Z_ (m - 3)%Z) z) u v.
+Definition first_ (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : R) : list R :=
+  swung lambda (FX_ X m mu nu z) (FZ_ Z_ m mu nu z) u v.
+Definition statement : Prop :=
+forall (m : Z) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (nu : R) (u : R) (v : R),
+  0 < lambda ->
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 ->
+  a1 3%Z 0%Z 0%Z <> 0 ->
+  b1 3%Z 0%Z 0%Z <> 0 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  second X Z_ lambda m mu nu u v 0%Z = first X Z_ lambda m mu nu u v 1%Z /\ (let z := 0%Z in vDerive 3 (fun z_ => second_ X Z_ lambda m mu nu u v z_) 1 (IZR z)) = (let z_ := 1%Z in vDerive 3 (fun z__ => first_ X Z_ lambda m mu nu u v z__) 1 (IZR z_)) /\ (let z__ := 0%Z in vDerive 3 (fun z___ => second_ X Z_ lambda m mu nu u v z___) 2 (IZR z__)) = (let z___ := 1%Z in vDerive 3 (fun z____ => first_ X Z_ lambda m mu nu u v z____) 2 (IZR z___)).
+Definition instance : Prop :=
+exists (m : Z) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (nu : R) (u : R) (v : R),
+  0 < lambda /\
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 /\
+  a1 3%Z 0%Z 0%Z <> 0 /\
+  b1 3%Z 0%Z 0%Z <> 0 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
+End alg_4_b_there_are_such_connections.
 
 Module eq_26.
 (* gbt-surfaces/eq-26, Sect. 3.4, Example 3.4, eq. (26)

@@ -103,14 +103,6 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_25_4_b_corrected.
 
-Module sec_3_4_closed.
-Import GbtSurfaces.Section_3_4.sec_3_4_closed.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement swung gapz gapz1]; identity. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance swung gapz gapz1]; first [(exists (1), (3), (4), (5), (6), (7), (8), (9), (10), (11), (12), (13), (14); met) | (exists (1), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
-End sec_3_4_closed.
-
 Module sec_3_4_revolution.
 Import GbtSurfaces.Section_3_4.sec_3_4_revolution.
 Theorem proved : statement.
@@ -126,6 +118,20 @@ Proof. cbv beta zeta delta [statement f swung]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f swung]; first [(exists (1), (3), (4), (1 / 3); met) | (exists (1), (0), (0), (1 / 3); met)]. Qed.
 End sec_3_4_revolution_not_tensor_quarter.
+
+Module alg_4_b_by_the_printed_conditions.
+Import GbtSurfaces.Section_3_4.alg_4_b_by_the_printed_conditions.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement a a1 a2 a3 third f FX2 FZ2 FX FZ FX2_ FZ2_ FX_ FZ_ swung second first second_ first_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (8*(4 + PI)/(8 + PI)) else 0) (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (1) (1) (0) (1) (1)). Qed.
+End alg_4_b_by_the_printed_conditions.
+
+Module alg_4_b_there_are_such_connections.
+Import GbtSurfaces.Section_3_4.alg_4_b_there_are_such_connections.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next FX FZ next_ FX_ FZ_ swung second first second_ first_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next FX FZ next_ FX_ FZ_ swung second first second_ first_]; first [(exists (3)%Z, (fun _ => 3), (fun _ => 4), (1), ((-1) / 3), ((-1) / 3), (8), (9); met) | (exists (3)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), (0), (0); met)]. Qed.
+End alg_4_b_there_are_such_connections.
 
 Module eq_26.
 Import GbtSurfaces.Section_3_4.eq_26.

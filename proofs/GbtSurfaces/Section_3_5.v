@@ -431,11 +431,11 @@ exists (m : Z) (n : Z) (A : Z -> R) (A2 : Z -> R) (B : Z -> R) (B2 : Z -> R) (W 
   (-1) <= nu2 <= 1.
 End prop_3_7_2b.
 
-Module alg_5.
-(* gbt-surfaces/alg-5, Sect. 3.5, Algorithm 5
-   printed: 1. Consider a SC which sweeps to the trajectory curve (both GBT-Bézier curves). 2. Construct by using (30). 3. Follow the pattern Qhat_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n), where Q_{k,m}, Q_{l,n} are the control points of section and TCs. 4. Draw with different values of μ, ν in [-1, 1]. 5. Two adjacent GBT-Bézier swept surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
-   read as: The pattern of step 3 gives the swept surface, and by step 5 two such surfaces join with their sections.
-   stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) == T(z, z1) and along_sections(0) == jump_section(0) and along_sections(1) == jump_section(1) and along_sections(2) == jump_section(2) *)
+Module alg_5_a.
+(* gbt-surfaces/alg-5.a, Sect. 3.5, Algorithm 5, steps 1 to 4
+   printed: 1. Consider a SC which sweeps to the trajectory curve (both GBT-Bézier curves). 2. Construct by using (30). 3. Follow the pattern Qhat_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n), where Q_{k,m}, Q_{l,n} are the control points of section and TCs. 4. Draw with different values of μ, ν in [-1, 1].
+   read as: The pattern of step 3 gives the swept surface.
+   stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) == T(z, z1) *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
@@ -444,38 +444,165 @@ Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * A k).
 Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   trajectory B mu1 n nu1 z1 + section A m mu nu z.
-Definition section2 (A2 : Z -> R) (mu2 : R) (n : Z) (nu2 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu2 nu2 k n * A2 k).
-Definition along_sections (A : Z -> R) (A2 : Z -> R) (W : R) (m : Z) (mu : R) (mu2 : R) (n : Z) (nu : R) (nu2 : R) (r : Z) : R :=
-  (let z := 0%Z in Derive_n (fun z_ => section2 A2 mu2 n nu2 z_ + W) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => section A m mu nu z_ + W) (Z.to_nat r) (IZR z)).
-Definition jump_section (A : Z -> R) (A2 : Z -> R) (m : Z) (mu : R) (mu2 : R) (n : Z) (nu : R) (nu2 : R) (r : Z) : R :=
-  (let z := 0%Z in Derive_n (fun z_ => section2 A2 mu2 n nu2 z_) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => section A m mu nu z_) (Z.to_nat r) (IZR z)).
 Definition statement : Prop :=
-forall (m : Z) (n : Z) (A : Z -> R) (A2 : Z -> R) (B : Z -> R) (W : R) (mu : R) (mu1 : R) (mu2 : R) (nu : R) (nu1 : R) (nu2 : R) (z : R) (z1 : R),
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= mu1 <= 1 ->
-  (-1) <= mu2 <= 1 ->
   (2 <= n)%Z ->
   (-1) <= nu <= 1 ->
   (-1) <= nu1 <= 1 ->
-  (-1) <= nu2 <= 1 ->
   0 <= z <= 1 ->
   0 <= z1 <= 1 ->
-  sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * (A k + B l))) = T A B m mu mu1 n nu nu1 z z1 /\ along_sections A A2 W m mu mu2 n nu nu2 0%Z = jump_section A A2 m mu mu2 n nu nu2 0%Z /\ along_sections A A2 W m mu mu2 n nu nu2 1%Z = jump_section A A2 m mu mu2 n nu nu2 1%Z /\ along_sections A A2 W m mu mu2 n nu nu2 2%Z = jump_section A A2 m mu mu2 n nu nu2 2%Z.
+  sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * (A k + B l))) = T A B m mu mu1 n nu nu1 z z1.
 Definition instance : Prop :=
-exists (m : Z) (n : Z) (A : Z -> R) (A2 : Z -> R) (B : Z -> R) (W : R) (mu : R) (mu1 : R) (mu2 : R) (nu : R) (nu1 : R) (nu2 : R) (z : R) (z1 : R),
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z /\
   (-1) <= mu <= 1 /\
   (-1) <= mu1 <= 1 /\
-  (-1) <= mu2 <= 1 /\
   (2 <= n)%Z /\
   (-1) <= nu <= 1 /\
   (-1) <= nu1 <= 1 /\
-  (-1) <= nu2 <= 1 /\
   0 <= z <= 1 /\
   0 <= z1 <= 1.
-End alg_5.
+End alg_5_a.
+
+Module alg_5_b_by_the_printed_conditions.
+(* gbt-surfaces/alg-5.b.by the printed conditions, Sect. 3.5, Algorithm 5, step 5
+   printed: 5. Two adjacent GBT-Bézier swept surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
+   read as: The sections F and F_1 are joined with Theorem 2 as printed, with one trajectory, of which W is a point.
+   stated: after(0) == before(1) and after'(0) == before'(1) and after''(0) == before''(1) *)
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
+Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  Q m + 1 / a1 mu1 n nu1 * (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + a3 mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
+  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
+Definition after (Q1 : Z -> R) (W : R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
+  F1 Q1 mu1 n nu1 z + W.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition before (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  F Q m mu nu z + W.
+Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition after_ (Q1 : Z -> R) (W : R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  F1_ Q1 mu1 n nu1 z + W.
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition before_ (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  F_ Q m mu nu z + W.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (W : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  Q1 0%Z = Q m ->
+  (0 <= 1 <= n)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  (0 <= m - 1 <= m)%Z ->
+  Q1 1%Z = printed11 Q m mu1 n nu ->
+  (0 <= 2 <= n)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  (0 <= m - 2 <= m)%Z ->
+  Q1 2%Z = printed12 Q m mu mu1 n nu nu1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  after Q1 W mu1 n nu1 0%Z = before Q W m mu nu 1%Z /\ (let z := 0%Z in Derive_n (fun z_ => after_ Q1 W mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => before_ Q W m mu nu z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => after_ Q1 W mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => before_ Q W m mu nu z____) 2 (IZR z___)).
+End alg_5_b_by_the_printed_conditions.
+
+Module alg_5_b_there_are_such_connections.
+(* gbt-surfaces/alg-5.b.there are such connections, Sect. 3.5, Algorithm 5, step 5
+   printed: 5. Two adjacent GBT-Bézier swept surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
+   read as: They can be connected so: exhibited for every first surface, with a section of degree 3 and vanishing shape parameters for the second.
+   stated: after(0) == before(1) and after'(0) == before'(1) and after''(0) == before''(1) *)
+Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
+Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
+Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
+  p + a m nu n mu1 * (p - q).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 n nu1 mu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m nu n nu1 mu1 * (p - q)).
+Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
+Definition c1 (n : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
+Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
+Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
+  6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
+Definition b4_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  a m nu n mu1 * (3 * c1 n mu1 + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * IZR mu1 - IZR nu1) - PI ^ 3 * (1 + IZR mu1)) - a3_true m nu n nu1 mu1 * b3_true n nu1 mu1 / a1 n nu1 mu1 + PI ^ 3 * (1 + nu).
+Definition join3 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) (s : R) : R :=
+  p + 1 / b1 n nu1 mu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 n nu1 mu1 * b3_true n nu1 mu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true n nu1 mu1 / a1 n nu1 mu1 * (q - r) - b4_true m nu n nu1 mu1 * (p - q)).
+Definition next (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : Z) : R :=
+  f (IZR t) 0 0 0%Z 3%Z * p + f (IZR t) 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f (IZR t) 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f (IZR t) 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
+Definition after (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  next m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + W.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition before (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  F Q m mu nu z + W.
+Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
+  f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
+Definition after_ (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  next_ m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + W.
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition before_ (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  F_ Q m mu nu z + W.
+Definition statement : Prop :=
+forall (m : Z) (Q : Z -> R) (W : R) (mu : R) (nu : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= m <= m)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  (0 <= m - 3 <= m)%Z ->
+  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 ->
+  a1 3%Z 0%Z 0%Z <> 0 ->
+  b1 3%Z 0%Z 0%Z <> 0 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  after Q W m mu nu 0%Z = before Q W m mu nu 1%Z /\ (let z := 0%Z in Derive_n (fun z_ => after_ Q W m mu nu z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => before_ Q W m mu nu z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => after_ Q W m mu nu z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => before_ Q W m mu nu z____) 2 (IZR z___)).
+Definition instance : Prop :=
+exists (m : Z) (Q : Z -> R) (W : R) (mu : R) (nu : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= m <= m)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  (0 <= m - 2 <= m)%Z /\
+  (0 <= m - 3 <= m)%Z /\
+  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 /\
+  a1 3%Z 0%Z 0%Z <> 0 /\
+  b1 3%Z 0%Z 0%Z <> 0 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
+End alg_5_b_there_are_such_connections.
 
 Module ex_3_5_sections.
 (* gbt-surfaces/ex-3.5.sections, Sect. 3.5, Example 3.5, data

@@ -25,6 +25,12 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End sec_3_5_not_expressible_sine.
 
+Module alg_5_b_by_the_printed_conditions.
+Import GbtSurfaces.Section_3_5.alg_5_b_by_the_printed_conditions.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 f F1 after F before F1_ after_ F_ before_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (-1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((32 + 7*PI)/(8 + PI)) else 0) 0 (1) (1) (1) (0)). Qed.
+End alg_5_b_by_the_printed_conditions.
+
 Module ex_3_5_sections.
 Import GbtSurfaces.Section_3_5.ex_3_5_sections.
 Theorem proved : statement.

@@ -277,36 +277,35 @@ End eq_34.
 Module sec_3_6_other_axes.
 (* gbt-surfaces/sec-3.6.other-axes, Sect. 3.6, sentence after the proof of Theorem 6
    printed: using the same results, we can develop a rotation surface if the generating line and the rotation axis are XOY or YOZ and X-axis or Y-axis, respectively
-   stated: aboutX(z1)[2]^2 + aboutX(z1)[3]^2 == y^2 and aboutX(0) == [x, y, 0] and aboutX(1) == [x, -y, 0] and aboutY(z1)[1]^2 + aboutY(z1)[3]^2 == w^2 and aboutY(0) == [0, y, w] and aboutY(1) == [0, y, -w] *)
+   read as: At the parameter of the angle πq a line (X, Y, 0) is turned by it about the X axis, and a line (0, Y, Z) about the Y axis; with the other sign of the sine, back.
+   stated: aboutX(at_angle(q), 1) == [x, cos(pi*q)*y, sin(pi*q)*y] and aboutX(at_angle(q), -1) == [x, cos(pi*q)*y, -sin(pi*q)*y] and aboutY(at_angle(q), 1) == [sin(pi*q)*w, y, cos(pi*q)*w] and aboutY(at_angle(q), -1) == [-sin(pi*q)*w, y, cos(pi*q)*w] and at_angle(0) == 0 and at_angle(1) == 1 *)
+Definition at_angle (q : R) : R :=
+  sin (PI / 2 * q) / (sin (PI / 2 * q) + cos (PI / 2 * q)).
 Definition cosine (t : R) : R :=
   (1 - 2 * t) / (2 * t ^ 2 - 2 * t + 1).
 Definition sine (t : R) : R :=
   (2 * t - 2 * t ^ 2) / (2 * t ^ 2 - 2 * t + 1).
-Definition aboutX (x : R) (y : R) (t : R) : list R :=
-  [x; cosine t * y; sine t * y].
-Definition cosine_ (t : Z) : R :=
-  (1 - 2 * IZR t) / (2 * IZR t ^ 2 - 2 * IZR t + 1).
-Definition sine_ (t : Z) : R :=
-  (2 * IZR t - 2 * IZR t ^ 2) / (2 * IZR t ^ 2 - 2 * IZR t + 1).
-Definition aboutX_ (x : R) (y : R) (t : Z) : list R :=
-  [x; cosine_ t * y; sine_ t * y].
-Definition aboutY (w : R) (y : R) (t : R) : list R :=
-  [sine t * w; y; cosine t * w].
-Definition aboutY_ (w : R) (y : R) (t : Z) : list R :=
-  [sine_ t * w; y; cosine_ t * w].
+Definition aboutX (x : R) (y : R) (t : R) (sign : Z) : list R :=
+  [x; cosine t * y; IZR sign * sine t * y].
+Definition aboutY (w : R) (y : R) (t : R) (sign : Z) : list R :=
+  [IZR sign * sine t * w; y; cosine t * w].
+Definition at_angle_ (q : Z) : R :=
+  sin (PI / 2 * IZR q) / (sin (PI / 2 * IZR q) + cos (PI / 2 * IZR q)).
 Definition statement : Prop :=
-forall (w : R) (x : R) (y : R) (z1 : R),
-  0 <= z1 <= 1 ->
-  2 * z1 ^ 2 - 2 * z1 + 1 <> 0 ->
-  2 * IZR 0%Z ^ 2 - 2 * IZR 0%Z + 1 <> 0 ->
-  2 * IZR 1%Z ^ 2 - 2 * IZR 1%Z + 1 <> 0 ->
-  entry (aboutX x y z1) 2 ^ 2 + entry (aboutX x y z1) 3 ^ 2 = y ^ 2 /\ aboutX_ x y 0%Z = [x; y; 0] /\ aboutX_ x y 1%Z = [x; - y; 0] /\ entry (aboutY w y z1) 1 ^ 2 + entry (aboutY w y z1) 3 ^ 2 = w ^ 2 /\ aboutY_ w y 0%Z = [0; y; w] /\ aboutY_ w y 1%Z = [0; y; - w].
+forall (q : R) (w : R) (x : R) (y : R),
+  0 <= q <= 1 ->
+  sin (PI / 2 * q) + cos (PI / 2 * q) <> 0 ->
+  2 * (at_angle q) ^ 2 - 2 * (at_angle q) + 1 <> 0 ->
+  sin (PI / 2 * IZR 0%Z) + cos (PI / 2 * IZR 0%Z) <> 0 ->
+  sin (PI / 2 * IZR 1%Z) + cos (PI / 2 * IZR 1%Z) <> 0 ->
+  aboutX x y (at_angle q) 1%Z = [x; cos (PI * q) * y; sin (PI * q) * y] /\ aboutX x y (at_angle q) (- 1)%Z = [x; cos (PI * q) * y; - sin (PI * q) * y] /\ aboutY w y (at_angle q) 1%Z = [sin (PI * q) * w; y; cos (PI * q) * w] /\ aboutY w y (at_angle q) (- 1)%Z = [- sin (PI * q) * w; y; cos (PI * q) * w] /\ at_angle_ 0%Z = 0 /\ at_angle_ 1%Z = 1.
 Definition instance : Prop :=
-exists (w : R) (x : R) (y : R) (z1 : R),
-  0 <= z1 <= 1 /\
-  2 * z1 ^ 2 - 2 * z1 + 1 <> 0 /\
-  2 * IZR 0%Z ^ 2 - 2 * IZR 0%Z + 1 <> 0 /\
-  2 * IZR 1%Z ^ 2 - 2 * IZR 1%Z + 1 <> 0.
+exists (q : R) (w : R) (x : R) (y : R),
+  0 <= q <= 1 /\
+  sin (PI / 2 * q) + cos (PI / 2 * q) <> 0 /\
+  2 * (at_angle q) ^ 2 - 2 * (at_angle q) + 1 <> 0 /\
+  sin (PI / 2 * IZR 0%Z) + cos (PI / 2 * IZR 0%Z) <> 0 /\
+  sin (PI / 2 * IZR 1%Z) + cos (PI / 2 * IZR 1%Z) <> 0.
 End sec_3_6_other_axes.
 
 Module prop_3_8_a_linear.

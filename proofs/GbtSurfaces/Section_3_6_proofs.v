@@ -44,9 +44,9 @@ End eq_34.
 Module sec_3_6_other_axes.
 Import GbtSurfaces.Section_3_6.sec_3_6_other_axes.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement cosine sine aboutX cosine_ sine_ aboutX_ aboutY aboutY_]; identity. Qed.
+Proof. cbv beta zeta delta [statement at_angle cosine sine aboutX aboutY at_angle_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cosine sine aboutX cosine_ sine_ aboutX_ aboutY aboutY_]; first [(exists (2), (3), (4), (1 / 3); met) | (exists (0), (0), (0), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance at_angle cosine sine aboutX aboutY at_angle_]; first [(exists (1 / 3), (3), (4), (5); met) | (exists (1 / 3), (0), (0), (0); met)]. Qed.
 End sec_3_6_other_axes.
 
 Module prop_3_8_b_exact.

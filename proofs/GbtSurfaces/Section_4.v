@@ -5,7 +5,7 @@ Open Scope R_scope.
 Module abs_features_the_features_of_Sect__2_2.
 (* gbt-surfaces/abs.features.the features of Sect. 2.2, Abstract; repeated in Sect. 4
    printed: All geometric features of the proposed GBT-Bézier curves and surfaces are similar to the traditional Bézier curves and surfaces, but the shape-adjustment is the additional feature that the traditional Bézier curves and surfaces do not hold
-   read as: The features are those that Sect. 2.2 lists: convex hull, affine invariance, end points, symmetry for equal parameters; and the shape changes.
+   read as: The features are those that Sect. 2.2 lists, but for variation diminution, which is a claim of its own: convex hull, affine invariance, end points, symmetry for equal parameters; and the shape changes.
    stated: nonnegative(f) and sum(k, 0, m, f[k,m](z)) == 1 and F(0) == Q[0] and F(1) == Q[m] and f[m-k,m](z, mu, mu) == f[k,m](1 - z, mu, mu) and not D(F'(0), mu) == 0 *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
@@ -96,8 +96,8 @@ End sec_4_six_tensor_with_rotation_surfaces.
 Module sec_4_six_tensor_without.
 (* gbt-surfaces/sec-4.six-tensor.without, Sect. 4, first paragraph
    printed: six different types of tensor product GBT-Bézier engineering surfaces including GBT-Bézier cylinders, GBT-Bézier bilinear surfaces, GBT-Bézier ruled surfaces, GBT-Bézier swung surfaces, GBT-Bézier swept, and GBT-Bézier rotation surfaces are constructed
-   read as: As the last sentence of the paragraph says, the rotation surfaces are excepted: cylinder, ruled surface (18) as printed, swung and swept surface; the bi-linear surface (16) is one by its formula.
-   stated: sum(k, 0, m, (Q[k] + z1*V)*f[k,m](z, mu, nu)) == sum(k, 0, m, sum(l, 0, 1, (Q[k] + l*V)*f[k,m](z, mu, nu)*b[l,1](z1))) and printed18(z, z1) == tensor(z, z1) and sum(k, 0, m, f[k,m](z, mu, nu)*X[k])*sum(l, 0, n, f[l,n](z1, mu1, nu1)*U[l]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*X[k]*U[l])) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*B[l]) + sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) *)
+   read as: As the last sentence of the paragraph says, the rotation surfaces are excepted: cylinder, ruled surface (18) as printed, swung surface, in its first coordinate, which is as the second, and in its third, and swept surface; the bi-linear surface (16) is one by its formula.
+   stated: sum(k, 0, m, (Q[k] + z1*V)*f[k,m](z, mu, nu)) == sum(k, 0, m, sum(l, 0, 1, (Q[k] + l*V)*f[k,m](z, mu, nu)*b[l,1](z1))) and printed18(z, z1) == tensor(z, z1) and sum(k, 0, m, f[k,m](z, mu, nu)*X[k])*sum(l, 0, n, f[l,n](z1, mu1, nu1)*U[l]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*X[k]*U[l])) and sum(k, 0, m, f[k,m](z, mu, nu)*Z[k]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*Z[k])) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*B[l]) + sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition b (z : R) (i : Z) (k : Z) : R :=
@@ -107,7 +107,7 @@ Definition printed18 (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R)
 Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
   sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
 Definition statement : Prop :=
-forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (Q : Z -> R) (U : Z -> R) (V : R) (X : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (Q : Z -> R) (U : Z -> R) (V : R) (X : Z -> R) (Z_ : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (3 <= m)%Z ->
   (-1) <= mu <= 1 ->
   (-1) <= mu1 <= 1 ->
@@ -121,9 +121,9 @@ forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (Q : Z -> R) (U : Z -> R) (V : 
   (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (2 <= m)%Z) ->
   (forall l : Z, (0 <= l <= n)%Z -> (2 <= n)%Z) ->
   (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= n)%Z -> (2 <= m)%Z) ->
-  sum 0%Z m (fun k => (Q k + z1 * V) * f z mu nu k m) = sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => (Q k + IZR l * V) * f z mu nu k m * b z1 l 1%Z)) /\ printed18 A B m mu nu z z1 = tensor A B m mu nu z z1 /\ sum 0%Z m (fun k => f z mu nu k m * X k) * sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l) = sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * X k * U l)) /\ sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l) + sum 0%Z m (fun k => f z mu nu k m * A k) = sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * (A k + B l))).
+  sum 0%Z m (fun k => (Q k + z1 * V) * f z mu nu k m) = sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => (Q k + IZR l * V) * f z mu nu k m * b z1 l 1%Z)) /\ printed18 A B m mu nu z z1 = tensor A B m mu nu z z1 /\ sum 0%Z m (fun k => f z mu nu k m * X k) * sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l) = sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * X k * U l)) /\ sum 0%Z m (fun k => f z mu nu k m * Z_ k) = sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * Z_ k)) /\ sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l) + sum 0%Z m (fun k => f z mu nu k m * A k) = sum 0%Z m (fun k => sum 0%Z n (fun l => f z mu nu k m * f z1 mu1 nu1 l n * (A k + B l))).
 Definition instance : Prop :=
-exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (Q : Z -> R) (U : Z -> R) (V : R) (X : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
+exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (Q : Z -> R) (U : Z -> R) (V : R) (X : Z -> R) (Z_ : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (3 <= m)%Z /\
   (-1) <= mu <= 1 /\
   (-1) <= mu1 <= 1 /\
@@ -336,12 +336,12 @@ End sec_4_tensor_with_f_l.
 Module sec_4_convex_hull.
 (* gbt-surfaces/sec-4.convex-hull, Sect. 4, second paragraph
    printed: the designed GBT-Bézier surfaces can approach their convex hull better than the traditional Bézier surfaces approaches
-   read as: They can: exhibited with mu = nu = 1 in the middle of curves of degree 2 and 3, where the inner control points have more weight than in the Bezier curve.
-   stated: f[0,2](1/2, 1, 1) < b[0,2](1/2) and f[2,2](1/2, 1, 1) < b[2,2](1/2) and f[1,2](1/2, 1, 1) > b[1,2](1/2) and f[1,3](1/2, 1, 1) + f[2,3](1/2, 1, 1) > b[1,3](1/2) + b[2,3](1/2) *)
+   read as: They can: exhibited with all shape parameters 1 in the middle, where the inner control points have more weight than in the Bézier curve and surface of the same net: curves of degrees 2 and 3, surfaces of degrees (2, 2) and (3, 3).
+   stated: f[0,2](1/2, 1, 1) < b[0,2](1/2) and f[2,2](1/2, 1, 1) < b[2,2](1/2) and f[1,2](1/2, 1, 1) > b[1,2](1/2) and f[1,3](1/2, 1, 1) + f[2,3](1/2, 1, 1) > b[1,3](1/2) + b[2,3](1/2) and f[1,2](1/2, 1, 1)^2 > b[1,2](1/2)^2 and (f[1,3](1/2, 1, 1) + f[2,3](1/2, 1, 1))^2 > (b[1,3](1/2) + b[2,3](1/2))^2 *)
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition b (z : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
 Definition statement : Prop :=
-  f (1 / 2) 1 1 0%Z 2%Z < b (1 / 2) 0%Z 2%Z /\ f (1 / 2) 1 1 2%Z 2%Z < b (1 / 2) 2%Z 2%Z /\ f (1 / 2) 1 1 1%Z 2%Z > b (1 / 2) 1%Z 2%Z /\ f (1 / 2) 1 1 1%Z 3%Z + f (1 / 2) 1 1 2%Z 3%Z > b (1 / 2) 1%Z 3%Z + b (1 / 2) 2%Z 3%Z.
+  f (1 / 2) 1 1 0%Z 2%Z < b (1 / 2) 0%Z 2%Z /\ f (1 / 2) 1 1 2%Z 2%Z < b (1 / 2) 2%Z 2%Z /\ f (1 / 2) 1 1 1%Z 2%Z > b (1 / 2) 1%Z 2%Z /\ f (1 / 2) 1 1 1%Z 3%Z + f (1 / 2) 1 1 2%Z 3%Z > b (1 / 2) 1%Z 3%Z + b (1 / 2) 2%Z 3%Z /\ f (1 / 2) 1 1 1%Z 2%Z ^ 2 > b (1 / 2) 1%Z 2%Z ^ 2 /\ (f (1 / 2) 1 1 1%Z 3%Z + f (1 / 2) 1 1 2%Z 3%Z) ^ 2 > (b (1 / 2) 1%Z 3%Z + b (1 / 2) 2%Z 3%Z) ^ 2.
 End sec_4_convex_hull.

@@ -551,10 +551,10 @@ exists (dg'1 dg'2 dg'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (r
   k - 1 <> 0.
 End eq_3_2_edge.
 
-Module eq_3_2_planes_a.
-(* hermite-developable/eq-3.2.planes.a, Sect. 3, sentence before (3.2)
+Module eq_3_2_planes_a_generatrix.
+(* hermite-developable/eq-3.2.planes.a.generatrix, Sect. 3, sentence before (3.2)
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
-   read as: parallel planes, with g = q - p: there are curves in two parallel planes x = const at a distance h other than 0 that satisfy (3.2)
+   read as: g is q - p, as it is defined before (3.1) and used in (3.4)
    stated: not h == 0 *)
 Definition dq (y3 : R) (z3 : R) : list R :=
   [0; y3; z3].
@@ -566,23 +566,63 @@ Definition P (x0 : R) (y0 : R) (z0 : R) : list R :=
   [x0; y0; z0].
 Definition statement : Prop :=
 forall (h : R) (k : R) (x0 : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R),
+  0 < k ->
+  k <> 1 ->
   dq y3 z3 = vsub (vscale k (dp y2 z2)) (vsub (Q h x0 y1 z1) (P x0 y0 z0)) ->
   ~ (forall (h : R) (k : R) (x0 : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R),
+  0 < k ->
+  k <> 1 ->
   dq y3 z3 = vsub (vscale k (dp y2 z2)) (vsub (Q h x0 y1 z1) (P x0 y0 z0)) ->
   h = 0).
-End eq_3_2_planes_a.
+End eq_3_2_planes_a_generatrix.
 
-Module eq_3_2_planes_b.
-(* hermite-developable/eq-3.2.planes.b, Sect. 3, sentence before (3.2)
+Module eq_3_2_planes_a_direction.
+(* hermite-developable/eq-3.2.planes.a.direction, Sect. 3, sentence before (3.2)
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
-   read as: oblique planes, with g = q - p: there are Hermite curves that satisfy (3.2) with q in a plane that does not contain p. f is the distance of p from the plane of q, a polynomial; the component of (3.2) across that plane is f + k f' = 0
-   stated: not f(u) == 0 *)
+   read as: g is the vector that the next sentence determines
+   stated: not h == 0 *)
+Definition dq (y3 : R) (z3 : R) : list R :=
+  [0; y3; z3].
+Definition dp (y2 : R) (z2 : R) : list R :=
+  [0; y2; z2].
+Definition Q (h : R) (x0 : R) (y1 : R) (z1 : R) : list R :=
+  [x0 + h; y1; z1].
+Definition P (x0 : R) (y0 : R) (z0 : R) : list R :=
+  [x0; y0; z0].
+Definition statement : Prop :=
+forall (h : R) (k : R) (o'1 o'2 o'3 : R) (x0 : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R),
+  let o := [o'1; o'2; o'3] in
+  0 < k ->
+  k <> 1 ->
+  dq y3 z3 = vsub (vscale k (dp y2 z2)) (vsub (vsub (Q h x0 y1 z1) o) (vscale k (vsub (P x0 y0 z0) o))) ->
+  ~ (forall (h : R) (k : R) (o'1_ o'2_ o'3_ : R) (x0 : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R),
+  let o := [o'1_; o'2_; o'3_] in
+  0 < k ->
+  k <> 1 ->
+  dq y3 z3 = vsub (vscale k (dp y2 z2)) (vsub (vsub (Q h x0 y1 z1) o) (vscale k (vsub (P x0 y0 z0) o))) ->
+  h = 0).
+Definition instance : Prop :=
+exists (h : R) (k : R) (o'1 o'2 o'3 : R) (x0 : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R),
+  let o := [o'1; o'2; o'3] in
+  0 < k /\
+  k <> 1 /\
+  dq y3 z3 = vsub (vscale k (dp y2 z2)) (vsub (vsub (Q h x0 y1 z1) o) (vscale k (vsub (P x0 y0 z0) o))).
+End eq_3_2_planes_a_direction.
+
+Module eq_3_2_planes_b_generatrix.
+(* hermite-developable/eq-3.2.planes.b.generatrix, Sect. 3, sentence before (3.2)
+   printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
+   read as: g is q - p, as it is defined before (3.1) and used in (3.4): the component of (3.2) across the plane of q is f + k f' = 0
+   stated: not f'(u) == 0 *)
 Definition f (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (u : R) : R :=
   f5 * u ^ 5 + f4 * u ^ 4 + f3 * u ^ 3 + f2 * u ^ 2 + f1 * u + f0.
+Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R) : R :=
+  f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u.
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_ + k * (let u__ := u_ in Derive_n (fun u___ => f f0 f1 f2 f3 f4 f5 u___) 1 u__)) (Z.to_nat n) (IZR u) / factorial n.
+  let u := 0%Z in Derive_n (fun u_ => across f0 f1 f2 f3 f4 f5 k u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R),
+  0 < k ->
   0 <= u <= 1 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -598,6 +638,7 @@ forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R),
   factorial 0%Z <> 0 ->
   part f0 f1 f2 f3 f4 f5 k 5%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 4%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 3%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 2%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 1%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 0%Z = 0 ->
   ~ (forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R),
+  0 < k ->
   0 <= u <= 1 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -612,8 +653,55 @@ forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R),
   (0 <= 0%Z)%Z ->
   factorial 0%Z <> 0 ->
   part f0 f1 f2 f3 f4 f5 k 5%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 4%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 3%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 2%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 1%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 0%Z = 0 ->
-  f f0 f1 f2 f3 f4 f5 u = 0).
-End eq_3_2_planes_b.
+  Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u = 0).
+End eq_3_2_planes_b_generatrix.
+
+Module eq_3_2_planes_b_direction.
+(* hermite-developable/eq-3.2.planes.b.direction, Sect. 3, sentence before (3.2)
+   printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
+   read as: g is the vector that the next sentence determines: the component of (3.2) across the plane of q is k f + k f' = (1 - k) s, where s is the distance of that plane from the summit
+   stated: not f'(u) == 0 *)
+Definition f (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (u : R) : R :=
+  f5 * u ^ 5 + f4 * u ^ 4 + f3 * u ^ 3 + f2 * u ^ 2 + f1 * u + f0.
+Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
+  k * f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u - (1 - k) * s.
+Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => across f0 f1 f2 f3 f4 f5 k s u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition statement : Prop :=
+forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R),
+  0 < k ->
+  0 <= u <= 1 ->
+  (0 <= 5%Z)%Z ->
+  factorial 5%Z <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  part f0 f1 f2 f3 f4 f5 k s 5%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 4%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 3%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 2%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 1%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 0%Z = 0 ->
+  ~ (forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R),
+  0 < k ->
+  0 <= u <= 1 ->
+  (0 <= 5%Z)%Z ->
+  factorial 5%Z <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  part f0 f1 f2 f3 f4 f5 k s 5%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 4%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 3%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 2%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 1%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 0%Z = 0 ->
+  Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u = 0).
+End eq_3_2_planes_b_direction.
 
 Module eq_3_2_across.
 (* hermite-developable/eq-3.2.across, Sect. 3, eq. (3.2)
@@ -639,6 +727,33 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (c'1 c'2 c'3 : R) (dp'1 dp'2 dp'3 : R
   let m := [m'1; m'2; m'3] in
   dq = vsub (vscale k dp) (vsub Q P).
 End eq_3_2_across.
+
+Module eq_3_2_across_summit.
+(* hermite-developable/eq-3.2.across.summit, Sect. 3, eq. (3.2)
+   printed: With q in the plane through a point c across a vector m, the component of (3.2), g = (q - o) - k (p - o), across that plane is k f + k f' = (1 - k) s for the distances f of p from it and s of it from o.
+   stated: k*dot(m, P - c) + k*dot(m, dp) - (1 - k)*dot(m, c - o) == dot(m, Q - c) + dot(m, dq) *)
+Definition statement : Prop :=
+forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (c'1 c'2 c'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (m'1 m'2 m'3 : R) (o'1 o'2 o'3 : R),
+  let P := [P'1; P'2; P'3] in
+  let Q := [Q'1; Q'2; Q'3] in
+  let c := [c'1; c'2; c'3] in
+  let dp := [dp'1; dp'2; dp'3] in
+  let dq := [dq'1; dq'2; dq'3] in
+  let m := [m'1; m'2; m'3] in
+  let o := [o'1; o'2; o'3] in
+  dq = vsub (vscale k dp) (vsub (vsub Q o) (vscale k (vsub P o))) ->
+  k * dot m (vsub P c) + k * dot m dp - (1 - k) * dot m (vsub c o) = dot m (vsub Q c) + dot m dq.
+Definition instance : Prop :=
+exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (c'1 c'2 c'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (m'1 m'2 m'3 : R) (o'1 o'2 o'3 : R),
+  let P := [P'1; P'2; P'3] in
+  let Q := [Q'1; Q'2; Q'3] in
+  let c := [c'1; c'2; c'3] in
+  let dp := [dp'1; dp'2; dp'3] in
+  let dq := [dq'1; dq'2; dq'3] in
+  let m := [m'1; m'2; m'3] in
+  let o := [o'1; o'2; o'3] in
+  dq = vsub (vscale k dp) (vsub (vsub Q o) (vscale k (vsub P o))).
+End eq_3_2_across_summit.
 
 Module eq_3_2_every_degree.
 (* hermite-developable/eq-3.2.every-degree, Sect. 3, eqs. (3.2), (3.3)

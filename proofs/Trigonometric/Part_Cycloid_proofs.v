@@ -1,0 +1,18 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From Trigonometric Require Part_Cycloid.
+Open Scope R_scope.
+
+Module cycloid_speed.
+Import Trigonometric.Part_Cycloid.cycloid_speed.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement X]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance X]; first [(exists (1); met) | (exists (1); met)]. Qed.
+End cycloid_speed.
+
+Module cycloid_slope_slip.
+Import Trigonometric.Part_Cycloid.cycloid_slope_slip.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement X] in no; refuting (no (1/3*PI)). Qed.
+End cycloid_slope_slip.

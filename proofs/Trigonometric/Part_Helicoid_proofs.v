@@ -1,0 +1,18 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From Trigonometric Require Part_Helicoid.
+Open Scope R_scope.
+
+Module helicoid_skew.
+Import Trigonometric.Part_Helicoid.helicoid_skew.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement X N_]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance X N_]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met)]. Qed.
+End helicoid_skew.
+
+Module helicoid_skew_slip.
+Import Trigonometric.Part_Helicoid.helicoid_skew_slip.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement X N_] in no; refuting (no (1) (1) (0)). Qed.
+End helicoid_skew_slip.

@@ -1,0 +1,28 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From Trigonometric Require Part_Helix.
+Open Scope R_scope.
+
+Module helix_speed.
+Import Trigonometric.Part_Helix.helix_speed.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement X]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance X]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met)]. Qed.
+End helix_speed.
+
+Module helix_torsion.
+Import Trigonometric.Part_Helix.helix_torsion.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement X]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance X]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met)]. Qed.
+End helix_torsion.
+
+Module helix_curvature.
+Import Trigonometric.Part_Helix.helix_curvature.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement X]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance X]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met)]. Qed.
+End helix_curvature.

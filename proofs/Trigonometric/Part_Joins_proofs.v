@@ -1,0 +1,26 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From Trigonometric Require Part_Joins.
+Open Scope R_scope.
+
+Module quadratic_join.
+Import Trigonometric.Part_Joins.quadratic_join.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a c b G a_ c_ b_ F G_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a c b G a_ c_ b_ F G_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End quadratic_join.
+
+Module quadratic_join_slip.
+Import Trigonometric.Part_Joins.quadratic_join_slip.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement a c b G a_ c_ b_ F G_] in no; refuting (no (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (3/2) else 0) ((-1) / 3) (1) (0) ((-1) / 3)). Qed.
+End quadratic_join_slip.
+
+Module quadratic_join_slip_corrected.
+Import Trigonometric.Part_Joins.quadratic_join_slip_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a c b G a_ c_ b_ F G_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a c b G a_ c_ b_ F G_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End quadratic_join_slip_corrected.

@@ -1,0 +1,20 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From Trigonometric Require Part_Tangents.
+Open Scope R_scope.
+
+Module angle_tangent.
+Import Trigonometric.Part_Tangents.angle_tangent.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met)]. Qed.
+End angle_tangent.
+
+Module angle_tangent_closed.
+Import Trigonometric.Part_Tangents.angle_tangent_closed.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met)]. Qed.
+End angle_tangent_closed.

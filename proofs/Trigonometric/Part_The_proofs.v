@@ -1,0 +1,26 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics.
+From Trigonometric Require Part_The.
+Open Scope R_scope.
+
+Module quadratic_middle.
+Import Trigonometric.Part_The.quadratic_middle.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a c b]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a c b]; first [(exists ((-1) / 3), ((-1) / 3), (1); met) | (exists ((-1) / 3), ((-1) / 3), (0); met)]. Qed.
+End quadratic_middle.
+
+Module quadratic_nonnegative_slip.
+Import Trigonometric.Part_The.quadratic_nonnegative_slip.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement a] in no; refuting (no (2) (1/3*PI)). Qed.
+End quadratic_nonnegative_slip.
+
+Module quadratic_symmetry.
+Import Trigonometric.Part_The.quadratic_symmetry.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement c a]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance c a]; first [(exists ((-1) / 3), (1); met) | (exists ((-1) / 3), (0); met)]. Qed.
+End quadratic_symmetry.
