@@ -133,9 +133,17 @@ impl Proof {
         })
     }
 
-    /// Whether certificates for the whole show the polynomial to be more than zero.
+    /// Whether the polynomial is shown to be more than zero.
     pub(super) fn strict(&self) -> bool {
-        self.certificates().iter().all(|part| part.strict)
+        match &self.shown {
+            Shown::Whole(certificate) => certificate.strict,
+            Shown::Parts(parts) => parts.iter().all(|part| part.strict),
+            Shown::Factors(proofs) => proofs.iter().all(Self::strict),
+            // Where all symbols of the rays are zero, the terms without them are left.
+            Shown::Rays(terms) => terms
+                .iter()
+                .any(|(rays, proof)| rays.is_constant() && proof.strict()),
+        }
     }
 
     /// Replays the certificates.
