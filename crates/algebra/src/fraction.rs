@@ -152,7 +152,7 @@ fn merged(a: &[Polynomial], b: &[Polynomial]) -> Vec<Polynomial> {
     let mut all: Vec<Polynomial> = a
         .iter()
         .chain(b)
-        .filter(|p| p.as_constant().is_none())
+        .filter(|p| !p.is_constant())
         .cloned()
         .collect();
     all.sort();

@@ -49,6 +49,13 @@ impl Add for Fraction {
     }
 }
 
+impl Add for &Fraction {
+    type Output = Fraction;
+    fn add(self, other: Self) -> Fraction {
+        sum(self, other)
+    }
+}
+
 impl Neg for Fraction {
     type Output = Self;
     fn neg(mut self) -> Self {
@@ -67,6 +74,9 @@ impl Sub for Fraction {
 /// Equality of values where both are defined; conditions do not count.
 impl PartialEq for Fraction {
     fn eq(&self, other: &Self) -> bool {
+        if self.denominator == other.denominator {
+            return self.numerator == other.numerator;
+        }
         (self.clone() - other.clone()).is_zero()
     }
 }

@@ -4,16 +4,35 @@ use super::{Fraction, merged};
 use crate::scalar::ExactError;
 use std::ops::Mul;
 
-impl Mul for Fraction {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        let mut denominator = self.denominator;
-        for (factor, exponent) in other.denominator {
-            *denominator.entry(factor).or_insert(0) += exponent;
-        }
+impl Mul for &Fraction {
+    type Output = Fraction;
+    fn mul(self, other: Self) -> Fraction {
+        let numerator = &self.numerator * &other.numerator;
         let conditions = merged(&self.conditions, &other.conditions);
-        let result = Self {
-            numerator: &self.numerator * &other.numerator,
+        // A number brings nothing that cancels, unless it is zero.
+        let brings_nothing = |factor: &Fraction| {
+            factor.denominator.is_empty() && factor.numerator.is_constant() && !factor.is_zero()
+        };
+        if brings_nothing(other) {
+            return Fraction {
+                numerator,
+                denominator: self.denominator.clone(),
+                conditions,
+            };
+        }
+        if brings_nothing(self) {
+            return Fraction {
+                numerator,
+                denominator: other.denominator.clone(),
+                conditions,
+            };
+        }
+        let mut denominator = self.denominator.clone();
+        for (factor, exponent) in &other.denominator {
+            *denominator.entry(factor.clone()).or_insert(0) += exponent;
+        }
+        let result = Fraction {
+            numerator,
             denominator,
             conditions,
         };
@@ -22,6 +41,13 @@ impl Mul for Fraction {
         } else {
             result.cancelled()
         }
+    }
+}
+
+impl Mul for Fraction {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        &self * &other
     }
 }
 
@@ -35,11 +61,11 @@ impl Fraction {
         let (mut base, mut rest) = (self.clone(), exponent.unsigned_abs());
         while rest > 0 {
             if rest % 2 == 1 {
-                result = result * base.clone();
+                result = &result * &base;
             }
             rest /= 2;
             if rest > 0 {
-                base = base.clone() * base;
+                base = &base * &base;
             }
         }
         if exponent < 0 {

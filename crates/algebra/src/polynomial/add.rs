@@ -12,13 +12,19 @@ use std::sync::Arc;
 
 /// The symbols of both polynomials, ascending.
 pub(super) fn common_symbols(a: &Polynomial, b: &Polynomial) -> Arc<[Symbol]> {
-    if a.symbols == b.symbols || b.symbols.is_empty() {
-        return Arc::clone(&a.symbols);
+    if a.body.symbols == b.body.symbols || b.body.symbols.is_empty() {
+        return Arc::clone(&a.body.symbols);
     }
-    if a.symbols.is_empty() {
-        return Arc::clone(&b.symbols);
+    if a.body.symbols.is_empty() {
+        return Arc::clone(&b.body.symbols);
     }
-    let mut all: Vec<Symbol> = a.symbols.iter().chain(b.symbols.iter()).cloned().collect();
+    let mut all: Vec<Symbol> = a
+        .body
+        .symbols
+        .iter()
+        .chain(b.body.symbols.iter())
+        .cloned()
+        .collect();
     all.sort();
     all.dedup();
     Arc::from(all)
@@ -27,10 +33,11 @@ pub(super) fn common_symbols(a: &Polynomial, b: &Polynomial) -> Arc<[Symbol]> {
 /// The exponents of `p` as rows over `symbols`, which contain those of `p`. The order of the rows is
 /// kept: a new column is the same in all of them.
 pub(super) fn widened<'p>(p: &'p Polynomial, symbols: &Arc<[Symbol]>) -> Cow<'p, [u16]> {
-    if p.symbols == *symbols {
-        return Cow::Borrowed(&p.exponents);
+    if p.body.symbols == *symbols {
+        return Cow::Borrowed(&p.body.exponents);
     }
     let columns: Vec<usize> = p
+        .body
         .symbols
         .iter()
         .filter_map(|s| symbols.binary_search(s).ok())
@@ -51,10 +58,10 @@ fn sum(a: &Polynomial, b: &Polynomial, negated: &Integer) -> Polynomial {
     let symbols = common_symbols(a, b);
     let width = symbols.len();
     let (rows_a, rows_b) = (widened(a, &symbols), widened(b, &symbols));
-    let denominator = a.denominator.lcm(&b.denominator);
+    let denominator = a.body.denominator.lcm(&b.body.denominator);
     let (scale_a, scale_b) = (
-        &denominator / &a.denominator,
-        &denominator / &b.denominator * negated,
+        &denominator / &a.body.denominator,
+        &denominator / &b.body.denominator * negated,
     );
     let scaled = |c: &Integer, scale: &Integer| if scale.is_one() { c.clone() } else { c * scale };
     let row = |rows: &'_ [u16], term: usize| term * width..((term + 1) * width).min(rows.len());
@@ -66,7 +73,7 @@ fn sum(a: &Polynomial, b: &Polynomial, negated: &Integer) -> Polynomial {
             rows_a.get(row(&rows_a, i)).unwrap_or_default(),
             rows_b.get(row(&rows_b, j)).unwrap_or_default(),
         );
-        let (x, y) = (a.coefficients.get(i), b.coefficients.get(j));
+        let (x, y) = (a.body.coefficients.get(i), b.body.coefficients.get(j));
         let order = match (x, y) {
             (Some(_), Some(_)) => from_a.cmp(from_b),
             (Some(_), None) => Ordering::Greater,
@@ -120,11 +127,13 @@ impl Sub for &Polynomial {
 impl Neg for &Polynomial {
     type Output = Polynomial;
     fn neg(self) -> Polynomial {
-        let mut result = self.clone();
-        for coefficient in &mut result.coefficients {
-            *coefficient = -std::mem::take(coefficient);
-        }
-        result
+        let body = &self.body;
+        Polynomial::new(
+            Arc::clone(&body.symbols),
+            body.exponents.clone(),
+            body.coefficients.iter().map(|c| -c).collect(),
+            body.denominator.clone(),
+        )
     }
 }
 
@@ -156,17 +165,32 @@ impl Polynomial {
         if factor.is_zero() {
             return Self::zero();
         }
-        if factor.is_one() {
+        self.multiple(factor.numer(), factor.denom())
+    }
+
+    /// The multiple by a number in lowest terms that is not zero.
+    ///
+    /// Numerator and denominator of the number have no common factor, nor have coefficients and denominator of the
+    /// polynomial: what cancels is common to one of each.
+    pub(super) fn multiple(&self, numerator: &Integer, denominator: &Integer) -> Self {
+        if numerator.is_one() && denominator.is_one() {
             return self.clone();
         }
-        Self::normalized(
-            Arc::clone(&self.symbols),
-            self.exponents.clone(),
-            self.coefficients
-                .iter()
-                .map(|c| c * factor.numer())
-                .collect(),
-            &self.denominator * factor.denom(),
+        let body = &self.body;
+        let above = numerator.gcd(&body.denominator);
+        let below = body.content_within(denominator);
+        let factor = numerator / &above;
+        let coefficients = body.coefficients.iter();
+        let coefficients = if below.is_one() {
+            coefficients.map(|c| c * &factor).collect()
+        } else {
+            coefficients.map(|c| c / &below * &factor).collect()
+        };
+        Self::new(
+            Arc::clone(&body.symbols),
+            body.exponents.clone(),
+            coefficients,
+            &body.denominator / above * (denominator / below),
         )
     }
 }

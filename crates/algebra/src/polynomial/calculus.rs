@@ -10,12 +10,12 @@ impl Polynomial {
     /// The partial derivative by one symbol, all others held fixed.
     #[must_use]
     pub fn partial(&self, symbol: &Symbol) -> Self {
-        let Ok(column) = self.symbols.binary_search(symbol) else {
+        let Ok(column) = self.body.symbols.binary_search(symbol) else {
             return Self::zero();
         };
-        let mut exponents = Vec::with_capacity(self.exponents.len());
+        let mut exponents = Vec::with_capacity(self.body.exponents.len());
         let mut coefficients = Vec::with_capacity(self.len());
-        for (row, coefficient) in self.rows().zip(&self.coefficients) {
+        for (row, coefficient) in self.rows().zip(&self.body.coefficients) {
             let power = row.get(column).copied().unwrap_or(0);
             if power > 0 {
                 exponents.extend(
@@ -27,10 +27,10 @@ impl Polynomial {
             }
         }
         Self::normalized(
-            Arc::clone(&self.symbols),
+            Arc::clone(&self.body.symbols),
             exponents,
             coefficients,
-            self.denominator.clone(),
+            self.body.denominator.clone(),
         )
     }
 
@@ -46,7 +46,7 @@ impl Polynomial {
     #[must_use]
     pub fn derivative(&self, name: &str) -> Self {
         let mut total = self.partial(&Symbol::named(name));
-        for symbol in self.symbols.iter().filter(|s| s.depends_on(name)) {
+        for symbol in self.body.symbols.iter().filter(|s| s.depends_on(name)) {
             let (inner, angle, sign) = match symbol {
                 Symbol::Sin(name, angle) => (Symbol::Cos(Arc::clone(name), *angle), *angle, 1),
                 Symbol::Cos(name, angle) => {

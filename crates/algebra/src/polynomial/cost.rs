@@ -27,7 +27,7 @@ pub(super) fn sum(a: &Polynomial, b: &Polynomial) {
 
 /// Spends what the images of two polynomials modulo a prime will cost, by which a common divisor is looked for.
 pub(super) fn gcd(a: &Polynomial, b: &Polynomial) {
-    let symbols = number(a.symbols.len() + b.symbols.len());
+    let symbols = number(a.body.symbols.len() + b.body.symbols.len());
     spend((number(a.len()) + number(b.len())).saturating_mul(symbols));
 }
 
@@ -40,11 +40,12 @@ pub(super) fn division_step(terms: usize) {
 fn words(p: &Polynomial) -> u64 {
     let bits = |c: &crate::Integer| dashu_int::ops::BitTest::bit_len(c);
     let ends = p
+        .body
         .coefficients
         .first()
         .into_iter()
-        .chain(p.coefficients.last());
-    let longest = ends.chain([&p.denominator]).map(bits).max();
+        .chain(p.body.coefficients.last());
+    let longest = ends.chain([&p.body.denominator]).map(bits).max();
     number(longest.unwrap_or(0)) / 64 + 1
 }
 

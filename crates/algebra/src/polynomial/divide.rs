@@ -136,20 +136,20 @@ impl Polynomial {
             return Some(Self::zero());
         }
         // A symbol of the divisor that does not occur in the dividend rules division out at once.
-        let occurs = |s| self.symbols.binary_search(s).is_ok();
-        if !divisor.symbols.iter().all(occurs) {
+        let occurs = |s| self.body.symbols.binary_search(s).is_ok();
+        if !divisor.body.symbols.iter().all(occurs) {
             return None;
         }
-        let wide = widened(divisor, &self.symbols);
+        let wide = widened(divisor, &self.body.symbols);
         let below = Terms {
-            width: self.symbols.len(),
+            width: self.body.symbols.len(),
             exponents: &wide,
-            coefficients: &divisor.coefficients,
+            coefficients: &divisor.body.coefficients,
         };
         let above = Terms {
-            width: self.symbols.len(),
-            exponents: &self.exponents,
-            coefficients: &self.coefficients,
+            width: self.body.symbols.len(),
+            exponents: &self.body.exponents,
+            coefficients: &self.body.coefficients,
         };
         let degrees = above.degrees();
         let limits = less(&degrees, &below.degrees())?;
@@ -168,19 +168,21 @@ impl Polynomial {
             quotient::<Box<[u16]>>
         };
         let (exponents, coefficients) = divide(above, (below, &content), &limits, &widths)?;
-        let scaled = coefficients.into_iter().map(|c| c * &divisor.denominator);
+        let scaled = coefficients
+            .into_iter()
+            .map(|c| c * &divisor.body.denominator);
         Some(Self::normalized(
-            Arc::clone(&self.symbols),
+            Arc::clone(&self.body.symbols),
             exponents,
             scaled.collect(),
-            &self.denominator * content,
+            &self.body.denominator * content,
         ))
     }
 
     /// The greatest common divisor of the integer coefficients.
     fn content(&self) -> Integer {
         let mut content = Integer::zero();
-        for c in &self.coefficients {
+        for c in &self.body.coefficients {
             content = content.gcd(c);
             if content.is_one() {
                 break;

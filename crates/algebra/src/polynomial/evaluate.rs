@@ -17,6 +17,7 @@ impl Polynomial {
         mut value: impl FnMut(&Symbol) -> Result<S, E>,
     ) -> Result<S, E> {
         let values = self
+            .body
             .symbols
             .iter()
             .map(&mut value)
@@ -37,7 +38,7 @@ impl Polynomial {
             }
         }
         let mut total = like.zero_like();
-        for (row, coefficient) in self.rows().zip(&self.coefficients) {
+        for (row, coefficient) in self.rows().zip(&self.body.coefficients) {
             let mut term = like.constant(&crate::Rational::from_integer(coefficient.clone()));
             for (list, exponent) in powers.iter().zip(row) {
                 if *exponent > 0
@@ -48,7 +49,7 @@ impl Polynomial {
             }
             total = total + term;
         }
-        let scale = crate::Rational::new(crate::Integer::from(1), self.denominator.clone());
+        let scale = crate::Rational::new(crate::Integer::from(1), self.body.denominator.clone());
         Ok(total.scaled(&scale))
     }
 
@@ -66,12 +67,12 @@ impl Polynomial {
         like: &S,
         value: impl Fn(&Symbol) -> Option<S>,
     ) -> S {
-        let values: Vec<Option<S>> = self.symbols.iter().map(&value).collect();
+        let values: Vec<Option<S>> = self.body.symbols.iter().map(&value).collect();
         if values.iter().all(Option::is_none) {
             return self.clone().into();
         }
         let mut groups: BTreeMap<Vec<u16>, Vec<(Vec<u16>, crate::Integer)>> = BTreeMap::new();
-        for (row, coefficient) in self.rows().zip(&self.coefficients) {
+        for (row, coefficient) in self.rows().zip(&self.body.coefficients) {
             let part = |replaced: bool| {
                 row.iter()
                     .zip(&values)
@@ -86,9 +87,9 @@ impl Polynomial {
         let mut total = like.zero_like();
         for (powers, kept) in groups {
             let kept = Self::collected(
-                std::sync::Arc::clone(&self.symbols),
+                std::sync::Arc::clone(&self.body.symbols),
                 kept,
-                self.denominator.clone(),
+                self.body.denominator.clone(),
             );
             let mut term = S::from(kept);
             for (exponent, value) in powers.iter().zip(&values) {

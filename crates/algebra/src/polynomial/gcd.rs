@@ -40,9 +40,10 @@ impl Polynomial {
         }
         cost::gcd(self, other);
         let shared: Vec<&Symbol> = self
+            .body
             .symbols
             .iter()
-            .filter(|s| other.symbols.binary_search(s).is_ok())
+            .filter(|s| other.body.symbols.binary_search(s).is_ok())
             .collect();
         let bounds: Vec<(u16, &Symbol)> = shared
             .into_iter()
@@ -54,7 +55,7 @@ impl Polynomial {
         };
         // If the bounds allow the whole of one argument, try it.
         for (candidate, target) in [(self, other), (other, self)] {
-            let allowed = candidate.symbols.iter().all(|s| {
+            let allowed = candidate.body.symbols.iter().all(|s| {
                 bounds
                     .iter()
                     .any(|(bound, symbol)| *symbol == s && *bound >= candidate.degree_in(s))
@@ -166,7 +167,8 @@ impl Polynomial {
 
     /// The bits of the largest coefficient.
     fn largest_bits(&self) -> usize {
-        self.coefficients
+        self.body
+            .coefficients
             .iter()
             .map(dashu_int::ops::BitTest::bit_len)
             .max()

@@ -13,6 +13,7 @@
 
 pub mod add;
 pub mod angles;
+mod body;
 pub mod calculus;
 mod coefficients;
 mod cost;
@@ -30,23 +31,17 @@ pub mod trigonometry;
 
 use crate::rational::{Integer, Rational, integer};
 use crate::symbol::Symbol;
+use body::Body;
 use dashu_int::ops::BitTest;
 use num_integer::Integer as _;
 use num_traits::{One, Signed, Zero};
 use std::fmt;
 use std::sync::Arc;
 
-/// A polynomial in normal form; see the [module](self).
+/// A polynomial in normal form; see the [module](self). A copy shares its terms.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Polynomial {
-    /// The symbols that occur, ascending.
-    symbols: Arc<[Symbol]>,
-    /// Exponents, one row of `symbols.len()` a term, rows strictly descending.
-    exponents: Vec<u16>,
-    /// Nonzero integer coefficients, one a term.
-    coefficients: Vec<Integer>,
-    /// The common denominator, positive and coprime to the coefficients taken together.
-    denominator: Integer,
+    body: Arc<Body>,
 }
 
 /// A term of a polynomial, borrowed.
@@ -59,15 +54,31 @@ pub struct Term<'a> {
 }
 
 impl Polynomial {
+    /// The polynomial of these parts, which are in normal form.
+    fn new(
+        symbols: Arc<[Symbol]>,
+        exponents: Vec<u16>,
+        coefficients: Vec<Integer>,
+        denominator: Integer,
+    ) -> Self {
+        let body = Arc::new(Body {
+            symbols,
+            exponents,
+            coefficients,
+            denominator,
+        });
+        Self { body }
+    }
+
+    /// A constant in lowest terms that is not zero.
+    fn number(numerator: Integer, denominator: Integer) -> Self {
+        Self::new(Arc::default(), vec![], vec![numerator], denominator)
+    }
+
     /// The zero polynomial.
     #[must_use]
     pub fn zero() -> Self {
-        Self {
-            symbols: Arc::from([]),
-            exponents: vec![],
-            coefficients: vec![],
-            denominator: Integer::one(),
-        }
+        Self::new(Arc::default(), vec![], vec![], Integer::one())
     }
 
     /// A constant.
@@ -76,12 +87,7 @@ impl Polynomial {
         if value.is_zero() {
             return Self::zero();
         }
-        Self {
-            symbols: Arc::from([]),
-            exponents: vec![],
-            coefficients: vec![value.numer().clone()],
-            denominator: value.denom().clone(),
-        }
+        Self::number(value.numer().clone(), value.denom().clone())
     }
 
     /// An integer constant.
@@ -93,12 +99,8 @@ impl Polynomial {
     /// A single symbol.
     #[must_use]
     pub fn symbol(symbol: Symbol) -> Self {
-        Self {
-            symbols: Arc::from([symbol]),
-            exponents: vec![1],
-            coefficients: vec![Integer::one()],
-            denominator: Integer::one(),
-        }
+        let symbols = Arc::from([symbol]);
+        Self::new(symbols, vec![1], vec![Integer::one()], Integer::one())
     }
 
     /// The symbol with this name.
@@ -116,18 +118,18 @@ impl Polynomial {
     /// Whether this is the zero polynomial, which decides whether it is the zero function.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        self.coefficients.is_empty()
+        self.body.coefficients.is_empty()
     }
 
     /// The value, if no symbol occurs.
     #[must_use]
     pub fn as_constant(&self) -> Option<Rational> {
-        match (&*self.symbols, self.coefficients.as_slice()) {
+        match (&*self.body.symbols, self.body.coefficients.as_slice()) {
             (_, []) => Some(Rational::zero()),
-            ([], [value]) if self.denominator.is_one() => {
+            ([], [value]) if self.body.denominator.is_one() => {
                 Some(Rational::from_integer(value.clone()))
             }
-            ([], [value]) => Some(Rational::new(value.clone(), self.denominator.clone())),
+            ([], [value]) => Some(Rational::new(value.clone(), self.body.denominator.clone())),
             _ => None,
         }
     }
@@ -135,48 +137,49 @@ impl Polynomial {
     /// Whether no symbol occurs.
     #[must_use]
     pub fn is_constant(&self) -> bool {
-        self.symbols.is_empty()
+        self.body.symbols.is_empty()
     }
 
     /// The number of terms.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.coefficients.len()
+        self.body.coefficients.len()
     }
 
     /// Whether there are no terms (the same as [`Polynomial::is_zero`]).
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.coefficients.is_empty()
+        self.body.coefficients.is_empty()
     }
 
     /// The symbols that occur, ascending.
     #[must_use]
     pub fn symbols(&self) -> &[Symbol] {
-        &self.symbols
+        &self.body.symbols
     }
 
     /// The common denominator of the coefficients.
     #[must_use]
     pub fn denominator(&self) -> &Integer {
-        &self.denominator
+        &self.body.denominator
     }
 
     /// The binary digits of the longest of the integers that the coefficients consist of: numerators over the common
     /// denominator.
     #[must_use]
     pub fn bits(&self) -> usize {
-        let numerators = self.coefficients.iter().map(BitTest::bit_len).max();
-        numerators.unwrap_or(0).max(self.denominator.bit_len())
+        let numerators = self.body.coefficients.iter().map(BitTest::bit_len).max();
+        numerators.unwrap_or(0).max(self.body.denominator.bit_len())
     }
 
     /// The terms, in descending lexicographic order.
     pub fn terms(&self) -> impl Iterator<Item = Term<'_>> {
         self.rows()
-            .zip(&self.coefficients)
+            .zip(&self.body.coefficients)
             .map(|(row, coefficient)| Term {
-                coefficient: Rational::new(coefficient.clone(), self.denominator.clone()),
+                coefficient: Rational::new(coefficient.clone(), self.body.denominator.clone()),
                 powers: self
+                    .body
                     .symbols
                     .iter()
                     .zip(row.iter().copied())
@@ -188,7 +191,7 @@ impl Polynomial {
     /// The highest exponent of `symbol`.
     #[must_use]
     pub fn degree_in(&self, symbol: &Symbol) -> u16 {
-        match self.symbols.binary_search(symbol) {
+        match self.body.symbols.binary_search(symbol) {
             Err(_) => 0,
             Ok(column) => self
                 .rows()
@@ -210,9 +213,12 @@ impl Polynomial {
     /// The coefficient of the first term, zero for the zero polynomial.
     #[must_use]
     pub fn leading_coefficient(&self) -> Rational {
-        self.coefficients.first().map_or_else(Rational::zero, |c| {
-            Rational::new(c.clone(), self.denominator.clone())
-        })
+        self.body
+            .coefficients
+            .first()
+            .map_or_else(Rational::zero, |c| {
+                Rational::new(c.clone(), self.body.denominator.clone())
+            })
     }
 
     /// The polynomial divided by its content: coprime integer coefficients, the leading one positive.
@@ -220,30 +226,37 @@ impl Polynomial {
     #[must_use]
     pub fn primitive(&self) -> (Rational, Self) {
         let common = self
+            .body
             .coefficients
             .iter()
             .fold(Integer::zero(), |g, c| g.gcd(c));
         if common.is_zero() {
             return (Rational::zero(), Self::zero());
         }
-        let signed = if self.coefficients.first().is_some_and(Signed::is_negative) {
+        let signed = if self
+            .body
+            .coefficients
+            .first()
+            .is_some_and(Signed::is_negative)
+        {
             -common
         } else {
             common
         };
-        let part = Self {
-            symbols: Arc::clone(&self.symbols),
-            exponents: self.exponents.clone(),
-            coefficients: self.coefficients.iter().map(|c| c / &signed).collect(),
-            denominator: Integer::one(),
-        };
-        (Rational::new(signed, self.denominator.clone()), part)
+        let coefficients = self.body.coefficients.iter().map(|c| c / &signed);
+        let part = Self::new(
+            Arc::clone(&self.body.symbols),
+            self.body.exponents.clone(),
+            coefficients.collect(),
+            Integer::one(),
+        );
+        (Rational::new(signed, self.body.denominator.clone()), part)
     }
 
     /// The coefficients by powers of `symbol`, ascending: `self = sum of coefficient * symbol^power`.
     #[must_use]
     pub fn coefficients_in(&self, symbol: &Symbol) -> Vec<Self> {
-        let Ok(column) = self.symbols.binary_search(symbol) else {
+        let Ok(column) = self.body.symbols.binary_search(symbol) else {
             return if self.is_zero() {
                 vec![]
             } else {
@@ -251,7 +264,7 @@ impl Polynomial {
             };
         };
         let mut rows = vec![(vec![], vec![]); usize::from(self.degree_in(symbol)) + 1];
-        for (row, coefficient) in self.rows().zip(&self.coefficients) {
+        for (row, coefficient) in self.rows().zip(&self.body.coefficients) {
             let power = row.get(column).copied().unwrap_or(0);
             if let Some((exponents, coefficients)) = rows.get_mut(usize::from(power)) {
                 exponents.extend(
@@ -265,10 +278,10 @@ impl Polynomial {
         rows.into_iter()
             .map(|(exponents, coefficients)| {
                 Self::normalized(
-                    Arc::clone(&self.symbols),
+                    Arc::clone(&self.body.symbols),
                     exponents,
                     coefficients,
-                    self.denominator.clone(),
+                    self.body.denominator.clone(),
                 )
             })
             .collect()
@@ -276,12 +289,7 @@ impl Polynomial {
 
     /// The rows of exponents.
     fn rows(&self) -> impl Iterator<Item = &[u16]> {
-        let width = self.symbols.len();
-        (0..self.coefficients.len()).map(move |term| {
-            self.exponents
-                .get(term * width..(term + 1) * width)
-                .unwrap_or(&[])
-        })
+        self.body.rows()
     }
 
     /// Brings sorted, merged, nonzero terms to normal form: drops symbols that do not occur and common
@@ -295,65 +303,16 @@ impl Polynomial {
         if coefficients.is_empty() {
             return Self::zero();
         }
-        let mut result = Self {
+        let mut body = Body {
             symbols,
             exponents,
             coefficients,
             denominator,
         };
-        result.drop_absent_symbols();
-        result.cancel_content();
-        result
-    }
-
-    fn drop_absent_symbols(&mut self) {
-        let width = self.symbols.len();
-        let mut occurs = vec![false; width];
-        for row in self.rows() {
-            if occurs.iter().all(|seen| *seen) {
-                return;
-            }
-            for (seen, exponent) in occurs.iter_mut().zip(row) {
-                *seen |= *exponent > 0;
-            }
-        }
-        if occurs.iter().all(|seen| *seen) {
-            return;
-        }
-        self.exponents = self
-            .rows()
-            .flat_map(|row| {
-                row.iter()
-                    .zip(&occurs)
-                    .filter(|(_, seen)| **seen)
-                    .map(|(e, _)| *e)
-            })
-            .collect();
-        self.symbols = self
-            .symbols
-            .iter()
-            .zip(&occurs)
-            .filter(|(_, seen)| **seen)
-            .map(|(s, _)| s.clone())
-            .collect();
-    }
-
-    fn cancel_content(&mut self) {
-        // Neighbouring terms tend to share their factors. Terms from all over leave no common one sooner.
-        let step = self.len().isqrt().max(1);
-        let spread = (0..step).flat_map(|first| self.coefficients.iter().skip(first).step_by(step));
-        let mut common = self.denominator.clone();
-        for coefficient in spread {
-            if common.is_one() {
-                return;
-            }
-            common = common.gcd(coefficient);
-        }
-        if !common.is_one() {
-            self.denominator /= &common;
-            for coefficient in &mut self.coefficients {
-                *coefficient /= &common;
-            }
+        body.drop_absent_symbols();
+        body.cancel_content();
+        Self {
+            body: Arc::new(body),
         }
     }
 

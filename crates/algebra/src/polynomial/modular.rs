@@ -72,7 +72,7 @@ fn image(p: &Polynomial, main: &Symbol, all: &[Symbol]) -> Vec<u64> {
     };
     let values: Vec<Vec<u64>> = p.symbols().iter().map(powers).collect();
     let mut result = vec![0; usize::from(p.degree_in(main)) + 1];
-    for (row, coefficient) in p.rows().zip(&p.coefficients) {
+    for (row, coefficient) in p.rows().zip(&p.body.coefficients) {
         let mut term = residue(coefficient);
         let mut degree = 0;
         for (exponent, powers) in row.iter().zip(&values) {

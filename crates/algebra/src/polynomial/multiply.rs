@@ -85,17 +85,17 @@ impl Mul for &Polynomial {
         if self.is_zero() || other.is_zero() {
             return Polynomial::zero();
         }
-        if let Some(factor) = self.as_constant() {
-            return other.scaled(&factor);
+        if let ([], [factor]) = (self.symbols(), self.body.coefficients.as_slice()) {
+            return other.multiple(factor, &self.body.denominator);
         }
-        if let Some(factor) = other.as_constant() {
-            return self.scaled(&factor);
+        if let ([], [factor]) = (other.symbols(), other.body.coefficients.as_slice()) {
+            return self.multiple(factor, &other.body.denominator);
         }
         cost::product(self, other);
         let symbols = common_symbols(self, other);
         let (rows_a, rows_b) = (widened(self, &symbols), widened(other, &symbols));
         let highest = highest(&rows_a, &rows_b, symbols.len());
-        let (a, b) = (&self.coefficients, &other.coefficients);
+        let (a, b) = (&self.body.coefficients, &other.body.coefficients);
         let (exponents, coefficients) = if let Some((a, b)) = Words::factors(a, b) {
             terms(&Words, &highest, (&rows_a, a), (&rows_b, b))
         } else if let Some((a, b)) = DoubleWords::factors(a, b) {
@@ -111,7 +111,7 @@ impl Mul for &Polynomial {
                 (&rows_b, b.clone()),
             )
         };
-        let denominator = &self.denominator * &other.denominator;
+        let denominator = &self.body.denominator * &other.body.denominator;
         Polynomial::normalized(symbols, exponents, coefficients, denominator).reduced()
     }
 }

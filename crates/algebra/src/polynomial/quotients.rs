@@ -42,24 +42,24 @@ pub(super) struct Quotients {
 
 /// The coefficient `c` of `p` in lowest terms.
 fn lowest(p: &Polynomial, c: &Integer) -> Quotient {
-    let divisor = c.gcd(&p.denominator);
+    let divisor = c.gcd(&p.body.denominator);
     Quotient {
         numerator: c / &divisor,
-        denominator: &p.denominator / &divisor,
+        denominator: &p.body.denominator / &divisor,
     }
 }
 
 /// The average bits of the denominators of some coefficients in lowest terms.
 fn trial(p: &Polynomial) -> usize {
     let step = p.len().div_ceil(TRIALS).max(1);
-    let tried = p.coefficients.iter().step_by(step);
+    let tried = p.body.coefficients.iter().step_by(step);
     let bits = tried.map(|c| lowest(p, c).denominator.bit_len());
     bits.sum::<usize>() / p.len().div_ceil(step).max(1)
 }
 
 /// The average bits of the coefficients.
 fn length(p: &Polynomial) -> usize {
-    let bits = p.coefficients.iter().map(BitTest::bit_len);
+    let bits = p.body.coefficients.iter().map(BitTest::bit_len);
     bits.sum::<usize>() / p.len().max(1)
 }
 
@@ -68,7 +68,7 @@ impl Quotients {
     /// common denominator.
     pub(super) fn new(a: &Polynomial, b: &Polynomial) -> Option<Self> {
         let products = a.len().saturating_mul(b.len());
-        let common = a.denominator.bit_len() + b.denominator.bit_len();
+        let common = a.body.denominator.bit_len() + b.body.denominator.bit_len();
         if common <= MAX_BITS || products < PRODUCTS_PER_TERM * (a.len() + b.len()) {
             return None;
         }
@@ -82,13 +82,13 @@ impl Quotients {
     /// The arithmetic for the product of `a` and `b`, fast or not.
     pub(super) fn of(a: &Polynomial, b: &Polynomial) -> Self {
         Self {
-            common: &a.denominator * &b.denominator,
+            common: &a.body.denominator * &b.body.denominator,
         }
     }
 
     /// The coefficients of a factor.
     pub(super) fn factors(p: &Polynomial) -> Vec<Quotient> {
-        p.coefficients.iter().map(|c| lowest(p, c)).collect()
+        p.body.coefficients.iter().map(|c| lowest(p, c)).collect()
     }
 
     /// The numerator of a fraction over the common denominator, of which its value is a multiple.

@@ -13,14 +13,16 @@ impl Polynomial {
     /// Applies the relations until every sine and every root has degree at most one.
     pub(super) fn reduced(self) -> Self {
         let over = |column: usize| {
-            let width = self.symbols.len();
-            self.exponents
+            let width = self.body.symbols.len();
+            self.body
+                .exponents
                 .iter()
                 .skip(column)
                 .step_by(width.max(1))
                 .any(|e| *e > 1)
         };
         let rules: Vec<usize> = self
+            .body
             .symbols
             .iter()
             .enumerate()
@@ -29,7 +31,7 @@ impl Polynomial {
             .collect();
         let rewritten: Vec<Symbol> = rules
             .into_iter()
-            .filter_map(|column| self.symbols.get(column).cloned())
+            .filter_map(|column| self.body.symbols.get(column).cloned())
             .collect();
         rewritten
             .iter()
@@ -37,7 +39,7 @@ impl Polynomial {
     }
 
     fn reduced_in(self, symbol: &Symbol) -> Self {
-        let mut symbols: Vec<Symbol> = self.symbols.to_vec();
+        let mut symbols: Vec<Symbol> = self.body.symbols.to_vec();
         symbols.extend(symbol.partner());
         symbols.sort();
         symbols.dedup();
@@ -48,7 +50,7 @@ impl Polynomial {
             .partner()
             .and_then(|c| symbols.binary_search(&c).ok());
         let mut terms = Vec::with_capacity(self.len());
-        for (row, coefficient) in rows.chunks(symbols.len()).zip(&self.coefficients) {
+        for (row, coefficient) in rows.chunks(symbols.len()).zip(&self.body.coefficients) {
             let mut row = row.to_vec();
             let exponent = row.get(column).copied().unwrap_or(0);
             if let Some(slot) = row.get_mut(column) {
@@ -84,6 +86,6 @@ impl Polynomial {
                 _ => terms.push((row, coefficient.clone())),
             }
         }
-        Self::collected(symbols, terms, self.denominator)
+        Self::collected(symbols, terms, self.body.denominator.clone())
     }
 }

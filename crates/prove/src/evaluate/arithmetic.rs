@@ -32,6 +32,13 @@ impl Evaluator<'_> {
         numeric(&right, b.place)?;
         match operator {
             Operator::Add | Operator::Subtract => {
+                let combine = |x: &Quantity, y: &Quantity| match operator {
+                    Operator::Subtract => x.minus(y),
+                    _ => x.plus(y),
+                };
+                if let (Value::Scalar(x), Value::Scalar(y)) = (&left, &right) {
+                    return Ok(Value::Scalar(combine(x, y)));
+                }
                 let (left, right) = fitted(&left, &right, place)?;
                 let mut others = right.entries().into_iter();
                 let combined =
@@ -44,11 +51,7 @@ impl Evaluator<'_> {
                             .next()
                             .cloned()
                             .unwrap_or_else(|| Fraction::zero().into());
-                        if operator == Operator::Add {
-                            x.plus(&y)
-                        } else {
-                            x.minus(&y)
-                        }
+                        combine(x, &y)
                     })
                     .collect();
                 refilled(&combined, sums)
@@ -223,7 +226,7 @@ pub(super) fn bounded_product(a: &Fraction, b: &Fraction, place: Place) -> Outco
             format!("a product with numbers of {bits} binary digits"),
         ));
     }
-    Ok(a.clone() * b.clone())
+    Ok(a * b)
 }
 
 pub(super) fn matrix_product(

@@ -45,7 +45,7 @@ impl Quantity {
     pub fn plus(&self, other: &Self) -> Self {
         let series = self.series.iter().chain(&other.series).cloned().collect();
         Self {
-            plain: self.plain.clone() + other.plain.clone(),
+            plain: &self.plain + &other.plain,
             series,
         }
     }
@@ -60,12 +60,12 @@ impl Quantity {
             .series
             .iter()
             .map(|s| Series {
-                factor: s.factor.clone() * factor.clone(),
+                factor: &s.factor * factor,
                 ..s.clone()
             })
             .collect();
         Self {
-            plain: self.plain.clone() * factor.clone(),
+            plain: &self.plain * factor,
             series,
         }
     }
@@ -97,7 +97,14 @@ impl Quantity {
     /// The negative.
     #[must_use]
     pub fn negated(&self) -> Self {
-        self.times(&Fraction::integer(-1))
+        let series = self.series.iter().map(|s| Series {
+            factor: -s.factor.clone(),
+            ..s.clone()
+        });
+        Self {
+            plain: -self.plain.clone(),
+            series: series.collect(),
+        }
     }
 
     /// The difference.

@@ -33,12 +33,8 @@ fn naive(a: &Terms, b: &Terms) -> Flat {
 fn polynomial(terms: &Terms, columns: usize, denominator: &Integer) -> Polynomial {
     let names = ["x", "y", "z", "w"].into_iter().take(columns);
     let (exponents, coefficients) = flat(terms);
-    Polynomial {
-        symbols: names.map(crate::Symbol::named).collect(),
-        exponents,
-        coefficients,
-        denominator: denominator.clone(),
-    }
+    let symbols = names.map(crate::Symbol::named).collect();
+    Polynomial::new(symbols, exponents, coefficients, denominator.clone())
 }
 
 /// All layouts of the product by one arithmetic.

@@ -1,0 +1,90 @@
+//! What the copies of a polynomial share.
+
+use crate::rational::Integer;
+use crate::symbol::Symbol;
+use num_integer::Integer as _;
+use std::sync::Arc;
+
+/// The table of a polynomial.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) struct Body {
+    /// The symbols that occur, ascending.
+    pub(super) symbols: Arc<[Symbol]>,
+    /// Exponents, one row of `symbols.len()` a term, rows strictly descending.
+    pub(super) exponents: Vec<u16>,
+    /// Nonzero integer coefficients, one a term.
+    pub(super) coefficients: Vec<Integer>,
+    /// The common denominator, positive and coprime to the coefficients taken together.
+    pub(super) denominator: Integer,
+}
+
+impl Body {
+    /// The rows of exponents.
+    pub(super) fn rows(&self) -> impl Iterator<Item = &[u16]> {
+        let width = self.symbols.len();
+        (0..self.coefficients.len()).map(move |term| {
+            self.exponents
+                .get(term * width..(term + 1) * width)
+                .unwrap_or(&[])
+        })
+    }
+
+    /// Drops the columns of symbols that do not occur.
+    pub(super) fn drop_absent_symbols(&mut self) {
+        let width = self.symbols.len();
+        let mut occurs = vec![false; width];
+        for row in self.rows() {
+            if occurs.iter().all(|seen| *seen) {
+                return;
+            }
+            for (seen, exponent) in occurs.iter_mut().zip(row) {
+                *seen |= *exponent > 0;
+            }
+        }
+        if occurs.iter().all(|seen| *seen) {
+            return;
+        }
+        self.exponents = self
+            .rows()
+            .flat_map(|row| {
+                row.iter()
+                    .zip(&occurs)
+                    .filter(|(_, seen)| **seen)
+                    .map(|(e, _)| *e)
+            })
+            .collect();
+        self.symbols = self
+            .symbols
+            .iter()
+            .zip(&occurs)
+            .filter(|(_, seen)| **seen)
+            .map(|(s, _)| s.clone())
+            .collect();
+    }
+
+    /// Cancels what coefficients and denominator have in common.
+    pub(super) fn cancel_content(&mut self) {
+        let common = self.content_within(&self.denominator);
+        if !common.is_one() {
+            self.denominator /= &common;
+            for coefficient in &mut self.coefficients {
+                *coefficient /= &common;
+            }
+        }
+    }
+
+    /// The greatest common divisor of a number and all coefficients.
+    pub(super) fn content_within(&self, number: &Integer) -> Integer {
+        // Neighbouring terms tend to share their factors. Terms from all over leave no common one sooner.
+        let step = self.coefficients.len().isqrt().max(1);
+        let spread = (0..step).flat_map(|first| self.coefficients.iter().skip(first).step_by(step));
+        let mut common = number.clone();
+        for coefficient in spread {
+            if common.is_one() {
+                return common;
+            }
+            common = common.gcd(coefficient);
+        }
+        common
+    }
+}
