@@ -10,13 +10,15 @@ use crate::name::Name;
 use crate::scope::{Expansion, Memory, Scope};
 use crate::series::Series;
 use crate::value::Value;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_language::core::{BuiltIn, Claim, Family, Node, Points, Term};
 use torse_language::syntax::Operator;
 
+/// How deep terms may be nested, not counting chains of one operator.
+const MAX_DEPTH: usize = 300;
 /// The longest sum.
 const MAX_TERMS: i64 = 4000;
 /// The largest exponent, degree of a basis and order of a derivative.
@@ -45,6 +47,8 @@ pub struct Evaluator<'a, A: Arithmetic> {
     /// The declared symbols of closed terms.
     names: RefCell<BTreeMap<usize, BTreeSet<Arc<str>>>>,
     rows: RefCell<Vec<Row<A::Number>>>,
+    /// How many terms enclose the one that is evaluated.
+    depth: Cell<usize>,
 }
 
 pub(crate) type Outcome<A> = Result<Value<<A as Arithmetic>::Number>, Gap>;
@@ -61,6 +65,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             is_closed: RefCell::default(),
             names: RefCell::default(),
             rows: RefCell::default(),
+            depth: Cell::default(),
         }
     }
 
@@ -114,8 +119,21 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
     }
 
     pub(crate) fn term(&self, term: &Term, scope: &Sc<'_, A>) -> Outcome<A> {
+        let depth = self.depth.get();
+        if depth >= MAX_DEPTH {
+            return Err(Unknown::Large {
+                what: "the depth of a term",
+            }
+            .into());
+        }
+        self.depth.set(depth + 1);
+        let value = self.node(term, scope);
+        self.depth.set(depth);
+        value
+    }
+
+    fn node(&self, term: &Term, scope: &Sc<'_, A>) -> Outcome<A> {
         let a = self.arithmetic;
-        let inside = scope.deeper()?;
         match &*term.node {
             Node::Number(value) => Ok(Value::Number(Series::rational(value, a))),
             Node::Pi => Ok(Value::Number(Series::Number(a.pi()))),
@@ -127,33 +145,33 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                 .cloned()
                 .ok_or_else(|| no_value(variable.name())),
             Node::Vector(name, dimension) => self.vector(name, *dimension, scope),
-            Node::Member(points, indices) => self.member(points, indices, &inside),
+            Node::Member(points, indices) => self.member(points, indices, scope),
             Node::Basis {
                 family,
                 index,
                 degree,
                 arguments,
-            } => self.basis(family, index, degree, arguments, &inside),
-            Node::Negative(inner) => Ok(self.term(inner, &inside)?.negated(a)),
-            Node::Binary(..) => self.chain(term, &inside),
+            } => self.basis(family, index, degree, arguments, scope),
+            Node::Negative(inner) => Ok(self.term(inner, scope)?.negated(a)),
+            Node::Binary(..) => self.chain(term, scope),
             Node::List(items) => {
-                let items = items.iter().map(|item| self.term(item, &inside));
+                let items = items.iter().map(|item| self.term(item, scope));
                 Ok(Value::Many(items.collect::<Result<_, _>>()?))
             }
-            Node::Entry(of, indices) => self.entry(of, indices, &inside),
+            Node::Entry(of, indices) => self.entry(of, indices, scope),
             Node::Sum {
                 index,
                 low,
                 high,
                 term,
-            } => self.sum(index.number(), low, high, term, &inside),
+            } => self.sum(index.number(), low, high, term, scope),
             Node::Let {
                 variable,
                 value,
                 body,
             } => {
-                let value = self.term(value, &inside)?;
-                self.term(body, &inside.with(variable.number(), value))
+                let value = self.term(value, scope)?;
+                self.term(body, &scope.with(variable.number(), value))
             }
             Node::Derivative {
                 variable,
@@ -162,9 +180,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                 closed,
                 at,
             } => {
-                let order = self.integer(order, "the order of a derivative", &inside)?;
-                let point = self.number(at, &inside)?;
-                self.derivative(variable.number(), order, (body, *closed), point, &inside)
+                let order = self.integer(order, "the order of a derivative", scope)?;
+                let point = self.number(at, scope)?;
+                self.derivative(variable.number(), order, (body, *closed), point, scope)
             }
             Node::Apply(function, arguments) => {
                 // What is costly and depends on no variable of a binder has one value at the point.
@@ -176,17 +194,17 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                         | BuiltIn::Coefficients
                 );
                 if costly && self.is_closed(term) {
-                    self.once(term, scope, || self.apply(*function, arguments, &inside))
+                    self.once(term, scope, || self.apply(*function, arguments, scope))
                 } else {
-                    self.apply(*function, arguments, &inside)
+                    self.apply(*function, arguments, scope)
                 }
             }
             Node::Opened { closed, body, .. } => {
                 if *closed {
                     // A closed body has one value at the point, wherever it stands.
-                    self.once(body, scope, || self.term(body, &inside))
+                    self.once(body, scope, || self.term(body, scope))
                 } else {
-                    self.term(body, &inside)
+                    self.term(body, scope)
                 }
             }
         }

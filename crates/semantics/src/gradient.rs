@@ -7,6 +7,7 @@ use crate::arithmetic::Arithmetic;
 use crate::gap::Gap;
 use crate::name::Name;
 use std::cell::RefCell;
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use torse_numbers::Rational;
@@ -181,6 +182,55 @@ impl<A: Arithmetic> Gradients<A> {
         })
     }
 
+    /// The sums of two ordered lists of rates.
+    fn sums(
+        &self,
+        xs: &[(Variable, A::Number)],
+        ys: &[(Variable, A::Number)],
+    ) -> Result<Vec<(Variable, A::Number)>, Gap> {
+        let mut all = Vec::with_capacity(xs.len().max(ys.len()));
+        let (mut xs, mut ys) = (xs.iter().peekable(), ys.iter().peekable());
+        loop {
+            let next = match (xs.peek(), ys.peek()) {
+                (Some((x, _)), Some((y, _))) => x.cmp(y),
+                (Some(_), None) => Ordering::Less,
+                (None, Some(_)) => Ordering::Greater,
+                (None, None) => return Ok(all),
+            };
+            let x = xs.next_if(|_| next.is_le());
+            let y = ys.next_if(|_| next.is_ge());
+            match (x, y) {
+                (Some((variable, x)), Some((_, y))) => {
+                    all.push((*variable, self.base.plus(x, y)?));
+                }
+                (Some(only), None) | (None, Some(only)) => all.push(only.clone()),
+                (None, None) => {}
+            }
+        }
+    }
+
+    /// What changes like this, times a constant: the product has this value.
+    fn multiple(
+        &self,
+        value: A::Number,
+        factor: &A::Number,
+        change: &Change<A::Number>,
+    ) -> Outcome<A> {
+        let rates = if self.base.is_zero(factor) == Some(true) {
+            vec![]
+        } else {
+            let rates = change.rates.iter();
+            let rates =
+                rates.map(|(variable, rate)| Ok((*variable, self.base.times(factor, rate)?)));
+            rates.collect::<Result<_, Gap>>()?
+        };
+        let curved = change.curved.clone();
+        Ok(Gradient {
+            value,
+            change: Some(Rc::new(Change { rates, curved })),
+        })
+    }
+
     /// A function with this value and this rate, at x.
     fn chain(&self, value: A::Number, rate: &A::Number, x: &Gradient<A::Number>) -> Outcome<A> {
         let none = self.integer(0);
@@ -202,11 +252,14 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
 
     fn plus(&self, a: &Self::Number, b: &Self::Number) -> Outcome<A> {
         let value = self.base.plus(&a.value, &b.value)?;
-        if a.change.is_none() && b.change.is_none() {
-            return Ok(Gradient::constant(value));
-        }
-        let one = self.integer(1);
-        self.combined(value, (&one, a), (&one, b), union(a.curved(), b.curved()))
+        let change = match (&a.change, &b.change) {
+            (Some(x), Some(y)) => Some(Rc::new(Change {
+                rates: self.sums(&x.rates, &y.rates)?,
+                curved: union(&x.curved, &y.curved),
+            })),
+            (only, None) | (None, only) => only.clone(),
+        };
+        Ok(Gradient { value, change })
     }
 
     fn negated(&self, a: &Self::Number) -> Self::Number {
@@ -226,8 +279,11 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
 
     fn times(&self, a: &Self::Number, b: &Self::Number) -> Outcome<A> {
         let value = self.base.times(&a.value, &b.value)?;
-        if a.change.is_none() && b.change.is_none() {
-            return Ok(Gradient::constant(value));
+        match (&a.change, &b.change) {
+            (Some(_), Some(_)) => {}
+            (Some(change), None) => return self.multiple(value, &b.value, change),
+            (None, Some(change)) => return self.multiple(value, &a.value, change),
+            (None, None) => return Ok(Gradient::constant(value)),
         }
         // What occurs on both sides does not occur linearly in the product.
         let (mut shared, right) = (a.variables(), b.variables());

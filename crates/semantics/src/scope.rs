@@ -1,6 +1,5 @@
 //! The values of variables where a term stands, and what is known under them.
 
-use crate::gap::{Gap, Unknown};
 use crate::name::Name;
 use crate::series::Series;
 use crate::value::Value;
@@ -8,15 +7,10 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// How deep terms may be nested, not counting chains of one operator.
-const MAX_DEPTH: usize = 300;
-
 /// The values of variables of enclosing binders, innermost first.
 pub(crate) struct Scope<'s, N> {
     outer: Option<&'s Scope<'s, N>>,
     binding: Binding<N>,
-    /// How many binders enclose the term.
-    depth: usize,
     /// How many infinitesimals there are.
     pub(crate) level: usize,
     /// The innermost enclosing binding of a declared symbol. Every symbol is looked up among these, so that the others are
@@ -36,7 +30,6 @@ impl<N: Clone> Scope<'_, N> {
         Self {
             outer: None,
             binding: Binding::Nothing,
-            depth: 0,
             level: 0,
             symbols: None,
         }
@@ -45,22 +38,10 @@ impl<N: Clone> Scope<'_, N> {
     fn inner<'t>(&'t self, binding: Binding<N>) -> Scope<'t, N> {
         Scope {
             outer: Some(self),
-            depth: self.depth + 1,
             level: self.level,
             symbols: self.innermost_symbol(),
             binding,
         }
-    }
-
-    /// One step further in, to bound the depth.
-    pub(crate) fn deeper(&self) -> Result<Scope<'_, N>, Gap> {
-        if self.depth >= MAX_DEPTH {
-            return Err(Unknown::Large {
-                what: "the depth of a term",
-            }
-            .into());
-        }
-        Ok(self.inner(Binding::Nothing))
     }
 
     pub(crate) fn with<'t>(&'t self, variable: u32, value: Value<N>) -> Scope<'t, N> {

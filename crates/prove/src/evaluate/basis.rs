@@ -4,6 +4,8 @@ use super::quantity::Quantity;
 use super::series::{Axis, Series, Target};
 use super::value::Value;
 use super::{Environment, Evaluator, wrong_type};
+use std::rc::Rc;
+use std::sync::Arc;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Fraction};
 use torse_language::core::{Family, Term};
@@ -36,7 +38,6 @@ impl Evaluator<'_> {
                 other => return Err(wrong_type(argument.place, other.kind(), "a number")),
             }
         }
-        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
         let power = degree.clone() - Affine::number(i64::from(family.degree));
         if let Some(n) = power.as_number() {
             let n = match planted(Planted::DegreeBelowSeeds) {
@@ -67,13 +68,14 @@ impl Evaluator<'_> {
                     format!("degree {degree} is larger than 60"),
                 ));
             }
-            let row = self.row(family, &operator, &seeds, steps, &values);
+            let row = self.row(family, steps, values, place, bound)?;
             // Outside 0..k the functions are zero by convention.
             let entry = usize::try_from(position)
                 .ok()
                 .and_then(|i| row.get(i).cloned());
-            return Ok(self.at_sample(entry.unwrap_or_else(Fraction::zero)).into());
+            return Ok(entry.unwrap_or_else(Fraction::zero).into());
         }
+        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
         // The operator is a power: it says nothing below the degree of the seeds.
         if self.declarations.least(&power).is_none_or(|n| n < 0) {
             return Err(Fault::limit(
@@ -139,37 +141,47 @@ impl Evaluator<'_> {
         Ok(((one(&family.step.0)?, one(&family.step.1)?), seeds))
     }
 
-    /// All functions of one numeric degree, remembered.
+    /// All functions of one numeric degree at these arguments, at the sample point when sampling; remembered.
     fn row(
         &self,
         family: &Family,
-        operator: &(Fraction, Fraction),
-        seeds: &[Fraction],
         steps: usize,
-        values: &[Fraction],
-    ) -> Vec<Fraction> {
-        let key = format!("{} {steps} {values:?}", family.name);
+        values: Vec<Fraction>,
+        place: Place,
+        bound: &Environment,
+    ) -> Result<Rc<[Fraction]>, Fault> {
+        let key = (Arc::clone(&family.name), steps, self.in_angle.get());
+        let same = |own: &[Fraction]| {
+            own.len() == values.len() && own.iter().zip(&values).all(|(x, y)| x.is_identical(y))
+        };
         if family.closed
-            && let Some(row) = self.members.borrow().get(&key)
+            && let Some(known) = self.members.borrow().get(&key)
+            && let Some((_, row)) = known.iter().find(|(own, _)| same(own))
         {
-            return row.clone();
+            return Ok(Rc::clone(row));
         }
+        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
         self.spend(ROW_WORK * (1 + steps as u64));
-        let mut row = seeds.to_vec();
+        let mut row = seeds;
         for _ in 0..steps {
             let mut next = vec![Fraction::zero(); row.len() + 1];
             for (i, function) in row.iter().enumerate() {
                 for (offset, factor) in [&operator.0, &operator.1].into_iter().enumerate() {
                     if let Some(slot) = next.get_mut(i + offset) {
-                        *slot = slot.clone() + factor.clone() * function.clone();
+                        *slot = &*slot + &(factor * function);
                     }
                 }
             }
             row = next;
         }
+        let row: Rc<[Fraction]> = row.into_iter().map(|f| self.at_sample(f)).collect();
         if family.closed {
-            self.members.borrow_mut().insert(key, row.clone());
+            let mut members = self.members.borrow_mut();
+            members
+                .entry(key)
+                .or_default()
+                .push((values, Rc::clone(&row)));
         }
-        row
+        Ok(row)
     }
 }

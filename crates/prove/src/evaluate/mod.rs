@@ -38,6 +38,9 @@ const MAX_NODES: u64 = 400_000;
 /// Values of the variables of enclosing binders, by their numbers.
 pub type Environment = BTreeMap<u32, Value>;
 
+/// Arguments of a family and its functions there.
+type Row = (Vec<Fraction>, Rc<[Fraction]>);
+
 /// Evaluates formulas under declarations, with some symbols fixed and some unknowns solved for.
 pub struct Evaluator<'a> {
     /// What names mean.
@@ -60,7 +63,8 @@ pub struct Evaluator<'a> {
     made: Cell<u64>,
     /// The sums of symbolic length that are being evaluated: the symbol of the index, its first and last value.
     sums: RefCell<Vec<(String, Affine, Affine)>>,
-    members: RefCell<BTreeMap<String, Vec<Fraction>>>,
+    /// The functions of families, by name, steps of the recursion and whether they stand in an angle.
+    members: RefCell<BTreeMap<(Arc<str>, usize, bool), Vec<Row>>>,
     /// How many derivatives enclose the term that is evaluated.
     derivatives: Cell<u32>,
     memory: Memory,
@@ -104,9 +108,15 @@ impl<'a> Evaluator<'a> {
         &self.elaborator
     }
 
+    /// Symbols mean something else from here on.
+    fn forget(&mut self) {
+        self.memory.forget();
+        self.members.take();
+    }
+
     /// Gives a symbol a value from here on.
     pub fn fix(&mut self, name: String, value: Fraction) {
-        self.memory.forget();
+        self.forget();
         self.fixed.insert(name, value);
     }
 
@@ -118,7 +128,7 @@ impl<'a> Evaluator<'a> {
 
     /// Gives unknowns their values from here on.
     pub fn determine(&mut self, solution: impl IntoIterator<Item = (Symbol, Fraction)>) {
-        self.memory.forget();
+        self.forget();
         self.solved.extend(solution);
     }
 
