@@ -5,6 +5,7 @@
 //! undefined.
 
 use crate::arithmetic::Arithmetic;
+use crate::functions::Turned;
 use crate::gap::{Gap, Undefined, Unknown};
 use crate::name::Name;
 use crate::scope::{Expansion, Memory, Scope};
@@ -47,6 +48,8 @@ pub struct Evaluator<'a, A: Arithmetic> {
     /// The declared symbols of closed terms.
     names: RefCell<BTreeMap<usize, BTreeSet<Arc<str>>>>,
     rows: RefCell<Vec<Row<A::Number>>>,
+    /// Angles with their sine and cosine.
+    pub(crate) turned: RefCell<Vec<(Series<A::Number>, Turned<A::Number>)>>,
     /// How many terms enclose the one that is evaluated.
     depth: Cell<usize>,
 }
@@ -65,6 +68,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             is_closed: RefCell::default(),
             names: RefCell::default(),
             rows: RefCell::default(),
+            turned: RefCell::default(),
             depth: Cell::default(),
         }
     }

@@ -11,8 +11,13 @@ use torse_numbers::rational::integer;
 
 /// The largest argument of a factorial and lower argument of a binomial coefficient.
 const MAX_FACTORIAL: i64 = 400;
+/// The most angles whose sine and cosine are remembered.
+const MAX_TURNED: usize = 8;
 /// The largest unit matrix.
 const MAX_IDENTITY: i64 = 16;
+
+/// A sine and a cosine.
+pub(crate) type Turned<N> = (Series<N>, Series<N>);
 
 impl<A: Arithmetic> Evaluator<'_, A> {
     pub(crate) fn apply(
@@ -42,8 +47,8 @@ impl<A: Arithmetic> Evaluator<'_, A> {
                 Value::Number(Series::rational(&product, a))
             }
             (BuiltIn::SquareRoot, [q]) => Value::Number(number(q)?.square_root(a)?),
-            (BuiltIn::Sine, [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.0),
-            (BuiltIn::Cosine, [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.1),
+            (BuiltIn::Sine, [angle]) => Value::Number(self.sine_cosine(number(angle)?)?.0),
+            (BuiltIn::Cosine, [angle]) => Value::Number(self.sine_cosine(number(angle)?)?.1),
             (BuiltIn::Dot, [x, y]) => {
                 Value::Number(dot(&value(x)?.entries()?, &value(y)?.entries()?, a)?)
             }
@@ -87,6 +92,20 @@ impl<A: Arithmetic> Evaluator<'_, A> {
             }
             _ => return Err(Gap::shape("a number of arguments to the function")),
         })
+    }
+
+    /// Sine and cosine of an angle: where one stands, the other is not far.
+    fn sine_cosine(&self, angle: Series<A::Number>) -> Result<Turned<A::Number>, Gap> {
+        let mut turned = self.turned.borrow_mut();
+        if let Some((_, known)) = turned.iter().find(|(own, _)| *own == angle) {
+            return Ok(known.clone());
+        }
+        let both = angle.sine_cosine(self.arithmetic)?;
+        if turned.len() >= MAX_TURNED {
+            turned.remove(0);
+        }
+        turned.push((angle, both.clone()));
+        Ok(both)
     }
 
     /// `n (n-1) ... (n-j+1) / j!`, 0 for a negative j.

@@ -257,6 +257,10 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
                 else {
                     continue;
                 };
+                // The argument of most sines is linear.
+                if f.is_zero(a) == Some(true) {
+                    continue;
+                }
                 let share = Rational::new(
                     i64::try_from(j).unwrap_or(i64::MAX).into(),
                     i64::try_from(k).unwrap_or(i64::MAX).into(),

@@ -236,32 +236,67 @@ impl Expr {
         }
     }
 
-    /// The direct parts, in the order of the text, to change them.
-    pub fn parts_mut(&mut self) -> Vec<&mut Expr> {
-        match &mut self.node {
-            Node::Number { .. } | Node::Name(_) => vec![],
-            Node::Call(head, rest) | Node::Index(head, rest) => {
-                std::iter::once(Arc::make_mut(head))
-                    .chain(rest.iter_mut())
-                    .collect()
+    /// The formula with another direct part at this position; the other parts are shared. `None` if there is no such part.
+    #[must_use]
+    pub fn with_part(&self, position: usize, part: Self) -> Option<Self> {
+        let mut whole = self.clone();
+        let slot = match (&mut whole.node, position) {
+            (Node::Call(head, _) | Node::Index(head, _), 0) => head,
+            (Node::Call(_, rest) | Node::Index(_, rest), n) => {
+                *rest.get_mut(n - 1)? = part;
+                return Some(whole);
             }
-            Node::Negative(inner) | Node::Not(inner) => vec![Arc::make_mut(inner)],
-            Node::Binary(_, a, b) | Node::Join(_, a, b) => vec![Arc::make_mut(a), Arc::make_mut(b)],
-            Node::List(items) => items.iter_mut().collect(),
-            Node::Compare(first, rest) => std::iter::once(Arc::make_mut(first))
-                .chain(rest.iter_mut().map(|(_, e)| e))
-                .collect(),
+            (Node::List(items), n) => {
+                *items.get_mut(n)? = part;
+                return Some(whole);
+            }
+            (Node::Compare(_, rest), n) if n > 0 => {
+                rest.get_mut(n - 1)?.1 = part;
+                return Some(whole);
+            }
+            (Node::Negative(only) | Node::Not(only), 0) => only,
+            (Node::Binary(_, first, _) | Node::Join(_, first, _) | Node::Compare(first, _), 0) => {
+                first
+            }
+            (Node::Binary(_, _, second) | Node::Join(_, _, second), 1) => second,
+            _ => return None,
+        };
+        *slot = Arc::new(part);
+        Some(whole)
+    }
+
+    /// The formula with every direct part changed.
+    #[must_use]
+    pub fn with_parts(&self, change: impl Fn(&Self) -> Self) -> Self {
+        let each = |items: &[Self]| items.iter().map(&change).collect();
+        let one = |part: &Arc<Self>| Arc::new(change(part));
+        let node = match &self.node {
+            leaf @ (Node::Number { .. } | Node::Name(_)) => leaf.clone(),
+            Node::Call(head, rest) => Node::Call(one(head), each(rest)),
+            Node::Index(head, rest) => Node::Index(one(head), each(rest)),
+            Node::Negative(inner) => Node::Negative(one(inner)),
+            Node::Not(inner) => Node::Not(one(inner)),
+            Node::Binary(operator, a, b) => Node::Binary(*operator, one(a), one(b)),
+            Node::Join(connective, a, b) => Node::Join(*connective, one(a), one(b)),
+            Node::List(items) => Node::List(each(items)),
+            Node::Compare(first, rest) => {
+                let rest = rest.iter().map(|(relation, e)| (*relation, change(e)));
+                Node::Compare(one(first), rest.collect())
+            }
+        };
+        Self {
+            node,
+            place: self.place,
         }
     }
 
     /// The same formula with every place forgotten: equal formulas are equal then, wherever they were written.
     #[must_use]
-    pub fn placeless(mut self) -> Self {
-        self.place = Place::default();
-        for part in self.parts_mut() {
-            *part = part.clone().placeless();
+    pub fn placeless(&self) -> Self {
+        Self {
+            place: Place::default(),
+            ..self.with_parts(Self::placeless)
         }
-        self
     }
 
     /// The number of nodes.

@@ -8,10 +8,7 @@ use torse_language::syntax::{Expr, Node, Operator};
 
 /// The formula without what says nothing.
 pub(super) fn tidy(formula: &Expr) -> Expr {
-    let mut formula = formula.clone();
-    for part in formula.parts_mut() {
-        *part = tidy(part);
-    }
+    let formula = formula.with_parts(tidy);
     match &formula.node {
         Node::Binary(Operator::Add | Operator::Subtract, ..) => sum(terms(&formula)),
         Node::Negative(inner) => negative(inner),

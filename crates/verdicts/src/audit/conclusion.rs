@@ -11,11 +11,11 @@ use torse_language::words::Flag;
 pub(super) fn assumed(subject: &Subject<'_>) -> Vec<Sign> {
     let hypotheses = subject.claim.assumptions.iter().chain(&subject.claim.given);
     let hypotheses = hypotheses.flat_map(|h| conjuncts(&h.formula.expr));
-    let hypotheses: Vec<Expr> = hypotheses.map(|part| part.clone().placeless()).collect();
+    let hypotheses: Vec<Expr> = hypotheses.map(|part| part.placeless()).collect();
     let statement = subject.claim.statement.iter();
     let parts = statement.flat_map(|w| conjuncts(&w.expr));
     let assumed = parts.filter(|part| {
-        let part = (*part).clone().placeless();
+        let part = part.placeless();
         hypotheses.contains(&part) || turned(&part).is_some_and(|t| hypotheses.contains(&t))
     });
     assumed

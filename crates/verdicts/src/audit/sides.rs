@@ -21,7 +21,7 @@ pub(super) fn equal(subject: &Subject<'_>) -> Vec<Sign> {
         };
         let mut left: &Expr = first;
         for (relation, right) in rest {
-            let opened = |side: &Expr| opened(side.clone(), &subject.claim.declarations, DEPTH);
+            let opened = |side: &Expr| opened(side, &subject.claim.declarations, DEPTH);
             let equal = opened(left).placeless() == opened(right).placeless();
             if *relation == Relation::Equal && equal {
                 let (left, right) = (notation::text(left), notation::text(right));
@@ -35,16 +35,13 @@ pub(super) fn equal(subject: &Subject<'_>) -> Vec<Sign> {
 }
 
 /// The formula with the bodies of plain definitions in place of their names.
-fn opened(mut expr: Expr, declarations: &Declarations, depth: usize) -> Expr {
+fn opened(expr: &Expr, declarations: &Declarations, depth: usize) -> Expr {
     if let Node::Name(name) = &expr.node
         && let Some(definition) = declarations.definition(name)
         && definition.parameters.is_empty()
         && depth > 0
     {
-        return opened(definition.body.expr.clone(), declarations, depth - 1);
+        return opened(&definition.body.expr, declarations, depth - 1);
     }
-    for part in expr.parts_mut() {
-        *part = opened(part.clone(), declarations, depth);
-    }
-    expr
+    expr.with_parts(|part| opened(part, declarations, depth))
 }

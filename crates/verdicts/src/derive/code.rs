@@ -69,11 +69,7 @@ fn replaced(formula: &Expr, known: &[(Expr, Expr)]) -> Expr {
     if let Some((_, name)) = known.iter().find(|(whole, _)| whole == formula) {
         return name.clone();
     }
-    let mut result = formula.clone();
-    for part in result.parts_mut() {
-        *part = replaced(part, known);
-    }
-    result
+    formula.with_parts(|part| replaced(part, known))
 }
 
 /// The texts with commas between.

@@ -137,7 +137,7 @@ fn collect_calls(expr: &Expr, claim: &Claim, into: &mut Alphabet) {
         if known && into.functions.len() < MAX_CALLS && !into.functions.iter().any(|f| f == base) {
             into.functions.push(base.to_owned());
         }
-        let place = place.clone().placeless();
+        let place = place.placeless();
         if known && into.places.len() < MAX_CALLS && !into.places.contains(&place) {
             into.places.push(place);
         }

@@ -287,9 +287,5 @@ fn replaced(expr: &Expr, name: &str, by: &Expr) -> Expr {
     if matches!(&expr.node, Node::Name(own) if own == name) {
         return by.clone();
     }
-    let mut result = expr.clone();
-    for part in result.parts_mut() {
-        *part = replaced(part, name, by);
-    }
-    result
+    expr.with_parts(|part| replaced(part, name, by))
 }

@@ -9,7 +9,7 @@ use torse_language::syntax::{Expr, Node, Operator};
 /// All formulas with one such edit.
 #[must_use]
 pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
-    let expr = &expr.clone().placeless();
+    let expr = &expr.placeless();
     let mut names: Vec<&str> = expr.names();
     names.extend(alphabet.names.iter().map(String::as_str));
     names.retain(|name| *name != "pi");

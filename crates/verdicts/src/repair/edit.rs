@@ -16,11 +16,10 @@ pub(crate) fn placed(expr: &Expr, path: &[usize], by: Expr) -> Expr {
     let Some((first, rest)) = path.split_first() else {
         return by;
     };
-    let mut result = expr.clone();
-    if let Some(part) = result.parts_mut().into_iter().nth(*first) {
-        *part = placed(part, rest, by);
-    }
-    result
+    let parts = expr.parts();
+    let part = parts.get(*first).map(|part| placed(part, rest, by));
+    part.and_then(|part| expr.with_part(*first, part))
+        .unwrap_or_else(|| expr.clone())
 }
 
 /// Every part of a formula with the way to it, the formula itself first; the heads of calls and members, which are names
@@ -40,15 +39,12 @@ pub(super) fn parts(expr: &Expr) -> Vec<(Vec<usize>, &Expr)> {
 
 /// The formula with one name put for another in all places, primes kept.
 pub(super) fn with_name(expr: &Expr, old: &str, new: &str) -> Expr {
-    let mut result = expr.clone();
+    let mut result = expr.with_parts(|part| with_name(part, old, new));
     if let Node::Name(name) = &mut result.node {
         let base = name.trim_end_matches('\'');
         if base == old {
             *name = format!("{new}{}", name.get(base.len()..).unwrap_or(""));
         }
-    }
-    for part in result.parts_mut() {
-        *part = with_name(part, old, new);
     }
     result
 }

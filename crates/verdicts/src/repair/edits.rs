@@ -49,9 +49,7 @@ fn inside(expr: &Expr, alphabet: &Alphabet, into: &mut Vec<Edit>) {
             inside(part, alphabet, &mut edits);
         }
         for edit in edits {
-            let mut whole = expr.clone();
-            if let Some(slot) = whole.parts_mut().into_iter().nth(position) {
-                *slot = edit.expr;
+            if let Some(whole) = expr.with_part(position, edit.expr) {
                 into.push(Edit {
                     expr: whole,
                     change: edit.change,

@@ -14,7 +14,7 @@ const MAX_PARTS: usize = 24;
 /// All formulas in which the equal occurrences of one part have the same edit.
 #[must_use]
 pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
-    let expr = expr.clone().placeless();
+    let expr = expr.placeless();
     let mut counts: Vec<(&Expr, usize)> = vec![];
     for (_, part) in parts(&expr) {
         if part.size() > MAX_PART {
@@ -51,11 +51,7 @@ fn replaced(expr: &Expr, old: &Expr, new: &Expr) -> Expr {
     if expr == old {
         return new.clone();
     }
-    let mut result = expr.clone();
-    for part in result.parts_mut() {
-        *part = replaced(part, old, new);
-    }
-    result
+    expr.with_parts(|part| replaced(part, old, new))
 }
 
 #[cfg(test)]

@@ -263,11 +263,7 @@ impl Unfolded {
             let names = self.parameters.iter().map(String::as_str);
             return substituted(body, &names.zip(arguments).collect());
         }
-        let mut result = expr.clone();
-        for part in result.parts_mut() {
-            *part = self.folded_out(part, body);
-        }
-        result
+        expr.with_parts(|part| self.folded_out(part, body))
     }
 }
 
@@ -277,11 +273,7 @@ fn substituted(expr: &Expr, values: &BTreeMap<&str, &Expr>) -> Expr {
             .get(name.as_str())
             .map_or_else(|| expr.clone(), |e| (*e).clone());
     }
-    let mut result = expr.clone();
-    for part in result.parts_mut() {
-        *part = substituted(part, values);
-    }
-    result
+    expr.with_parts(|part| substituted(part, values))
 }
 
 #[cfg(test)]

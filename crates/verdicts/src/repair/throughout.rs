@@ -106,11 +106,7 @@ fn with_part(expr: &Expr, old: &str, new: &Expr) -> Expr {
     if matches!(expr.node, Node::Call(..)) && text(expr) == old {
         return new.clone();
     }
-    let mut result = expr.clone();
-    for part in result.parts_mut() {
-        *part = with_part(part, old, new);
-    }
-    result
+    expr.with_parts(|part| with_part(part, old, new))
 }
 
 /// The largest bracket in which names are replaced throughout.
@@ -162,11 +158,7 @@ fn with_factors_kept(expr: &Expr, call: &str, variable: &Expr) -> Expr {
         let rest = with_part(base, call, variable).with(Operator::Power, one_less(exponent));
         return (**base).clone().with(Operator::Multiply, rest);
     }
-    let mut result = expr.clone();
-    for part in result.parts_mut() {
-        *part = with_factors_kept(part, call, variable);
-    }
-    result
+    expr.with_parts(|part| with_factors_kept(part, call, variable))
 }
 
 /// The formula minus one, written as a human would.
@@ -274,9 +266,5 @@ fn with_members(expr: &Expr, family: &str, by: &impl Fn(&Expr) -> Expr) -> Expr 
     {
         return by(member.index);
     }
-    let mut result = expr.clone();
-    for part in result.parts_mut() {
-        *part = with_members(part, family, by);
-    }
-    result
+    expr.with_parts(|part| with_members(part, family, by))
 }
