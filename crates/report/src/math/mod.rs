@@ -123,5 +123,5 @@ pub(crate) fn read(formula: &str, names: &Names) -> Option<Node> {
 pub(crate) fn expression(formula: &str) -> Option<Expr> {
     // A member of a family without indices is written with empty brackets.
     let formula = formula.replace("[]", "");
-    parse(&formula).ok().map(Expr::placeless)
+    parse(&formula).ok().map(|e| e.placeless())
 }
