@@ -34,9 +34,9 @@
 //!
 //! | part | operations |
 //! |---|---:|
-//! | a third of an evaluation: 21 of them for 64 rulings, on intervals of their own | a third of the evaluation |
-//! | directions, speeds and angles of these | 60 |
-//! | 23 polynomials of degree 16 through 17 of these, a transform of 17 x 17 halved by its symmetry | 110 |
+//! | a sixth of an evaluation: 21 of them for 128 rulings, on intervals of their own | a sixth of the evaluation |
+//! | directions, speeds and angles of these | 30 |
+//! | 23 polynomials of degree 16 through 17 of these, a transform of 17 x 17 halved by its symmetry | 55 |
 //! | 14 of the polynomials at the ruling, 3 halfway to the next, eight rulings side by side | 580 |
 //! | their rows of Chebyshev polynomials | 90 |
 //! | the bend: a vector product, a square root, an arc tangent | 60 |
@@ -69,7 +69,7 @@ use torse_geometry::{
 const ROUNDS: usize = 11;
 const COUNT: usize = 1_000_000;
 const SIDE: usize = 1000;
-const RULINGS: [usize; 2] = [1001, 10_001];
+const RULINGS: [usize; 3] = [1001, 10_001, 60_001];
 
 /// A kernel, and the line it is compared with.
 struct Line<'a> {

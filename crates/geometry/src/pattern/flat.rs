@@ -220,41 +220,17 @@ impl FlatPattern {
 const SHARE: usize = 128;
 
 fn rulings(pieces: &[Piece]) -> Vec<FlatRuling> {
-    // The facets between the rulings, as the viewer sees them.
-    let seen = |piece: &Piece| -> Vec<[f64; 3]> {
-        let xs = piece.halfway();
-        let mut normals = vec![[0.0; 3]; xs.len()];
-        let shares = xs.par_chunks(SHARE).zip(normals.par_chunks_mut(SHARE));
-        shares.for_each(|(xs, normals)| {
-            for (slot, normal) in normals.iter_mut().zip(piece.seen(xs)) {
-                *slot = normal;
-            }
-        });
-        normals
-    };
-    let facets: Vec<Vec<[f64; 3]>> = pieces.iter().map(seen).collect();
     let mut list = Vec::new();
     for (index, piece) in pieces.iter().enumerate() {
-        let here = facets.get(index).map_or(&[][..], Vec::as_slice);
-        let next = facets.get(index + 1).and_then(|next| next.first());
-        let ruling = |number: usize, x: f64, at: &At| {
-            let before = number.checked_sub(1).and_then(|k| here.get(k));
-            let bend = match (before, here.get(number).or(next)) {
-                (Some(m), Some(n)) => fold_angle(m, n, &piece.axis(at)),
-                _ => 0.0,
-            };
-            FlatRuling {
-                piece: index,
-                x,
-                ends: at.rails.map(|p| piece.placement.point(p)),
-                bend,
-                radius: at.radius(),
-                regression: at.regression().map(|p| piece.placement.point(p)),
-            }
-        };
+        let stations = piece.stations();
+        let halfway = piece.halfway();
+        // The facet behind the last ruling is the first one of the next piece.
+        let next = pieces.get(index + 1).and_then(|next| {
+            let xs = next.halfway();
+            next.seen(xs.get(..1)?).pop()
+        });
         // The first ruling of a later piece is the last one of the piece before.
         let first = usize::from(index > 0);
-        let stations = piece.stations();
         let stations = stations.get(first..).unwrap_or_default();
         let start = list.len();
         list.resize(start + stations.len(), BLANK);
@@ -264,10 +240,28 @@ fn rulings(pieces: &[Piece]) -> Vec<FlatRuling> {
             .zip(room.par_chunks_mut(SHARE))
             .enumerate();
         shares.for_each(|(share, (xs, slots))| {
-            let numbers = first + share * SHARE..;
-            let each = numbers.zip(xs).zip(piece.development.at_each(xs));
+            let number = first + share * SHARE;
+            // The facets on both sides of each ruling, as the viewer sees them.
+            let from = number.saturating_sub(1);
+            let to = halfway.len().min(number + xs.len());
+            let mut facets = piece.seen(halfway.get(from..to).unwrap_or_default());
+            facets.extend(next.filter(|_| to < number + xs.len()));
+            let facet = |number: usize| facets.get(number.checked_sub(from)?);
+            let each = (number..).zip(xs).zip(piece.development.at_each(xs));
             for (slot, ((number, x), at)) in slots.iter_mut().zip(each) {
-                *slot = ruling(number, *x, &at);
+                let before = number.checked_sub(1).and_then(facet);
+                let bend = match (before, facet(number)) {
+                    (Some(m), Some(n)) => fold_angle(m, n, &piece.axis(&at)),
+                    _ => 0.0,
+                };
+                *slot = FlatRuling {
+                    piece: index,
+                    x: *x,
+                    ends: at.rails.map(|p| piece.placement.point(p)),
+                    bend,
+                    radius: at.radius(),
+                    regression: at.regression().map(|p| piece.placement.point(p)),
+                };
             }
         });
     }

@@ -61,7 +61,7 @@ impl Unrolling {
     }
 
     /// Shows this many rulings, both ends included: 2 at least, [`MOST_RULINGS`] at most, at equal steps of the
-    /// parameter. The patch is sampled a third as densely
+    /// parameter. The patch is sampled a sixth as densely
     /// at least, and wherever that does not resolve it as densely as it takes.
     #[must_use]
     pub fn rulings(mut self, count: usize) -> Self {
@@ -110,7 +110,7 @@ impl Unrolling {
         // Half of the tolerance is for the arcs, the rest for the development.
         let development = Development::of(
             patch,
-            self.rulings.div_ceil(64).max(2),
+            self.rulings.div_ceil(128).max(2),
             0.25 * self.tolerance,
             self.developable.max(self.allowed),
         )?;
