@@ -49,7 +49,9 @@
 //! Samples, interpolants, rulings and bends are shared, the two rails are fitted side by side. One after the other go the
 //! placing of the intervals, the outline, its crossings, the memory of the answer: about a ninth of the work, so 1.8 is
 //! the most of two threads. What is shared is done in four to six turns, and to wake a thread for each takes as long
-//! as some tens of rulings: the gain shows with ten thousand rulings better than with one. A machine with other work shows none.
+//! as some tens of rulings: the gain shows with ten thousand rulings better than with one. A machine with other work
+//! shows none. The lines of arithmetic alone say what two threads gain on the machine at hand for work of the same length
+//! that shares nothing at all.
 
 #![allow(clippy::expect_used, reason = "a benchmark on known good data")]
 #![allow(clippy::print_stdout, reason = "the table is what it is for")]
@@ -299,6 +301,12 @@ fn thread_table(name: &str, patch: &impl Rails<f64>, rulings: usize) {
     let [one, two] = &threads;
     let unrolled = || black_box(unroll(black_box(patch), rulings, 1e-4).expect("a developable"));
     let certified = || black_box(certify(black_box(patch), rulings).expect("a patch"));
+    // As many operations as unrolling takes, nowhere near the memory: what this machine gains at best by a second thread
+    // for so little work.
+    let alone = || {
+        let half = || black_box(arithmetic(black_box(rulings / 2)));
+        rayon::join(half, half)
+    };
     let mut table = Table::default();
     println!("{name}, {rulings} rulings");
     table.add("its rulings", None, rulings, || {
@@ -320,6 +328,12 @@ fn thread_table(name: &str, patch: &impl Rails<f64>, rulings: usize) {
     table.add("unrolled, two threads", Some(base), rulings, || {
         two.install(unrolled);
     });
+    let base = table.add("arithmetic alone, one thread", None, rulings, || {
+        one.install(alone);
+    });
+    table.add("arithmetic alone, two threads", Some(base), rulings, || {
+        two.install(alone);
+    });
     let base = table.add("certified, one thread", None, rulings, || {
         one.install(certified);
     });
@@ -327,6 +341,17 @@ fn thread_table(name: &str, patch: &impl Rails<f64>, rulings: usize) {
         two.install(certified);
     });
     table.print();
+}
+
+/// About as many operations as unrolling so many rulings takes, on registers.
+fn arithmetic(rulings: usize) -> [f64; 8] {
+    let mut values = [0.125; 8];
+    for _ in 0..rulings * 100 {
+        for value in &mut values {
+            *value = *value * 0.75 + 0.125;
+        }
+    }
+    values
 }
 
 fn main() {
