@@ -5,7 +5,7 @@
 //! ([`Polynomials`](crate::Polynomials)), which turn a statement at fixed small degrees into an identity.
 
 use crate::expansion::Expanded;
-use crate::gap::{Gap, Unknown};
+use crate::gap::{Gap, Unknown, Work};
 use crate::name::Name;
 use std::fmt::Debug;
 use torse_language::core::Term;
@@ -18,6 +18,9 @@ use torse_numbers::Rational;
 pub trait Arithmetic {
     /// A number.
     type Number: Clone + Debug + PartialEq;
+
+    /// The budget of the work.
+    fn work(&self) -> &Work;
 
     /// A rational number.
     fn rational(&self, value: &Rational) -> Self::Number;

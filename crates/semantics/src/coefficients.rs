@@ -102,7 +102,7 @@ impl<A: Arithmetic> Evaluator<'_, A> {
             return Err(not_covered(what));
         }
         // In the equations nothing is put in, and they do not know the variables of a binder either.
-        if !forms.is_closed() || scope.innermost_symbol().is_some() {
+        if !self.arithmetic.work().known().is_closed(forms) || scope.innermost_symbol().is_some() {
             return Err(not_covered("a form with the variable of a binder"));
         }
         let a = self.arithmetic;

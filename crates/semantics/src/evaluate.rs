@@ -12,7 +12,6 @@ use crate::scope::{Expansion, Memory, Scope};
 use crate::series::Series;
 use crate::value::Value;
 use std::cell::{Cell, RefCell};
-use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_language::core::{BuiltIn, Claim, Family, Node, Points, Term};
@@ -44,9 +43,6 @@ pub struct Evaluator<'a, A: Arithmetic> {
     pub(crate) claim: Option<&'a Claim>,
     /// What was evaluated with the values of the point.
     memory: Memory<A::Number>,
-    is_closed: RefCell<BTreeMap<usize, bool>>,
-    /// The declared symbols of closed terms.
-    names: RefCell<BTreeMap<usize, BTreeSet<Arc<str>>>>,
     rows: RefCell<Vec<Row<A::Number>>>,
     /// Angles with their sine and cosine.
     pub(crate) turned: RefCell<Vec<(Series<A::Number>, Turned<A::Number>)>>,
@@ -65,8 +61,6 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             values,
             claim: None,
             memory: Memory::default(),
-            is_closed: RefCell::default(),
-            names: RefCell::default(),
             rows: RefCell::default(),
             turned: RefCell::default(),
             depth: Cell::default(),
@@ -197,7 +191,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                         | BuiltIn::Determinant
                         | BuiltIn::Coefficients
                 );
-                if costly && self.is_closed(term) {
+                if costly && a.work().known().is_closed(term) {
                     self.once(term, scope, || self.apply(*function, arguments, scope))
                 } else {
                     self.apply(*function, arguments, scope)
@@ -236,27 +230,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         if scope.innermost_symbol().is_none() {
             return &self.memory;
         }
-        let key = Arc::as_ptr(&term.node).addr();
-        let mut all = self.names.borrow_mut();
-        let names = all.entry(key).or_insert_with(|| {
-            let mut names = BTreeSet::new();
-            term.declared_names(&mut |name| {
-                names.insert(Arc::clone(name));
-            });
-            names
-        });
-        scope.memory_of(names).unwrap_or(&self.memory)
-    }
-
-    /// Whether a term depends on no variable of an enclosing binder.
-    fn is_closed(&self, term: &Term) -> bool {
-        let key = Arc::as_ptr(&term.node).addr();
-        if let Some(known) = self.is_closed.borrow().get(&key) {
-            return *known;
-        }
-        let closed = term.is_closed();
-        self.is_closed.borrow_mut().insert(key, closed);
-        closed
+        let names = self.arithmetic.work().known().names(term);
+        scope.memory_of(&names).unwrap_or(&self.memory)
     }
 
     pub(crate) fn symbol(&self, name: Name, scope: &Sc<'_, A>) -> Result<Series<A::Number>, Gap> {

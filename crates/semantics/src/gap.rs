@@ -1,7 +1,9 @@
 //! Why a term has no value at a point, or none that is known.
 
+use crate::known::Known;
 use std::cell::Cell;
 use std::fmt;
+use std::rc::Rc;
 
 /// Why there is no value.
 ///
@@ -141,6 +143,8 @@ impl Gap {
 #[derive(Debug)]
 pub struct Work {
     left: Cell<u64>,
+    /// What was found out of terms while the work was done.
+    known: Rc<Known>,
 }
 
 impl Work {
@@ -149,7 +153,21 @@ impl Work {
     pub fn new(operations: u64) -> Self {
         Self {
             left: Cell::new(operations),
+            known: Rc::default(),
         }
+    }
+
+    /// A budget of so many operations apart from this one, for work on the same terms.
+    pub(crate) fn apart(&self, operations: u64) -> Self {
+        Self {
+            left: Cell::new(operations),
+            known: Rc::clone(&self.known),
+        }
+    }
+
+    /// What was found out of terms.
+    pub(crate) fn known(&self) -> &Known {
+        &self.known
     }
 
     /// Takes so many operations.

@@ -4,7 +4,7 @@
 //! the chain. Numbers that nothing changes have no rates and cost what they cost in the arithmetic that is extended.
 
 use crate::arithmetic::Arithmetic;
-use crate::gap::Gap;
+use crate::gap::{Gap, Work};
 use crate::name::Name;
 use std::cell::RefCell;
 use std::cmp::Ordering;
@@ -241,6 +241,10 @@ impl<A: Arithmetic> Gradients<A> {
 
 impl<A: Arithmetic> Arithmetic for Gradients<A> {
     type Number = Gradient<A::Number>;
+
+    fn work(&self) -> &Work {
+        self.base.work()
+    }
 
     fn rational(&self, value: &Rational) -> Self::Number {
         Gradient::constant(self.base.rational(value))

@@ -69,6 +69,7 @@ mod gradient;
 mod instance;
 mod judge;
 mod judgement;
+mod known;
 mod linear;
 mod name;
 mod net;

@@ -110,12 +110,17 @@ impl Real {
     /// The ball of this precision.
     #[must_use]
     pub fn ball(&self, bits: usize) -> Ball {
+        self.enclosure(bits).into_owned()
+    }
+
+    /// The same, not copied where it is there.
+    fn enclosure(&self, bits: usize) -> Cow<'_, Ball> {
         match self {
-            Self::Rational(rational) => Ball::from_rational(rational, bits),
-            Self::Turned(number) => {
-                Ball::from_rational(&number.rational, bits) + Ball::pi(bits).scaled(&number.turns)
-            }
-            Self::Enclosed(ball) => (**ball).clone(),
+            Self::Rational(rational) => Cow::Owned(Ball::from_rational(rational, bits)),
+            Self::Turned(number) => Cow::Owned(
+                Ball::from_rational(&number.rational, bits) + Ball::pi(bits).scaled(&number.turns),
+            ),
+            Self::Enclosed(ball) => Cow::Borrowed(ball),
         }
     }
 
@@ -132,6 +137,15 @@ impl Real {
                 .into_iter()
                 .find_map(|bits| self.ball(bits).sign()),
             Self::Enclosed(ball) => ball.sign(),
+        }
+    }
+
+    /// Whether the number is zero, if that is known: of `r + t pi` it is without a look at the digits.
+    pub(crate) fn is_zero(&self) -> Option<bool> {
+        match self {
+            Self::Rational(rational) => Some(rational.is_zero()),
+            Self::Turned(_) => Some(false),
+            Self::Enclosed(ball) => ball.sign().map(Ordering::is_eq),
         }
     }
 
@@ -219,6 +233,10 @@ fn rational_root(q: &Rational) -> Option<Rational> {
 impl Arithmetic for Reals<'_> {
     type Number = Real;
 
+    fn work(&self) -> &Work {
+        self.work
+    }
+
     fn rational(&self, value: &Rational) -> Real {
         self.bounded(value.clone().into())
     }
@@ -241,7 +259,7 @@ impl Arithmetic for Reals<'_> {
         }
         Ok(match (a.parts(), b.parts()) {
             (Some((p, s)), Some((q, t))) => self.bounded(Real::exact(&*p + &*q, &*s + &*t)),
-            _ => (a.ball(self.bits) + b.ball(self.bits)).into(),
+            _ => (&*a.enclosure(self.bits) + &*b.enclosure(self.bits)).into(),
         })
     }
 
@@ -277,15 +295,15 @@ impl Arithmetic for Reals<'_> {
         if self.bit_length(a).unwrap_or(0) + self.bit_length(b).unwrap_or(0) > MAX_SIZE_BITS {
             return Err(Unknown::Large { what: "a number" }.into());
         }
-        Ok((a.ball(self.bits) * b.ball(self.bits)).into())
+        Ok((&*a.enclosure(self.bits) * &*b.enclosure(self.bits)).into())
     }
 
     fn over(&self, a: &Real, b: &Real) -> Result<Real, Gap> {
         self.work.spend(2)?;
-        match b.sign() {
+        match b.is_zero() {
             None => return Err(Unknown::Precision.into()),
-            Some(Ordering::Equal) => return Err(Undefined::ZeroDivisor.into()),
-            Some(_) => {}
+            Some(true) => return Err(Undefined::ZeroDivisor.into()),
+            Some(false) => {}
         }
         if let (Real::Rational(p), Real::Rational(q)) = (a, b) {
             return Ok(self.bounded((p / q).into()));
@@ -339,7 +357,7 @@ impl Arithmetic for Reals<'_> {
     }
 
     fn is_zero(&self, a: &Real) -> Option<bool> {
-        a.sign().map(|sign| sign == Ordering::Equal)
+        a.is_zero()
     }
 
     fn as_rational(&self, a: &Real) -> Option<Rational> {

@@ -96,7 +96,7 @@ impl<'a> Survey<'a> {
     pub fn by_residues(&self) -> Self {
         Self {
             narrowed: self.narrowed.clone(),
-            work: Work::new(self.work.left()),
+            work: self.work.apart(self.work.left()),
             ground: Ground::Residues,
             ..*self
         }
@@ -118,7 +118,7 @@ impl<'a> Survey<'a> {
             if available == 0 || hopeless {
                 return attempt;
             }
-            let own = Work::new(available);
+            let own = self.work.apart(available);
             let go_on = self.one(statement, conditions, denied, attempt, &own, each);
             let _ = self.work.spend(available - own.left());
             costly += u64::from(own.left() == 0);

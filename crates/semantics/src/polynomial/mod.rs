@@ -105,6 +105,10 @@ pub struct Polynomials<'a> {
 impl Arithmetic for Polynomials<'_> {
     type Number = Quotient;
 
+    fn work(&self) -> &Work {
+        self.work
+    }
+
     fn rational(&self, value: &Rational) -> Quotient {
         Quotient::number(value.clone())
     }

@@ -90,6 +90,10 @@ fn square_root(u: i64) -> Option<i64> {
 impl Arithmetic for Residues<'_> {
     type Number = Residue;
 
+    fn work(&self) -> &Work {
+        self.work
+    }
+
     fn rational(&self, value: &Rational) -> Residue {
         field::residue(value).map_or(Residue::Missing, Residue::Class)
     }
