@@ -16,6 +16,7 @@
 //! quotient is `{"above": ..., "below": ...}`, a constraint `{"value": ..., "relation": ">="}` compares with zero.
 #![warn(missing_docs)]
 
+pub mod check;
 pub mod enclosure;
 pub mod evidence;
 pub mod family;

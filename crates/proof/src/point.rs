@@ -20,6 +20,8 @@ pub struct Value<P> {
 pub struct Counterexample<P> {
     /// The values of the symbols, those of eliminated ones too.
     pub at: Vec<Value<P>>,
+    /// Values of symbols that play no role: any others of their sets would do.
+    pub others: Vec<Value<P>>,
     /// How the statement fails.
     pub failure: Failure<P>,
 }
@@ -108,6 +110,7 @@ impl<P> Counterexample<P> {
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Counterexample<Q> {
         Counterexample {
             at: self.at.iter().map(|value| value.map(change)).collect(),
+            others: self.others.iter().map(|value| value.map(change)).collect(),
             failure: self.failure.map(change),
         }
     }

@@ -9,7 +9,8 @@ use crate::case::Ground;
 use crate::combination::multipliers;
 use crate::decide::contradiction::contradiction;
 use crate::decide::value::{Proof, plain, quotient};
-use crate::decide::{self, Decision, conditions, equality, instances, sign};
+use crate::decide::domain::Domain;
+use crate::decide::{self, Decision, conditions, equality, instances, sign, witness};
 use crate::evaluate::value::{Statement, Value};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -23,6 +24,7 @@ use torse_language::syntax::{Connective, Relation};
 use torse_proof::identity::{Combination, Equations, Vanishing};
 use torse_proof::proof::Emptiness;
 use torse_proof::proof::ground::Sharpness;
+use torse_proof::sign::Sign;
 use torse_proof::{Constraint, Refuted};
 
 /// Decides a statement on the domain of a claim: the claim's own, or another one in its place.
@@ -485,14 +487,21 @@ impl Decider<'_> {
                 }
             }
         }
-        let Decision::Proven(proof) = decision else {
-            return Ok(decision);
+        let proof = match decision {
+            Decision::Proven(proof) => proof,
+            Decision::Refuted(mut refutation) => {
+                let point = refutation.refuted.counterexample_mut();
+                witness::complete(point, &self.claim, instance, &ground.domain);
+                return Ok(Decision::Refuted(refutation));
+            }
+            other => return Ok(other),
         };
         let mut conditions: Vec<Polynomial> = proof.conditions().into_iter().cloned().collect();
         if !is_equality(&value) {
             conditions.extend(ground.domain.pivots.iter().cloned());
         }
-        let conditions = open_conditions(&conditions, &ground);
+        let met = conditions;
+        let conditions = open_conditions(&met, &ground);
         if !conditions.is_empty()
             && let Some((unsolved, combination, weaker)) =
                 self.unsolved(statement, instance, equality::vanishing(&ground.evaluator))
@@ -501,15 +510,13 @@ impl Decider<'_> {
                 .all(|condition| conditions.contains(condition))
             && weaker.len() < conditions.len()
         {
-            return Ok(proved(
-                unsolved,
-                Proof::Combination(combination),
-                weaker,
-                vec![],
-            ));
+            let nonzero = nonzero(&met, &weaker, &unsolved.domain);
+            let combination = Proof::Combination(combination);
+            return Ok(proved(unsolved, combination, (weaker, nonzero), vec![]));
         }
         let ranges = decide::ranges(&value, &ground.domain, &ground.evaluator)?;
-        Ok(proved(ground, proof, conditions, ranges))
+        let nonzero = nonzero(&met, &conditions, &ground.domain);
+        Ok(proved(ground, proof, (conditions, nonzero), ranges))
     }
 }
 
@@ -517,7 +524,7 @@ impl Decider<'_> {
 fn proved(
     ground: Ground<'_>,
     proof: Proof,
-    conditions: Vec<Polynomial>,
+    (conditions, nonzero): (Vec<Polynomial>, Vec<Sign<Polynomial>>),
     ranges: Vec<Sharpness<Polynomial>>,
 ) -> Decision {
     let constraints = ground.domain.constraints.iter().map(|c| Constraint {
@@ -529,8 +536,22 @@ fn proved(
         eliminated: ground.eliminated,
         proof,
         conditions,
+        nonzero,
         ranges,
     })))
+}
+
+/// Those of the divisors that were met, and are no conditions, whose signs on the declared sets show that they never
+/// vanish, whatever else is assumed: eliminations may rest on that.
+fn nonzero(
+    met: &[Polynomial],
+    conditions: &[Polynomial],
+    domain: &Domain<'_>,
+) -> Vec<Sign<Polynomial>> {
+    let declared = Domain::new(domain.declarations);
+    let divisors = conditions::separated(met).into_iter();
+    let dropped = divisors.filter(|p| !conditions.contains(p));
+    dropped.filter_map(|p| sign::positive(&p, &declared)).collect()
 }
 
 /// Whether a fault says that a term is defined nowhere.

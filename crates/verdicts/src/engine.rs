@@ -4,7 +4,7 @@ use crate::condition::{self, nonzero};
 use crate::finding;
 use crate::outcome::{Outcome, PaperOutcome, ReadingOutcome, SaidBy};
 use crate::repair::subject::Subject;
-use crate::{conjunction, net, provenance, readings, repair, table};
+use crate::{conjunction, net, provenance, readings, repair, replay, table};
 use rayon::prelude::*;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -113,6 +113,8 @@ fn undecided(paper: &str, claim: &Claim) -> Outcome {
         conditions: vec![],
         witness: None,
         net: None,
+        replay: None,
+        grounds: None,
         contradiction: None,
         steps: vec![],
         finding: None,
@@ -176,6 +178,7 @@ fn decided(
         Err(out) => outcome.steps = vec![out.to_string()],
     }
     net::cast(&mut outcome, claim, statement);
+    net::replay(&mut outcome, claim, statement, budget / 5);
     Ok(outcome)
 }
 
@@ -255,6 +258,7 @@ fn drawn(outcome: &mut Outcome, figure: &Figure) {
 fn conclude(outcome: &mut Outcome, decision: Decision, statement: &Written) {
     outcome.steps = decision.steps();
     let conditions = decision.conditions().unwrap_or_default();
+    replay::keep(outcome, &decision);
     match decision {
         Decision::Proven(proof) => {
             outcome.evidence = Some(proof.evidence());

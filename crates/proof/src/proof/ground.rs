@@ -3,6 +3,7 @@
 
 use crate::proof::Proof;
 use crate::ratio::{Constraint, Ratio};
+use crate::sign::Sign;
 use crate::symbol::Symbol;
 use crate::text;
 use serde::Serialize;
@@ -19,6 +20,8 @@ pub struct Ground<P> {
     pub proof: Proof<P>,
     /// What must not vanish, and neither the hypotheses nor the domain excludes.
     pub conditions: Vec<P>,
+    /// What never vanishes on the declared sets, whatever is assumed: by its sign.
+    pub nonzero: Vec<Sign<P>>,
     /// What is known about the ranges of parameters besides.
     pub ranges: Vec<Sharpness<P>>,
 }
@@ -93,6 +96,7 @@ impl<P> Ground<P> {
             constraints: self.constraints.iter().map(|c| c.map(change)).collect(),
             proof: self.proof.map(change),
             conditions: self.conditions.iter().map(change).collect(),
+            nonzero: self.nonzero.iter().map(|sign| sign.map(change)).collect(),
             ranges: self.ranges.iter().map(|range| range.map(change)).collect(),
         }
     }

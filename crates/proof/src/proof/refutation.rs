@@ -60,6 +60,17 @@ impl<P> Refuted<P> {
         }
     }
 
+    /// The same, to be completed.
+    pub fn counterexample_mut(&mut self) -> &mut Counterexample<P> {
+        match self {
+            Self::At(point) => point,
+            Self::Denied {
+                anywhere: refuted, ..
+            }
+            | Self::Instance { refuted, .. } => refuted.counterexample_mut(),
+        }
+    }
+
     /// The values of integers that were chosen for an instance, those of the outermost first.
     #[must_use]
     pub fn integers(&self) -> Vec<(&str, i64)> {

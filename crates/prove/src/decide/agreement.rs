@@ -91,6 +91,7 @@ pub fn decide(values: &[Fraction], printed: &[Printed]) -> Decision {
     }
     Decision::Refuted(Box::new(Refutation::at(Counterexample {
         at: vec![],
+        others: vec![],
         failure: Failure::Printed(enclosure),
     })))
 }

@@ -248,6 +248,7 @@ pub fn independent(
             };
             let point = Counterexample {
                 at: witness::values(&point),
+                others: vec![],
                 failure: Failure::Dependent {
                     family: basis.name.to_string(),
                     degree: u32::from(degree),

@@ -30,6 +30,8 @@ pub(crate) fn plain_symbol(symbol: &Symbol) -> Plain {
         Symbol::Sin(name, angle) => Plain::Sine(name.clone(), plain_angle(*angle)),
         Symbol::Cos(name, angle) => Plain::Cosine(name.clone(), plain_angle(*angle)),
         Symbol::Named(name) => Plain::Named(name.clone()),
+        // A vector with one generic coordinate.
+        Symbol::Indexed(name, index) if index.is_empty() => Plain::Named(name.clone()),
         Symbol::Indexed(..) => Plain::named(&symbol.to_string()),
     }
 }

@@ -95,6 +95,7 @@ pub fn diminishing(
             };
             let point = Counterexample {
                 at: witness::values(&point),
+                others: vec![],
                 failure: Failure::Turning {
                     degree: u32::from(degree),
                     control: found.control,
@@ -147,6 +148,7 @@ fn not_affine(
                 let pair = |(x, value): &(Fraction, Fraction)| (quotient(x), quotient(value));
                 return Decision::Refuted(Box::new(Refutation::at(Counterexample {
                     at: witness::values(&point),
+                    others: vec![],
                     failure: Failure::Beyond {
                         degree: u32::from(basis.degree + raise),
                         control: *control,

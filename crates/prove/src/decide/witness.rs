@@ -9,10 +9,11 @@ use super::candidates::Turns;
 use super::domain::Domain;
 use super::lively::livened;
 use super::order::truth;
-use super::value::{plain_symbol, quotient};
+use super::value::{fraction, plain_symbol, quotient};
 use std::collections::BTreeMap;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial, Symbol, Unit};
+use torse_language::core;
 use torse_language::derivation::declarations::SymbolKind;
 use torse_language::syntax::Relation;
 use torse_proof::Ratio;
@@ -299,6 +300,7 @@ pub fn described(
     };
     Some(Counterexample {
         at: values(point),
+        others: vec![],
         failure: Failure::Sides {
             kind,
             left: side(left)?,
@@ -315,6 +317,57 @@ pub fn values(point: &Point) -> Vec<Value<Polynomial>> {
         value: quotient(value),
     };
     point.iter().map(value).collect()
+}
+
+/// Gives values to the numbers of a claim that a counterexample says nothing of, for they play no role: the first of their
+/// sets.
+pub(crate) fn complete(
+    point: &mut Counterexample<Polynomial>,
+    claim: &core::Claim,
+    integers: &BTreeMap<String, i64>,
+    domain: &Domain<'_>,
+) {
+    let mut known: BTreeMap<String, i64> = integers.clone();
+    for value in &point.at {
+        let number = fraction(&value.value).and_then(|value| value.as_rational());
+        let whole = number.filter(|q| q.is_integer());
+        let whole = whole.and_then(|q| i64::try_from(&q.to_integer()).ok());
+        known.extend(whole.map(|n| (value.symbol.to_string(), n)));
+    }
+    // An end of a range that names an integer without a value is looked at again when that has one.
+    for _ in 0..claim.symbols.len() {
+        for (name, set) in &claim.symbols {
+            let own = plain_symbol(&Symbol::Named(name.clone()));
+            let has = |v: &Value<Polynomial>| v.symbol == own;
+            let given = point.at.iter().any(has) || point.others.iter().any(has);
+            if given || integers.contains_key(&**name) {
+                continue;
+            }
+            let value = match set {
+                SymbolKind::Real(_) => {
+                    let mut values = domain.candidates(&Symbol::Named(name.clone()), Turns::None);
+                    (!values.is_empty()).then(|| values.remove(0))
+                }
+                SymbolKind::Integer { least, most } => {
+                    let end = least.as_ref().or(most.as_ref());
+                    let number = |form: &torse_algebra::Affine| {
+                        let mut terms = form.multiples();
+                        terms.try_fold(form.constant(), |sum, (other, n)| {
+                            sum.checked_add(known.get(other)?.checked_mul(n)?)
+                        })
+                    };
+                    let chosen = end.map_or(Some(0), number);
+                    known.extend(chosen.map(|n| (name.to_string(), n)));
+                    chosen.map(Fraction::integer)
+                }
+                SymbolKind::Vector(_) | SymbolKind::Family { .. } => None,
+            };
+            point.others.extend(value.map(|value| Value {
+                symbol: own,
+                value: quotient(&value),
+            }));
+        }
+    }
 }
 
 /// Divisors that are constants are no conditions.

@@ -100,6 +100,18 @@ pub fn nonnegative(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Writt
     }
 }
 
+/// What shows that the polynomial or its negative is positive on the domain, replayed.
+#[must_use]
+pub fn positive(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Written<Polynomial>> {
+    match proof(polynomial, domain)? {
+        (Sign::Positive | Sign::Negative, proof) => {
+            proof.check(domain).ok()?;
+            proof.written(domain)
+        }
+        _ => None,
+    }
+}
+
 /// Whether the polynomial never vanishes on the domain, by a sign whose certificate is replayed, or because no integers
 /// make it zero.
 #[must_use]
