@@ -11,9 +11,27 @@
 //!
 //! # The written form
 //!
-//! A proof is written as JSON, one object a node with its kind as the only key, as the types of this room nest. Symbols,
-//! polynomials and numbers are texts in the notation of derivation files: `P[0,1]`, `2*x^2*sin(pi/2*x) - 1/3`, `-7/3`; a
-//! quotient is `{"above": ..., "below": ...}`, a constraint `{"value": ..., "relation": ">="}` compares with zero.
+//! `torse verify --proofs DIR` writes `DIR/PAPER.json`, the same bytes on every run: `{"paper", "claims"}`, each claim with `id`,
+//! `reading`, `states`, `verdict`, `replayed` and `rests_on`, which is `{"proof": {"conditions", "of"}}` or
+//! `{"refutation": ...}`. A node of a proof is an object whose only key is its kind; its fields are those of the type here.
+//! Symbols, polynomials and numbers are texts in the notation of derivation files: `P[0,1]`, `2*x^2*sin(pi/2*x) - 1/3`,
+//! `-7/3`; a quotient is `{"above", "below"}`, and a constraint `{"value", "relation"}` compares with zero.
+//!
+//! | kind | what it says | type |
+//! |---|---|---|
+//! | `identity` | the difference vanishes, by its normal form or as a series of symbolic degree | [`identity::Identity`] |
+//! | `combination` | the difference is a sum of multiples of equations | [`identity::Combination`] |
+//! | `order` | the difference has a sign: certificates with boxes, squares, factors, rays | [`order::Order`], [`sign::Sign`] |
+//! | `excluded` | hypotheses say that the difference is not zero | [`order::Excluded`] |
+//! | `enclosure` | printed numbers are the values, rounded or cut off | [`enclosure::Enclosure`] |
+//! | `nonnegative`, `powers` | properties of a basis at every degree | [`family`] |
+//! | `on` | a proof with its ground: eliminated symbols, constraints, conditions | [`proof::ground::Ground`] |
+//! | `both`, `clauses`, `parts`, `instances` | conjunctions, of halves, clauses, parts of the domain, values of integers | [`proof::Proof`] |
+//! | `alternative`, `conclusion` | one part of `or`, perhaps where the others fail; the end of `implies` | [`proof::Proof`] |
+//! | `exists` | `not p` by a point | [`proof::refutation::Refuted`] |
+//! | `nowhere`, `defined` | no point; conditions that only say where terms are defined | [`proof::Proof`] |
+//!
+//! A refutation is `at` a point, at an `instance` of integers, or of a `denied` statement that is proved.
 #![warn(missing_docs)]
 
 pub mod check;

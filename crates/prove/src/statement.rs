@@ -8,8 +8,8 @@ use crate::alternatives;
 use crate::case::Ground;
 use crate::combination::multipliers;
 use crate::decide::contradiction::contradiction;
-use crate::decide::value::{Proof, plain, quotient};
 use crate::decide::domain::Domain;
+use crate::decide::value::{Proof, plain, quotient};
 use crate::decide::{self, Decision, conditions, equality, instances, sign, witness};
 use crate::evaluate::value::{Statement, Value};
 use std::collections::BTreeMap;
@@ -272,7 +272,9 @@ impl Decider<'_> {
         let at = |instance: &Instance| {
             let ground = self.ground(instance).ok()?;
             let value = ground.evaluator.truth(statement).ok()?;
-            let point = decide::sampled(&value, &ground.domain)?;
+            let mut point = decide::sampled(&value, &ground.domain)?;
+            let own = point.counterexample_mut();
+            witness::complete(own, &self.claim, instance, &ground.domain);
             Some(match instance.is_empty() {
                 true => point,
                 false => Refuted::Instance {
@@ -551,7 +553,9 @@ fn nonzero(
     let declared = Domain::new(domain.declarations);
     let divisors = conditions::separated(met).into_iter();
     let dropped = divisors.filter(|p| !conditions.contains(p));
-    dropped.filter_map(|p| sign::positive(&p, &declared)).collect()
+    dropped
+        .filter_map(|p| sign::positive(&p, &declared))
+        .collect()
 }
 
 /// Whether a fault says that a term is defined nowhere.

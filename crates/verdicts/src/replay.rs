@@ -14,7 +14,6 @@ use torse_language::derivation::{Claim, Written};
 use torse_language::words::Verdict;
 use torse_proof::check::{self, Unchecked, Work};
 use torse_prove::decide::Decision;
-use torse_prove::decide::value::plain;
 use torse_prove::decide_statement;
 
 /// Replays what a verdict rests on, and the proof of its correction, for which so much work may be spent to find it again.
@@ -53,16 +52,17 @@ pub fn replayed(
 }
 
 /// What the checker says; nothing for a claim that makes no sense.
-fn checked(claim: &Claim, statement: &Written, grounds: &Grounds) -> Option<Result<Replay, String>> {
+fn checked(
+    claim: &Claim,
+    statement: &Written,
+    grounds: &Grounds,
+) -> Option<Result<Replay, String>> {
     let core = core::Claim::new(claim, statement).ok()?;
     let work = Work::new(check::WORK);
     let origin = &statement.origin;
-    let found = match grounds {
-        Grounds::Proven(proof, conditions) => {
-            let conditions: Vec<_> = conditions.iter().map(plain).collect();
-            check::proves(&core, origin, &conditions, &proof.map(&plain), &work)
-        }
-        Grounds::Refuted(refuted) => check::refutes(&core, origin, &refuted.map(&plain), &work),
+    let found = match grounds.plain() {
+        Grounds::Proof { conditions, of } => check::proves(&core, origin, &conditions, &of, &work),
+        Grounds::Refutation(refuted) => check::refutes(&core, origin, &refuted, &work),
     };
     Some(match found {
         Ok(()) => Ok(Replay::done()),

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use torse_language::core::{Family, Node, Points, Term};
 use torse_language::syntax::Operator;
 use torse_numbers::Affine;
+use torse_numbers::planted::{Planted, planted};
 use torse_numbers::rational::integer;
 
 /// The longest sum, the largest exponent and order, the highest degree above the seeds.
@@ -230,6 +231,9 @@ impl<'a> Expander<'a> {
         let mut value = self.term(left, scope)?;
         while let Some((operator, right)) = rights.pop() {
             value = match operator {
+                Operator::Subtract if planted(Planted::DifferenceReadAsSum) => {
+                    value.plus(&self.term(right, scope)?, self.work)?
+                }
                 Operator::Add => value.plus(&self.term(right, scope)?, self.work)?,
                 Operator::Subtract => value.plus(&self.term(right, scope)?.negated(), self.work)?,
                 Operator::Multiply => value.times(&self.term(right, scope)?, self.work)?,
@@ -240,7 +244,9 @@ impl<'a> Expander<'a> {
                 Operator::Power => {
                     let exponent = self.integer(right, "an exponent", scope)?;
                     let size = u32::try_from(exponent.unsigned_abs()).ok();
-                    let size = size.filter(|n| i64::from(*n) <= MOST).ok_or(Beyond::Large)?;
+                    let size = size
+                        .filter(|n| i64::from(*n) <= MOST)
+                        .ok_or(Beyond::Large)?;
                     let power = value.number()?.power(size, self.work)?;
                     let one = Quotient::number(integer(1));
                     Value::Number(match exponent < 0 {

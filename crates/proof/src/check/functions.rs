@@ -76,7 +76,11 @@ impl Expander<'_> {
                 let n = usize::try_from(n).ok().filter(|n| *n <= 2 * MAX_SIZE);
                 let n = n.ok_or(Beyond::Large)?;
                 let entry = |r, c| Quotient::number(integer(i64::from(r == c)));
-                Value::matrix((0..n).map(|r| (0..n).map(|c| entry(r, c)).collect()).collect())
+                Value::matrix(
+                    (0..n)
+                        .map(|r| (0..n).map(|c| entry(r, c)).collect())
+                        .collect(),
+                )
             }
             (BuiltIn::Coefficients, [forms, unknowns]) => {
                 let (forms, unknowns) = (value(forms)?, value(unknowns)?);
@@ -130,9 +134,13 @@ impl Expander<'_> {
             let mut row = vec![];
             for symbol in &symbols {
                 let rate = form.derivative(symbol, self.work)?;
-                let mut again = symbols.iter().map(|other| rate.derivative(other, self.work));
+                let mut again = symbols
+                    .iter()
+                    .map(|other| rate.derivative(other, self.work));
                 if again.any(|second| second.is_ok_and(|second| !second.above.is_zero())) {
-                    return Err(Beyond::Construct("coefficients of a form that is not linear"));
+                    return Err(Beyond::Construct(
+                        "coefficients of a form that is not linear",
+                    ));
                 }
                 row.push(rate);
             }

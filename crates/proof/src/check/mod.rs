@@ -5,6 +5,8 @@
 //! come out is [`Wrong`]; what the checker does not know, as series of symbolic degree, is [`Beyond`] it, which says
 //! nothing against the proof.
 
+mod bernstein;
+mod eliminated;
 mod expand;
 mod functions;
 mod gap;
@@ -117,7 +119,10 @@ impl Check<'_> {
                 }
                 self.proof(&chosen, proof, integers)
             }
-            (Statement::Join(Connective::Implies, premise, conclusion), Proof::Conclusion(proof)) => {
+            (
+                Statement::Join(Connective::Implies, premise, conclusion),
+                Proof::Conclusion(proof),
+            ) => {
                 let mut there = stating(claim, conclusion);
                 there.hypotheses.push(self.assumed((**premise).clone()));
                 self.proof(&there, proof, integers)

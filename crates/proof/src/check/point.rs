@@ -48,7 +48,10 @@ impl<'a> At<'a> {
         })
     }
 
-    fn expanded<T>(&self, job: impl FnOnce(&Expander<'_>) -> Result<T, Beyond>) -> Result<T, Beyond> {
+    fn expanded<T>(
+        &self,
+        job: impl FnOnce(&Expander<'_>) -> Result<T, Beyond>,
+    ) -> Result<T, Beyond> {
         let value = |symbol: &Symbol| self.values.get(symbol).cloned();
         let mut expander = Expander::new(self.work, &value);
         expander.sees_rates = &|| false;
@@ -76,7 +79,11 @@ impl<'a> At<'a> {
     }
 
     /// The sides of a comparison, entry by entry.
-    fn sides(&self, left: &core::Term, right: &core::Term) -> Result<Vec<(Quotient, Quotient)>, Beyond> {
+    fn sides(
+        &self,
+        left: &core::Term,
+        right: &core::Term,
+    ) -> Result<Vec<(Quotient, Quotient)>, Beyond> {
         self.expanded(|expander| expander.value(left)?.pairs(&expander.value(right)?))
     }
 
@@ -245,7 +252,10 @@ impl<'a> At<'a> {
                     return Ok(false);
                 }
                 let sides = self.sides(x, y)?;
-                let mut same = sides.len() == left.len() && sides.len() == right.len();
+                if sides.len() != left.len() || sides.len() != right.len() {
+                    return Err(Beyond::Construct("sides of different shapes"));
+                }
+                let mut same = true;
                 for ((a, b), (c, d)) in sides.iter().zip(left.iter().zip(right)) {
                     same = same
                         && a.equals(&Quotient::of(c, self.work)?, self.work)?
@@ -254,7 +264,14 @@ impl<'a> At<'a> {
                 Ok(same)
             }
             Statement::Join(_, a, b) => {
-                Ok(self.has_sides(a, left, right)? || self.has_sides(b, left, right)?)
+                match (
+                    self.has_sides(a, left, right),
+                    self.has_sides(b, left, right),
+                ) {
+                    (Ok(true), _) | (_, Ok(true)) => Ok(true),
+                    (Err(gap), _) | (_, Err(gap)) => Err(gap),
+                    (Ok(false), Ok(false)) => Ok(false),
+                }
             }
             _ => Ok(false),
         }

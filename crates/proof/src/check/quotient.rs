@@ -258,7 +258,9 @@ fn rate(angle: crate::symbol::Angle) -> Quotient {
     let parts = i64::from(angle.parts.max(1));
     match angle.unit {
         Unit::Radian => Quotient::number(part(parts)),
-        Unit::QuarterTurn => Polynomial::symbol(Symbol::Pi).scaled(&part(2 * parts)).into(),
+        Unit::QuarterTurn => Polynomial::symbol(Symbol::Pi)
+            .scaled(&part(2 * parts))
+            .into(),
     }
 }
 
@@ -275,7 +277,9 @@ fn derivative(p: &Polynomial, by: &Symbol) -> Polynomial {
                 }
                 Symbol::Cosine(name, angle) if by.variable() == Some(&**name) => {
                     let sine = Symbol::Sine(name.clone(), *angle);
-                    Polynomial::symbol(sine).negated().times(&rate(*angle).above)
+                    Polynomial::symbol(sine)
+                        .negated()
+                        .times(&rate(*angle).above)
                 }
                 _ => continue,
             };

@@ -1,13 +1,14 @@
 //! Ranges of single symbols, as the hypotheses bound them, and of the tangents of half angles.
 
 use super::gap::{Beyond, Work};
-use super::ground::Compared;
+use super::ground::{Compared, Met};
 use super::quotient::Quotient;
 use crate::number::{enclosed_ratio, order, order_of};
 use crate::polynomial::Polynomial;
 use crate::ratio::Ratio;
 use crate::sign::End;
 use crate::symbol::{Angle, Symbol, Unit};
+use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use torse_language::syntax::Relation;
@@ -20,13 +21,17 @@ const BITS: usize = 192;
 /// Numbers that bound a symbol.
 #[derive(Debug, Default)]
 struct Bounds {
-    lower: Vec<End<Polynomial>>,
-    upper: Vec<End<Polynomial>>,
+    lower: Vec<(End<Polynomial>, Met)>,
+    upper: Vec<(End<Polynomial>, Met)>,
 }
 
 /// What bounds each symbol.
 #[derive(Debug, Default)]
-pub struct Ranges(BTreeMap<Symbol, Bounds>);
+pub struct Ranges {
+    bounds: BTreeMap<Symbol, Bounds>,
+    /// The eliminated symbols that bounds were used with.
+    used: RefCell<Met>,
+}
 
 impl Ranges {
     /// From comparisons that are linear in one symbol and speak of no other.
@@ -66,13 +71,34 @@ impl Ranges {
             below: slope.clone(),
         };
         let closed = matches!(relation, Relation::AtLeast | Relation::AtMost);
-        let bounds = self.0.entry(symbol).or_default();
+        let met = compared.met.clone();
+        let bounds = self.bounds.entry(symbol).or_default();
         match relation {
-            Relation::Greater | Relation::AtLeast => bounds.lower.push(End { value, closed }),
-            Relation::Less | Relation::AtMost => bounds.upper.push(End { value, closed }),
+            Relation::Greater | Relation::AtLeast => {
+                bounds.lower.push((End { value, closed }, met))
+            }
+            Relation::Less | Relation::AtMost => bounds.upper.push((End { value, closed }, met)),
             Relation::Equal | Relation::Different => {}
         }
         Ok(())
+    }
+
+    /// The eliminated symbols with whose values bounds were used.
+    pub fn used(&self) -> Met {
+        self.used.borrow().clone()
+    }
+
+    /// Whether one of these ends does; its eliminated symbols are noted.
+    fn any(
+        &self,
+        ends: &[(End<Polynomial>, Met)],
+        does: impl Fn(&End<Polynomial>) -> bool,
+    ) -> bool {
+        let found = ends.iter().find(|(end, _)| does(end));
+        if let Some((_, met)) = found {
+            self.used.borrow_mut().extend(met.iter().cloned());
+        }
+        found.is_some()
     }
 
     /// Whether the symbol is never below the one end, nor above the other.
@@ -93,16 +119,16 @@ impl Ranges {
             }
             Symbol::Named(_) | Symbol::Pi | Symbol::Root(_) => {}
         }
-        let known = self.0.get(symbol);
+        let known = self.bounds.get(symbol);
         let beyond = |end: &End<Polynomial>, own: &End<Polynomial>, inward: Ordering| {
             let order = gap(&own.value, &end.value);
             order == Some(inward) || (order == Some(Ordering::Equal) && (end.closed || !own.closed))
         };
         let above = |end: &End<Polynomial>| {
-            known.is_some_and(|b| b.lower.iter().any(|own| beyond(end, own, Ordering::Greater)))
+            known.is_some_and(|b| self.any(&b.lower, |own| beyond(end, own, Ordering::Greater)))
         };
         let below = |end: &End<Polynomial>| {
-            known.is_some_and(|b| b.upper.iter().any(|own| beyond(end, own, Ordering::Less)))
+            known.is_some_and(|b| self.any(&b.upper, |own| beyond(end, own, Ordering::Less)))
         };
         lower.is_none_or(above) && upper.is_none_or(below)
     }
@@ -116,7 +142,7 @@ impl Ranges {
             Some(least) if least == integer(0) => 1,
             _ => return false,
         };
-        let Some(bounds) = self.0.get(&Symbol::named(name)) else {
+        let Some(bounds) = self.bounds.get(&Symbol::named(name)) else {
             return false;
         };
         let fits = |own: &End<Polynomial>, turns: i64, inward: Ordering| {
@@ -128,7 +154,7 @@ impl Ranges {
         (-8..=8).map(|k: i64| 4 * k + less).any(|middle| {
             let low = |own: &End<Polynomial>| fits(own, middle - reach, Ordering::Greater);
             let high = |own: &End<Polynomial>| fits(own, middle + reach, Ordering::Less);
-            bounds.lower.iter().any(low) && bounds.upper.iter().any(high)
+            self.any(&bounds.lower, low) && self.any(&bounds.upper, high)
         })
     }
 
@@ -157,15 +183,15 @@ impl Ranges {
         lower: &End<Polynomial>,
         upper: &End<Polynomial>,
     ) -> bool {
-        let Some(bounds) = self.0.get(&Symbol::named(variable)) else {
+        let Some(bounds) = self.bounds.get(&Symbol::named(variable)) else {
             return false;
         };
         let fits = |own: &End<Polynomial>, end: &End<Polynomial>, inward: Ordering| {
             let order = tangent_order(&own.value, angle, from, &end.value);
             order == Some(inward) || (order == Some(Ordering::Equal) && (end.closed || !own.closed))
         };
-        bounds.lower.iter().any(|own| fits(own, lower, Ordering::Greater))
-            && bounds.upper.iter().any(|own| fits(own, upper, Ordering::Less))
+        self.any(&bounds.lower, |own| fits(own, lower, Ordering::Greater))
+            && self.any(&bounds.upper, |own| fits(own, upper, Ordering::Less))
     }
 }
 

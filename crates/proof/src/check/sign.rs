@@ -1,18 +1,18 @@
 //! Certificates of sign: the equation multiplied out, the coordinates, the pieces, and every Bernstein coefficient.
 
+use super::bernstein::{Sides, bernstein, by_rays, every_face, fills};
 use super::gap::{Beyond, Unchecked, Wrong};
 use super::ground::{Compared, Domain};
 use super::quotient::Quotient;
 use super::range::Ranges;
 use crate::number::order;
-use crate::polynomial::{Monomial, Polynomial};
+use crate::polynomial::Polynomial;
 use crate::ratio::{Constraint, Ratio};
 use crate::sign::{Certificate, Coordinate, Factor, Piece, Shown, Sign};
 use crate::symbol::Symbol;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use torse_language::syntax::Relation;
-use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
 /// What signs are checked against.
@@ -23,13 +23,6 @@ pub struct Signs<'a> {
     own: Vec<Compared>,
     gap: Option<Beyond>,
     ranges: Ranges,
-}
-
-/// A bounded coordinate and which of its ends belong to the domain, or an unbounded one.
-struct Sides {
-    sides: Vec<(Symbol, bool, bool)>,
-    /// Whether no unbounded coordinate is ever zero.
-    open: bool,
 }
 
 impl<'a> Signs<'a> {
@@ -59,6 +52,7 @@ impl<'a> Signs<'a> {
         let mut known = false;
         for own in &self.own {
             if own.relation == constraint.relation && own.difference.equals(&value, work)? {
+                self.domain.note(&own.met);
                 known = true;
                 break;
             }
@@ -82,6 +76,12 @@ impl<'a> Signs<'a> {
 
     /// Checks that the polynomial is not negative, and not zero either if that is said.
     pub fn check(&self, sign: &Sign<Polynomial>) -> Result<(), Unchecked> {
+        let checked = self.sign(sign);
+        self.domain.note(&self.ranges.used());
+        checked
+    }
+
+    fn sign(&self, sign: &Sign<Polynomial>) -> Result<(), Unchecked> {
         let work = self.domain.work;
         let same = |p: &Polynomial| Quotient::from(p.minus(&sign.polynomial)).is_zero(work);
         let strict = match &sign.by {
@@ -97,7 +97,7 @@ impl<'a> Signs<'a> {
             Shown::Factors(signs) => {
                 let (mut product, mut strict) = (Polynomial::one(), true);
                 for factor in signs {
-                    self.check(factor)?;
+                    self.sign(factor)?;
                     strict &= factor.strict;
                     product = work.times(&product, &factor.polynomial)?;
                 }
@@ -112,7 +112,7 @@ impl<'a> Signs<'a> {
             Shown::Rays(rays) => {
                 let (mut sum, mut strict) = (Polynomial::zero(), false);
                 for ray in rays {
-                    self.check(&ray.coefficient)?;
+                    self.sign(&ray.coefficient)?;
                     let mut terms = ray.product.terms();
                     let (Some((symbols, number)), None) = (terms.next(), terms.next()) else {
                         return Err(Wrong::Negative.into());
@@ -212,7 +212,9 @@ impl<'a> Signs<'a> {
         for (number, piece) in certificate.pieces.iter().enumerate() {
             let wrong = || Unchecked::from(Wrong::Coefficient(number));
             let (polynomial, strict) = moved.get(&piece.outside).ok_or_else(wrong)?;
-            let shown = self.positive_on(polynomial, &bounds, piece)?.ok_or_else(wrong)?;
+            let shown = self
+                .positive_on(polynomial, &bounds, piece)?
+                .ok_or_else(wrong)?;
             match piece.outside {
                 None => positive &= shown,
                 Some(_) if !strict && !shown => return Err(wrong()),
@@ -238,7 +240,8 @@ impl<'a> Signs<'a> {
             **polynomial = polynomial.refined().ok_or(Beyond::Large)?;
         }
         let mut tangents: BTreeMap<Symbol, (String, crate::symbol::Angle, i64)> = BTreeMap::new();
-        let put = |polynomials: &mut [&mut Polynomial], value: &dyn Fn(&Symbol) -> Option<Quotient>| {
+        let put = |polynomials: &mut [&mut Polynomial],
+                   value: &dyn Fn(&Symbol) -> Option<Quotient>| {
             for polynomial in polynomials {
                 let moved = Quotient::from((**polynomial).clone()).replaced_symbols(value, work)?;
                 // The sign stays that of the numerator: 1 + t^2 is positive, and so has to be a number.
@@ -286,11 +289,16 @@ impl<'a> Signs<'a> {
                     if !enclosed {
                         return Err(Wrong::Coordinate(symbol.to_string()).into());
                     }
-                    let (a, b) = (Quotient::of(&lower.value, work)?, Quotient::of(&upper.value, work)?);
+                    let (a, b) = (
+                        Quotient::of(&lower.value, work)?,
+                        Quotient::of(&upper.value, work)?,
+                    );
                     let width = b.minus(&a, work)?.times(&own(symbol), work)?;
                     let value = a.plus(&width, work)?;
                     put(polynomials, &|s| (s == symbol).then(|| value.clone()))?;
-                    bounds.sides.push((symbol.clone(), lower.closed, upper.closed));
+                    bounds
+                        .sides
+                        .push((symbol.clone(), lower.closed, upper.closed));
                 }
                 Coordinate::Ray { symbol, end, up } => {
                     let enclosed = match up {
@@ -339,7 +347,9 @@ impl<'a> Signs<'a> {
             let u = Polynomial::symbol(symbol.clone()).scaled(&(high - low));
             Some(Quotient::from(u.plus(&Polynomial::constant(low.clone()))))
         };
-        let there = Quotient::from(polynomial.clone()).replaced_symbols(&value, work)?.above;
+        let there = Quotient::from(polynomial.clone())
+            .replaced_symbols(&value, work)?
+            .above;
         let Some(forms) = bernstein(&there, &places, &degrees) else {
             return Err(Beyond::Large.into());
         };
@@ -349,7 +359,10 @@ impl<'a> Signs<'a> {
             let mut excludes_zero = false;
             // By products of unbounded coordinates, which are not negative.
             for (ray, number) in by_rays(coefficient) {
-                if ray.iter().any(|(symbol, _)| !matches!(symbol, Symbol::Named(_))) {
+                if ray
+                    .iter()
+                    .any(|(symbol, _)| !matches!(symbol, Symbol::Named(_)))
+                {
                     return Err(Beyond::Construct("a sine without a coordinate").into());
                 }
                 match order(&number).ok_or(Beyond::Near)? {
@@ -364,87 +377,6 @@ impl<'a> Signs<'a> {
         }
         Ok(Some(every_face(&positive, &degrees, bounds, piece)))
     }
-}
-
-/// Whether each face of the piece that belongs to the domain has a positive coefficient. Inside of the box all ends do.
-fn every_face(positive: &[&Vec<u32>], degrees: &[u32], bounds: &Sides, piece: &Piece) -> bool {
-    let mut faces: Vec<Vec<Option<u32>>> = vec![vec![]];
-    for ((side, degree), (low, high)) in bounds.sides.iter().zip(degrees).zip(&piece.region) {
-        let (_, lower_closed, upper_closed) = side;
-        let lower = *lower_closed || *low != integer(0);
-        let upper = *upper_closed || *high != integer(1);
-        let choices = [
-            Some(None),
-            lower.then_some(Some(0)),
-            upper.then_some(Some(*degree)),
-        ];
-        let longer = |face: &Vec<Option<u32>>| -> Vec<Vec<Option<u32>>> {
-            let choices = choices.iter().flatten();
-            choices.map(|c| [face.as_slice(), &[*c]].concat()).collect()
-        };
-        faces = faces.iter().flat_map(longer).collect();
-    }
-    faces.iter().all(|face| {
-        positive.iter().any(|index| {
-            let mut pairs = index.iter().zip(face);
-            pairs.all(|(j, place)| place.is_none_or(|place| *j == place))
-        })
-    })
-}
-
-/// The Bernstein coefficients by multi-index: a power t^e of degree d is the sum of `C(j,e)/C(d,e)` times the j-th Bernstein
-/// polynomial, side after side. Indices without an entry have the coefficient zero.
-fn bernstein(
-    polynomial: &Polynomial,
-    sides: &[&Symbol],
-    degrees: &[u32],
-) -> Option<BTreeMap<Vec<u32>, Polynomial>> {
-    const MOST: usize = 40_000;
-    let mut forms: BTreeMap<Vec<u32>, Polynomial> = BTreeMap::new();
-    for (monomial, coefficient) in polynomial.terms() {
-        let power = |side: &&Symbol| {
-            let own = monomial.iter().find(|(symbol, _)| symbol == *side);
-            own.map_or(0, |(_, exponent)| *exponent)
-        };
-        let index = sides.iter().map(power).collect();
-        let rest = monomial.iter().filter(|(s, _)| !sides.contains(&s));
-        let slot = forms.entry(index).or_default();
-        slot.enter(rest.cloned().collect(), coefficient.clone());
-    }
-    for (side, degree) in degrees.iter().enumerate() {
-        let mut next: BTreeMap<Vec<u32>, Polynomial> = BTreeMap::new();
-        for (index, coefficient) in &forms {
-            let power = *index.get(side)?;
-            for j in power..=*degree {
-                let mut place = index.clone();
-                *place.get_mut(side)? = j;
-                let share = binomial(j, power) / binomial(*degree, power);
-                let slot = next.entry(place).or_default();
-                *slot = slot.plus(&coefficient.scaled(&share));
-            }
-        }
-        if next.len() > MOST {
-            return None;
-        }
-        forms = next;
-    }
-    Some(forms)
-}
-
-fn binomial(n: u32, k: u32) -> Rational {
-    let factor = |i: u32| integer(i64::from(n - i)) / integer(i64::from(i + 1));
-    (0..k.min(n)).map(factor).product()
-}
-
-/// The coefficients, made of pi and roots, by products of the other symbols.
-fn by_rays(polynomial: &Polynomial) -> BTreeMap<Monomial, Polynomial> {
-    let mut groups: BTreeMap<Monomial, Polynomial> = BTreeMap::new();
-    for (monomial, coefficient) in polynomial.terms() {
-        let parts = monomial.iter().cloned();
-        let (number, ray): (Monomial, Monomial) = parts.partition(|(s, _)| s.is_number());
-        groups.entry(ray).or_default().enter(number, coefficient.clone());
-    }
-    groups
 }
 
 /// The polynomial with t for the square of the symbol, which then stands for t.
@@ -480,28 +412,4 @@ fn half_angle(
         2 => (sine.negated(), cosine.negated()),
         _ => (cosine.negated(), sine),
     })
-}
-
-/// Whether the pieces fill the unit box: they lie in it, no two overlap, and their volumes add up to one.
-fn fills(pieces: &[Piece], dimension: usize) -> bool {
-    if dimension == 0 {
-        return pieces.len() == 1;
-    }
-    let inside = |piece: &Piece| {
-        let whole = piece.region.len() == dimension;
-        let side = |(a, b): &(Rational, Rational)| *a >= integer(0) && a < b && *b <= integer(1);
-        whole && piece.region.iter().all(side)
-    };
-    let apart = |p: &Piece, q: &Piece| {
-        let mut sides = p.region.iter().zip(&q.region);
-        sides.any(|((a, b), (c, d))| b <= c || d <= a)
-    };
-    let mut later = pieces.iter().enumerate();
-    let disjoint = later.all(|(place, piece)| {
-        let mut earlier = pieces.iter().take(place);
-        earlier.all(|other| apart(piece, other))
-    });
-    let volume = |piece: &Piece| -> Rational { piece.region.iter().map(|(a, b)| b - a).product() };
-    let total = pieces.iter().map(volume).fold(integer(0), |sum, v| sum + v);
-    pieces.iter().all(inside) && disjoint && total == integer(1)
 }

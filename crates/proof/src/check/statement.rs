@@ -1,7 +1,7 @@
 //! Proofs of single statements on their ground: equations, order, printed decimals.
 
 use super::gap::{Beyond, Unchecked, Wrong};
-use super::ground::Domain;
+use super::ground::{Compared, Domain};
 use super::printed;
 use super::quotient::Quotient;
 use super::sign::Signs;
@@ -52,7 +52,10 @@ pub fn check(domain: &Domain<'_>, ground: &Ground<Polynomial>) -> Result<(), Unc
         (Statement::Family(..), Proof::Nonnegative(_) | Proof::Powers(_)) => {
             return Err(Beyond::Construct("a property of a basis").into());
         }
-        (Statement::Join(..), _) => {
+        (
+            Statement::Join(..),
+            Proof::Both(..) | Proof::Alternative { .. } | Proof::Conclusion(_) | Proof::Exists(_),
+        ) => {
             return Err(Beyond::Construct("a statement of several parts at once").into());
         }
         _ => return Err(Wrong::Kind.into()),
@@ -66,7 +69,10 @@ fn identity(
     relation: Relation,
     differences: &[Quotient],
 ) -> Result<(), Unchecked> {
-    if !matches!(relation, Relation::Equal | Relation::AtLeast | Relation::AtMost) {
+    if !matches!(
+        relation,
+        Relation::Equal | Relation::AtLeast | Relation::AtMost
+    ) {
         return Err(Wrong::Kind.into());
     }
     for difference in differences {
@@ -90,7 +96,7 @@ fn combination(
     let work = domain.work;
     let (known, gap) = domain.constraints(domain.groups())?;
     let equations = known.iter().filter(|c| c.relation == Relation::Equal);
-    let equations: Vec<&Polynomial> = equations.map(|c| &c.difference.above).collect();
+    let equations: Vec<&Compared> = equations.collect();
     let (mut used, mut wrong) = (vec![false; own.equations.len()], None);
     for (difference, row) in differences.iter().zip(&own.multipliers) {
         let mut sum = Polynomial::zero();
@@ -108,7 +114,11 @@ fn combination(
     for (equation, _) in own.equations.iter().zip(&used).filter(|(_, used)| **used) {
         let mut same = false;
         for known in &equations {
-            same |= proportional(domain, known, equation)?;
+            if proportional(domain, &known.difference.above, equation)? {
+                domain.note(&known.met);
+                same = true;
+                break;
+            }
         }
         if !same {
             wrong = wrong.or(Some(Wrong::NoEquation));
@@ -189,7 +199,9 @@ fn order(
             return Err(Wrong::Sign.into());
         }
         let once = [(&own.above, &1)];
-        let all = once.into_iter().chain(own.below.iter().map(|(p, e)| (p, e)));
+        let all = once
+            .into_iter()
+            .chain(own.below.iter().map(|(p, e)| (p, e)));
         for (place, (sign, (of, exponent))) in own.signs.iter().zip(all).enumerate() {
             negative ^= turned(&sign.polynomial, of)? && exponent % 2 == 1;
             match place {

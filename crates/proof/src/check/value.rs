@@ -162,7 +162,10 @@ pub fn transposed<T: Clone>(rows: &[Vec<T>]) -> Vec<Vec<T>> {
 /// The matrix without a row and a column.
 pub fn minor<T: Clone>(rows: &[Vec<T>], row: usize, column: usize) -> Vec<Vec<T>> {
     let without = |list: &[T]| -> Vec<T> {
-        let kept = list.iter().enumerate().filter(|(place, _)| *place != column);
+        let kept = list
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| *place != column);
         kept.map(|(_, entry)| entry.clone()).collect()
     };
     let kept = rows.iter().enumerate().filter(|(place, _)| *place != row);
