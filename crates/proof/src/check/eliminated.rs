@@ -28,17 +28,20 @@ impl Domain<'_> {
             if !group.values.iter().any(|d| used(&d.symbol)) {
                 continue;
             }
-            let (known, gap) = self.hypotheses(place);
+            let hypotheses = self.hypotheses(place);
+            let known = &hypotheses.all;
             let determined = match &group.by {
                 Determining::Given(places) => {
-                    let given = known.iter().filter(|c| c.source == Source::Given).count();
-                    let all = self.given_entries(place);
-                    self.by_given(place, places, &known, all == Some(given))
+                    // Their places count all entries.
+                    if let Some(gap) = &hypotheses.gap_in_given {
+                        return Err(gap.clone().into());
+                    }
+                    self.by_given(place, places, known)
                 }
-                Determining::Assumed { plainly } => self.by_one(place, *plainly, &known),
+                Determining::Assumed { plainly } => self.by_one(place, *plainly, known),
                 Determining::Instance => Ok(()),
             };
-            match (determined, gap) {
+            match (determined, hypotheses.gap.clone()) {
                 // The equation may be one that was not expanded.
                 (Err(Unchecked::Wrong(Wrong::Eliminated(_))), Some(gap)) => return Err(gap.into()),
                 (determined, _) => determined?,
@@ -90,14 +93,10 @@ impl Domain<'_> {
         level: usize,
         places: &[usize],
         known: &[Compared],
-        complete: bool,
     ) -> Result<(), Unchecked> {
         let group = self.groups.get(level).ok_or(Wrong::Kind)?;
         let names: Vec<String> = group.values.iter().map(|d| d.symbol.to_string()).collect();
         let wrong = || Unchecked::from(Wrong::Eliminated(names.join(", ")));
-        if !complete {
-            return Err(Beyond::Construct("a given equation that cannot be expanded").into());
-        }
         let given: Vec<&Compared> = known.iter().filter(|c| c.source == Source::Given).collect();
         let mut values = BTreeMap::new();
         for determined in &group.values {
@@ -208,8 +207,8 @@ impl Domain<'_> {
 
     /// Whether the denominator of a quotient of the proof is known to differ from zero.
     pub fn nonzero_here(&self, polynomial: &Polynomial) -> Result<bool, Beyond> {
-        let (known, _) = self.hypotheses(self.groups.len());
-        self.is_nonzero(polynomial, &known, self.groups.len())
+        let known = self.hypotheses(self.groups.len());
+        self.is_nonzero(polynomial, &known.all, self.groups.len())
     }
 }
 

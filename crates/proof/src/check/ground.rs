@@ -9,6 +9,7 @@ use crate::proof::ground::{Determining, Elimination, Ground};
 use crate::symbol::Symbol;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 use std::sync::Arc;
 use torse_language::core::{self, Hypothesis, Set, Source, Statement};
 use torse_language::syntax::{Connective, Relation};
@@ -27,6 +28,17 @@ pub struct Compared {
     pub met: Met,
 }
 
+/// The comparisons of all hypotheses that can be expanded.
+#[derive(Debug, Default)]
+pub struct Hypotheses {
+    /// The comparisons, in order.
+    pub all: Vec<Compared>,
+    /// Why one cannot be expanded.
+    pub gap: Option<Beyond>,
+    /// Why a given one cannot.
+    pub gap_in_given: Option<Beyond>,
+}
+
 /// Eliminated symbols: what is said with their values is so only if they have them.
 pub type Met = BTreeSet<Symbol>;
 
@@ -41,6 +53,8 @@ pub struct Domain<'a> {
     pub(super) groups: &'a [Elimination<Polynomial>],
     /// What never vanishes on the declared sets; shown apart from here.
     pub(super) nonzero: Vec<Polynomial>,
+    values: RefCell<BTreeMap<usize, Rc<BTreeMap<Symbol, Quotient>>>>,
+    hypotheses: RefCell<BTreeMap<usize, Rc<Hypotheses>>>,
     /// The eliminated symbols that were met.
     pub(super) used: RefCell<BTreeSet<Symbol>>,
     /// What was divided by in terms, by how many groups had their values then: where more symbols are replaced, it is known
@@ -67,6 +81,8 @@ impl<'a> Domain<'a> {
                 .collect(),
             groups: ground.map_or(&[], |ground| &ground.eliminated),
             nonzero: vec![],
+            values: RefCell::default(),
+            hypotheses: RefCell::default(),
             used: RefCell::default(),
             divisors: RefCell::default(),
         }
@@ -84,7 +100,10 @@ impl<'a> Domain<'a> {
     }
 
     /// The values of the symbols that the first groups eliminate, in terms of the others.
-    fn values(&self, groups: usize) -> Result<BTreeMap<Symbol, Quotient>, Beyond> {
+    fn values(&self, groups: usize) -> Result<Rc<BTreeMap<Symbol, Quotient>>, Beyond> {
+        if let Some(known) = self.values.borrow().get(&groups) {
+            return Ok(Rc::clone(known));
+        }
         let mut values = self.fixed.clone();
         let first = self.groups.get(..groups).unwrap_or_default();
         for group in first.iter().rev() {
@@ -96,6 +115,9 @@ impl<'a> Domain<'a> {
             }
             values.extend(own);
         }
+        let values = Rc::new(values);
+        let mut kept = self.values.borrow_mut();
+        kept.insert(groups, Rc::clone(&values));
         Ok(values)
     }
 
@@ -191,26 +213,38 @@ impl<'a> Domain<'a> {
         Ok(entries)
     }
 
-    /// The comparisons of all hypotheses that can be expanded, with the symbols of the first groups replaced; and whether
-    /// some cannot.
-    pub(super) fn hypotheses(&self, groups: usize) -> (Vec<Compared>, Option<Beyond>) {
-        let (mut found, mut gap) = (vec![], None);
+    /// The comparisons of the hypotheses, where the symbols of the first groups have their values.
+    pub(super) fn hypotheses(&self, groups: usize) -> Rc<Hypotheses> {
+        if let Some(known) = self.hypotheses.borrow().get(&groups) {
+            return Rc::clone(known);
+        }
+        let mut found = Hypotheses::default();
         for hypothesis in &self.claim.hypotheses {
-            let parts = match compared(&hypothesis.statement) {
-                Some(parts) => parts,
-                None => {
-                    gap = Some(Beyond::Construct("a hypothesis that is no comparison"));
-                    continue;
+            if let Err(gap) = self.expand_hypothesis(groups, hypothesis, &mut found.all) {
+                if hypothesis.source == Source::Given {
+                    found.gap_in_given.get_or_insert(gap.clone());
                 }
-            };
-            for (relation, left, right) in parts {
-                match self.compare(groups, hypothesis, relation, left, right) {
-                    Ok(more) => found.extend(more),
-                    Err(beyond) => gap = Some(beyond),
-                }
+                found.gap = Some(gap);
             }
         }
-        (found, gap)
+        let found = Rc::new(found);
+        let mut kept = self.hypotheses.borrow_mut();
+        kept.insert(groups, Rc::clone(&found));
+        found
+    }
+
+    fn expand_hypothesis(
+        &self,
+        groups: usize,
+        hypothesis: &Hypothesis,
+        found: &mut Vec<Compared>,
+    ) -> Result<(), Beyond> {
+        let parts = compared(&hypothesis.statement);
+        let strange = Beyond::Construct("a hypothesis that is no comparison");
+        for (relation, left, right) in parts.ok_or(strange)? {
+            found.extend(self.compare(groups, hypothesis, relation, left, right)?);
+        }
+        Ok(())
     }
 
     fn compare(
@@ -247,23 +281,11 @@ impl<'a> Domain<'a> {
         Ok(differences.into_iter().map(one).collect())
     }
 
-    /// How many entries the given equations have; nothing if one of them cannot be expanded.
-    pub(super) fn given_entries(&self, groups: usize) -> Option<usize> {
-        let mut count = 0;
-        let given = self.claim.hypotheses.iter();
-        for hypothesis in given.filter(|h| h.source == Source::Given) {
-            for (relation, left, right) in compared(&hypothesis.statement)? {
-                let entries = self.compare(groups, hypothesis, relation, left, right);
-                count += entries.ok()?.len();
-            }
-        }
-        Some(count)
-    }
-
     /// Everything that bounds the domain: the comparisons of the hypotheses, and the declared sets, where the symbols of the
     /// first groups have their values.
     pub fn constraints(&self, groups: usize) -> Result<(Vec<Compared>, Option<Beyond>), Beyond> {
-        let (mut found, gap) = self.hypotheses(groups);
+        let known = self.hypotheses(groups);
+        let (mut found, gap) = (known.all.clone(), known.gap.clone());
         let values = self.values(groups)?;
         for (name, set) in &self.claim.symbols {
             let symbol = Symbol::Named(Arc::clone(name));

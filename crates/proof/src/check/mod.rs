@@ -25,6 +25,7 @@ pub use gap::{Beyond, Unchecked, Work, Wrong};
 use crate::polynomial::Polynomial;
 use crate::proof::refutation::Refuted;
 use crate::proof::{Emptiness, Instance, Proof};
+use crate::sign::Sign;
 use ground::Domain;
 use point::At;
 use sign::Signs;
@@ -130,17 +131,7 @@ impl Check<'_> {
             (_, Proof::Instances(instances)) => self.instances(claim, instances, integers),
             (_, Proof::On(ground)) => {
                 let own = || Domain::new(claim, self.conditions, Some(ground), integers, self.work);
-                let declared = own();
-                // No elimination is used here, for these say why eliminations are right.
-                let signs = Signs::new(&declared, &[], 0)?;
-                let mut nonzero = vec![];
-                for sign in &ground.nonzero {
-                    signs.check(sign)?;
-                    if !sign.strict {
-                        return Err(Wrong::Zero.into());
-                    }
-                    nonzero.push(sign.polynomial.clone());
-                }
+                let nonzero = nonzero(&own(), &ground.nonzero)?;
                 statement::check(&own().with_nonzero(nonzero), ground)
             }
             (_, Proof::Defined(proof)) => {
@@ -239,6 +230,21 @@ impl Check<'_> {
             }
         }
     }
+}
+
+/// Polynomials that never vanish by their signs. No elimination is used here, for these say why eliminations are right.
+fn nonzero(domain: &Domain<'_>, signs: &[Sign<Polynomial>]) -> Result<Vec<Polynomial>, Unchecked> {
+    if signs.is_empty() {
+        return Ok(vec![]);
+    }
+    let check = Signs::new(domain, &[], 0)?;
+    for sign in signs {
+        check.check(sign)?;
+        if !sign.strict {
+            return Err(Wrong::Zero.into());
+        }
+    }
+    Ok(signs.iter().map(|sign| sign.polynomial.clone()).collect())
 }
 
 /// The claim with another statement.

@@ -3,6 +3,7 @@
 use super::expand::Expander;
 use super::gap::{Beyond, Unchecked, Work, Wrong};
 use super::quotient::Quotient;
+use super::value::Value;
 use crate::number::{holds, order};
 use crate::point::{Comparison, Counterexample, Failure};
 use crate::polynomial::Polynomial;
@@ -11,7 +12,7 @@ use crate::symbol::Symbol;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use torse_language::core::{self, Set, Statement};
+use torse_language::core::{self, BuiltIn, Set, Statement};
 use torse_language::syntax::{Connective, Relation};
 use torse_numbers::rational::integer;
 
@@ -48,14 +49,38 @@ impl<'a> At<'a> {
         })
     }
 
-    fn expanded<T>(
-        &self,
-        job: impl FnOnce(&Expander<'_>) -> Result<T, Beyond>,
-    ) -> Result<T, Beyond> {
-        let value = |symbol: &Symbol| self.values.get(symbol).cloned();
+    /// The values of terms, one after the other.
+    fn values(&self, terms: &[&core::Term]) -> Result<Vec<Value>, Beyond> {
+        // Coefficients of forms are rates, which the values of a point do not tell: there they are put in afterwards.
+        let rates = |term: &&core::Term| term.applies(BuiltIn::Coefficients);
+        let later = self.claim.unknowns.is_empty() && terms.iter().any(rates);
+        let integer = |symbol: &Symbol| match symbol {
+            Symbol::Named(name) => {
+                matches!(self.claim.symbols.get(name), Some(Set::Integer { .. }))
+            }
+            _ => false,
+        };
+        let value = |symbol: &Symbol| {
+            let value = self.values.get(symbol).cloned();
+            value.filter(|_| !later || integer(symbol))
+        };
         let mut expander = Expander::new(self.work, &value);
-        expander.sees_rates = &|| false;
-        job(&expander)
+        let sees_rates = || later;
+        expander.sees_rates = &sees_rates;
+        let values = terms.iter().map(|term| expander.value(term));
+        let values: Vec<Value> = values.collect::<Result<_, _>>()?;
+        if !later {
+            return Ok(values);
+        }
+        let put = |symbol: &Symbol| self.values.get(symbol).cloned();
+        let there = |value: &Value| value.each(&|x| x.replaced(&put, self.work));
+        values.iter().map(there).collect()
+    }
+
+    /// The fixed integer that an index form is here.
+    fn form(&self, form: &torse_numbers::Affine) -> Result<i64, Beyond> {
+        let value = |symbol: &Symbol| self.values.get(symbol).cloned();
+        Expander::new(self.work, &value).form(form)
     }
 
     /// How a number compares with zero.
@@ -84,7 +109,10 @@ impl<'a> At<'a> {
         left: &core::Term,
         right: &core::Term,
     ) -> Result<Vec<(Quotient, Quotient)>, Beyond> {
-        self.expanded(|expander| expander.value(left)?.pairs(&expander.value(right)?))
+        match self.values(&[left, right])?.as_slice() {
+            [left, right] => left.pairs(right),
+            _ => Err(Beyond::Construct("a comparison of one side")),
+        }
     }
 
     /// Whether a statement without denials is true here; every part is looked at, for an undefined one makes the whole so.
@@ -126,10 +154,9 @@ impl<'a> At<'a> {
     }
 
     fn entries(&self, term: &core::Term) -> Result<Vec<Quotient>, Beyond> {
-        self.expanded(|expander| {
-            let value = expander.value(term)?;
-            Ok(value.numbers().into_iter().cloned().collect())
-        })
+        let values = self.values(&[term])?;
+        let numbers = values.iter().flat_map(Value::numbers);
+        Ok(numbers.cloned().collect())
     }
 
     /// Whether the point satisfies every hypothesis, and its numbers are in their declared sets.
@@ -193,7 +220,7 @@ impl<'a> At<'a> {
             Set::Integer { least, most } => {
                 let ends = least.iter().map(|form| (form, Relation::AtLeast));
                 for (form, relation) in ends.chain(most.iter().map(|f| (f, Relation::AtMost))) {
-                    let bound = self.expanded(|expander| expander.form(form))?;
+                    let bound = self.form(form)?;
                     all.push((Quotient::number(integer(bound)), relation));
                 }
             }

@@ -348,7 +348,7 @@ fn factors_and_rays_with_their_strictness() {
             }),
         ],
     );
-    let lines = "states = 'u*v*(1 + a + a^2) + a^2 + a + 1 > 0'";
+    let lines = "states = 'u*v*(1 + a + a^2) + a^2 - a + 1 > 0'";
     rejected(
         lines,
         &[

@@ -41,7 +41,7 @@ kinds! {
     a_sign_by_squares: "states = 'a^2 + a*b + b^2 >= 0'";
     a_sign_by_a_hypothesis: "assume = ['x + z >= 1']\nstates = '2*x + 2*z + x*z > 1'";
     a_sign_by_an_angle: "states = 'sin(pi/2*x) + cos(pi/2*x) >= 1'";
-    a_sign_by_rays: "states = 'u*v*(1 + a + a^2) + a^2 + a + 1 > 0'";
+    a_sign_by_rays: "states = 'u*v*(1 + a + a^2) + a^2 - a + 1 > 0'";
     a_sign_by_factors: "states = '(x + 1)*(a^2 + a + 1) > 0'";
     a_sign_by_a_multiple_of_a_hypothesis: "assume = ['a + b >= 1']\nstates = '2*a + 2*b > 1'";
     printed_decimals: "states = 'agrees([pi, sqrt(2)], [3.142, 1.4142])'";
