@@ -2,7 +2,7 @@
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
-use crate::kernel::Proofs;
+use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::{guard, selection, terminal};
 use clap::Args;
@@ -26,7 +26,7 @@ pub struct Erratum {
     #[arg(long, value_name = "DIR", default_value = "reports")]
     out: PathBuf,
     #[command(flatten)]
-    proofs: Proofs,
+    kernel: Kernel,
     #[command(flatten)]
     budget: Budget,
     #[command(flatten)]
@@ -55,7 +55,7 @@ impl Erratum {
         if !mistakes.is_empty() {
             return Ok(mistakes.tell(Exit::BadData));
         }
-        let accepted = self.proofs.accepted(&papers, &run);
+        let accepted = self.kernel.accepted(&papers, &run);
         let mut written = String::new();
         for paper in &run.papers {
             let report = Report::with_kernel(paper, &[], &accepted);

@@ -2,7 +2,7 @@
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
-use crate::kernel::Proofs;
+use crate::kernel::Kernel;
 use crate::mistakes::Mistakes;
 use crate::run::{Budget, Run};
 use crate::{guard, selection, terminal};
@@ -31,7 +31,7 @@ pub struct Explain {
     #[arg(long, value_name = "CHARACTERS", default_value_t = 2000)]
     longest: usize,
     #[command(flatten)]
-    proofs: Proofs,
+    kernel: Kernel,
     #[command(flatten)]
     budget: Budget,
     #[command(flatten)]
@@ -59,7 +59,7 @@ impl Explain {
         }
         let paper = selection::select_one(&papers, &self.name)?;
         let run = Run::of(std::slice::from_ref(&paper), self.budget, &mut mistakes);
-        let kernel = self.proofs.accepted(std::slice::from_ref(&paper), &run);
+        let kernel = self.kernel.accepted(std::slice::from_ref(&paper), &run);
         for paper in &run.papers {
             for outcome in &paper.claims {
                 let resting = Resting::on(outcome, &papers, self.budget, &mut mistakes);
@@ -94,6 +94,7 @@ impl Explain {
             "evidence",
             words::evidence_on(outcome).map(|of| format!("{}. {}", of.label, of.meaning)),
         );
+        note.option("replayed", replayed(outcome));
         note.option("kernel", kernel.then_some(ACCEPTED));
         let condition = match outcome.evidence {
             Some(_) => "on condition",
@@ -171,6 +172,23 @@ impl Explain {
             None => formula.to_owned(),
         }
     }
+}
+
+/// What the checker of proofs found.
+fn replayed(outcome: &Outcome) -> Option<String> {
+    let replay = outcome.replay.as_ref()?;
+    let correction = replay.correction.as_ref();
+    let correction = correction.map(|own| match &own.why {
+        None => "; the proof of the correction too".to_owned(),
+        Some(why) => format!("; the proof of the correction is not: {why}"),
+    });
+    Some(match &replay.why {
+        None => {
+            let done = "yes: a checker without search accepts the proof";
+            format!("{done}{}", correction.unwrap_or_default())
+        }
+        Some(why) => format!("no: {why}{}", correction.unwrap_or_default()),
+    })
 }
 
 fn verdict(outcome: &Outcome) -> String {

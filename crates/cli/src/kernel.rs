@@ -8,22 +8,23 @@ use torse_language::derivation::Paper;
 use torse_rocq::coqc::Accepted;
 use torse_rocq::folder::{Folder, UNPROVED};
 
-/// The option that names the folder of proofs.
+/// The option that names the folder of the kernel's proofs.
 #[derive(Debug, clap::Args)]
-pub struct Proofs {
-    /// The folder of proofs; what its accepted.json says counts while statements, proofs and library are the same
-    #[arg(long = "proofs", value_name = "DIR", default_value = "proofs")]
-    proofs: PathBuf,
+pub struct Kernel {
+    /// The folder of the proofs for the Rocq kernel; what its accepted.json says counts while statements, proofs and library
+    /// are the same
+    #[arg(long = "kernel", value_name = "DIR", default_value = "proofs")]
+    folder: PathBuf,
 }
 
-impl Proofs {
+impl Kernel {
     /// The ids of the claims of a run all of whose theorems were accepted as they are written now. A claim with one theorem
     /// that has no proof is not among them.
     pub fn accepted(&self, papers: &[Paper], run: &Run) -> BTreeSet<String> {
-        let Some(accepted) = Accepted::read(&self.proofs) else {
+        let Some(accepted) = Accepted::read(&self.folder) else {
             return BTreeSet::new();
         };
-        let folder = Folder::new(&findings(papers, run), &unproved(&self.proofs));
+        let folder = Folder::new(&findings(papers, run), &unproved(&self.folder));
         let fingerprints = accepted.fingerprints();
         let mut fresh: BTreeMap<&str, bool> = BTreeMap::new();
         for theorem in &folder.theorems {

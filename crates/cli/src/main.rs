@@ -17,6 +17,7 @@ mod guard;
 mod kernel;
 mod mistakes;
 mod new;
+mod proofs;
 mod prove;
 mod recheck;
 mod report;

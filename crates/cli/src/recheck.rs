@@ -12,7 +12,9 @@ use torse_language::derivation::{Claim, Paper};
 use torse_verdicts::outcome::{Net, Outcome, PaperOutcome};
 use torse_verdicts::recheck::{self, Recheck};
 
-/// Decide claims and judge every verdict again, thoroughly.
+/// Decide claims, replay their proofs, and judge every verdict again, thoroughly.
+///
+/// A checker without search goes through the proofs; one that it rejects is a contradiction.
 ///
 /// The second judge is the semantics: it shares the core terms and the numbers with the prover and nothing else.
 /// A statement that was proved has to be true at sixty points of its domain, and an identity at small degrees; where
@@ -58,6 +60,14 @@ impl Replay {
             }
         }
         let [netted, contradicted, decided, nothing] = counts;
+        let replayed = run.outcomes().filter_map(|outcome| outcome.replay.as_ref());
+        let (mut accepted, mut beyond) = (0_usize, 0_usize);
+        for replay in replayed {
+            match replay.is_whole() {
+                true => accepted += 1,
+                false => beyond += 1,
+            }
+        }
         let mut text = String::new();
         if !rows.is_empty() {
             text.push_str(&terminal::lines(&rows));
@@ -65,6 +75,9 @@ impl Replay {
         }
         text.push_str(&format!(
             "{netted} netted, {contradicted} contradicted, {decided} decided and not netted, {nothing} without a verdict to judge\n"
+        ));
+        text.push_str(&format!(
+            "{accepted} proofs replayed by a checker without search, {beyond} out of its reach\n"
         ));
         terminal::print(&text)?;
         Ok(mistakes.tell(match contradicted {

@@ -2,7 +2,7 @@
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
-use crate::kernel::Proofs;
+use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
 use crate::{figures, guard, selection, terminal};
@@ -34,7 +34,7 @@ pub struct Report {
     #[arg(long, value_name = "DIR", default_value = "reports")]
     out: PathBuf,
     #[command(flatten)]
-    proofs: Proofs,
+    kernel: Kernel,
     #[command(flatten)]
     budget: Budget,
     #[command(flatten)]
@@ -81,7 +81,7 @@ impl Report {
         let shown: Vec<(&PaperOutcome, &[FigureImage])> = (wanted.iter().zip(&figures))
             .map(|((_, outcome), figures)| (*outcome, figures.as_slice()))
             .collect();
-        let accepted = self.proofs.accepted(&papers, &run);
+        let accepted = self.kernel.accepted(&papers, &run);
         let reports: Vec<Document> = (run.papers.par_iter())
             .map(|paper| {
                 let figures = shown.iter().find(|(of, _)| of.slug == paper.slug);

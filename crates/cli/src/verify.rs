@@ -4,9 +4,9 @@ use crate::against::{self, Verdicts};
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::format::Format;
-use crate::kernel::Proofs;
+use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
-use crate::{figures, guard, terminal, verdicts};
+use crate::{figures, guard, proofs, terminal, verdicts};
 use clap::Args;
 use std::path::PathBuf;
 use torse_language::derivation::Paper;
@@ -32,11 +32,14 @@ pub struct Verify {
     /// conditions makes the exit code 1
     #[arg(long, value_name = "FILE.json")]
     against: Option<PathBuf>,
+    /// Write what each verdict rests on into this folder, as JSON: a file a paper, whole or not at all
+    #[arg(long, value_name = "DIR")]
+    proofs: Option<PathBuf>,
     /// List the ten slowest claims on standard error
     #[arg(long)]
     timings: bool,
     #[command(flatten)]
-    proofs: Proofs,
+    kernel: Kernel,
     #[command(flatten)]
     budget: Budget,
     #[command(flatten)]
@@ -49,6 +52,7 @@ Examples:
   torse verify gbt-developable hermite-developable/ex-4
   torse verify --format json > verdicts.json
   torse verify --against verdicts.json
+  torse verify hermite-developable --proofs my-proofs
   torse verify --timings --derivations my-papers";
 
 impl Verify {
@@ -84,6 +88,9 @@ impl Verify {
                 exit = exit.max(Exit::Differs);
             }
         }
+        if let Some(folder) = &self.proofs {
+            proofs::write(folder, &run.papers)?;
+        }
         if self.timings {
             terminal::remark(&slowest(&run));
         }
@@ -91,7 +98,7 @@ impl Verify {
     }
 
     fn json(&self, papers: &[Paper], run: &Run) -> Result<String, ReportError> {
-        verdicts_json_with_kernel(run.outcomes(), &self.proofs.accepted(papers, run))
+        verdicts_json_with_kernel(run.outcomes(), &self.kernel.accepted(papers, run))
     }
 }
 

@@ -45,6 +45,8 @@ pub enum Planted {
     RoundingTooWide,
     /// A candidate for a correction is not proved.
     CorrectionUnproved,
+    /// The checker of proofs reads a difference as a sum.
+    DifferenceReadAsSum,
 }
 
 #[cfg(feature = "planted-faults")]

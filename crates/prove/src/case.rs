@@ -9,6 +9,7 @@
 use crate::decide::domain::{Constraint, Domain};
 use crate::decide::interval::Interval;
 use crate::decide::sign;
+use crate::decide::value::{plain_symbol, quotient};
 use crate::evaluate::Evaluator;
 use crate::evaluate::linear::{single_symbol, solve_for};
 use crate::evaluate::series::polynomial_of;
@@ -22,6 +23,7 @@ use torse_language::derivation::declarations::SymbolKind;
 use torse_language::derivation::{Claim, Written};
 use torse_language::fault::Fault;
 use torse_language::syntax::{Connective, Relation};
+use torse_proof::proof::ground::{Determined, Determining, Elimination};
 
 /// Divisors of more terms than this are not examined for their sign.
 const MAX_EXAMINED: usize = 40;
@@ -32,6 +34,8 @@ pub struct Ground<'a> {
     pub evaluator: Evaluator<'a>,
     /// The domain.
     pub domain: Domain<'a>,
+    /// How symbols were eliminated, in this order.
+    pub eliminated: Vec<Elimination<Polynomial>>,
 }
 
 /// What a claim states, ready to be decided.
@@ -98,6 +102,7 @@ impl<'a> Ground<'a> {
         let mut ground = Self {
             domain: Domain::new(evaluator.declarations),
             evaluator: evaluator.fixing(fixed),
+            eliminated: vec![],
         };
         for (name, value) in fixed {
             ground.keep_range(&Symbol::named(name), value);
@@ -227,7 +232,12 @@ impl<'a> Ground<'a> {
                     && !mentions(value, &symbol)
                     && self.fits(&symbol, value)
                 {
-                    return self.eliminate(&symbol, value);
+                    let value = self.eliminate(&symbol, value)?;
+                    self.eliminated_by(
+                        vec![(symbol, value)],
+                        Determining::Assumed { plainly: true },
+                    );
+                    return Ok(());
                 }
             }
         }
@@ -305,12 +315,17 @@ impl<'a> Ground<'a> {
             return Ok(());
         };
         let rest = value.numerator() - &(&coefficient * &Polynomial::symbol(symbol.clone()));
-        let implied = rest
+        let plainly = rest
             .as_constant()
             .is_some_and(|c| c != Polynomial::zero().leading_coefficient())
             || coefficient.symbols().iter().all(is_number)
-            || self.never_zero(&coefficient);
-        self.eliminate(&symbol, &solution)?;
+            || self.domain.assumes_nonzero(&coefficient);
+        let implied = plainly || self.never_zero(&coefficient);
+        let value = self.eliminate(&symbol, &solution)?;
+        let by = Determining::Assumed {
+            plainly: plainly || !implied,
+        };
+        self.eliminated_by(vec![(symbol, value)], by);
         if coefficient.as_constant().is_none() {
             match implied {
                 true => self.differ_from_zero(&[coefficient]),
@@ -340,8 +355,19 @@ impl<'a> Ground<'a> {
         self.domain.is_integer(symbol)
     }
 
-    /// Replaces a symbol everywhere, and leaves behind what bound it.
-    fn eliminate(&mut self, symbol: &Symbol, value: &Fraction) -> Result<(), Fault> {
+    /// Keeps how symbols were eliminated.
+    fn eliminated_by(&mut self, values: Vec<(Symbol, Fraction)>, by: Determining) {
+        let values = values.iter().map(|(symbol, value)| Determined {
+            symbol: plain_symbol(symbol),
+            value: quotient(value),
+        });
+        let values = values.collect();
+        self.eliminated.push(Elimination { values, by });
+    }
+
+    /// Replaces a symbol everywhere, and leaves behind what bound it. The value, with those of symbols that were
+    /// eliminated before put in.
+    fn eliminate(&mut self, symbol: &Symbol, value: &Fraction) -> Result<Fraction, Fault> {
         let value = self.resolved(value)?;
         let put = |f: &Fraction| replaced(f, symbol, &value);
         for constraint in &mut self.domain.constraints {
@@ -354,14 +380,14 @@ impl<'a> Ground<'a> {
             *pivot = put(&pivot.clone().into())?.numerator().clone();
         }
         self.keep_range(symbol, &value);
-        self.domain.solved.push((symbol.clone(), value));
+        self.domain.solved.push((symbol.clone(), value.clone()));
         for (symbol, value) in self.domain.solved.clone() {
             match &symbol {
                 Symbol::Named(name) => self.evaluator.fix(name.to_string(), value),
                 _ => self.evaluator.determine([(symbol, value)]),
             }
         }
-        Ok(())
+        Ok(value)
     }
 
     /// The declared range of a symbol as constraints on the value that replaces it.
@@ -430,9 +456,12 @@ impl<'a> Ground<'a> {
         let symbols = self.unknowns(claim)?;
         let within = |f: Fault| f.within(&first.origin);
         let solution = solve_for(forms, &symbols, NOWHERE).map_err(within)?;
+        let mut values = vec![];
         for (symbol, value) in &solution.values {
-            self.eliminate(symbol, value).map_err(within)?;
+            let value = self.eliminate(symbol, value).map_err(within)?;
+            values.push((symbol.clone(), value));
         }
+        self.eliminated_by(values, Determining::Given(solution.used.clone()));
         solution
             .rest
             .iter()

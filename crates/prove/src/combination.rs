@@ -15,12 +15,12 @@ const MAX_UNKNOWNS: usize = 6;
 /// The most terms of all equations together.
 const MAX_TERMS: usize = 400;
 
-/// Whether every difference is zero wherever all forms are zero, and all divisors of both are not, as a combination of the
-/// forms with polynomials for factors.
+/// The multipliers of the numerators of the forms, a row for each difference, that make its numerator: so every difference
+/// is zero wherever all forms are zero, and all divisors of both are not. `None` if there are none that are polynomials.
 ///
 /// ```
 /// use torse_algebra::{Fraction, Symbol};
-/// use torse_prove::combination::follows;
+/// use torse_prove::combination::multipliers;
 /// let name = Fraction::named;
 /// let (r, s) = (name("r"), name("s"));
 /// // a r + b s = e and c r + d s = f
@@ -31,43 +31,37 @@ const MAX_TERMS: usize = 400;
 /// let unknowns = [Symbol::named("r"), Symbol::named("s")];
 /// let determinant = name("a") * name("d") - name("b") * name("c");
 /// let rule = determinant * s.clone() - (name("a") * name("f") - name("c") * name("e"));
-/// assert!(follows(&[rule], &forms, &unknowns));
+/// assert!(multipliers(&[rule], &forms, &unknowns).is_some());
 /// // This one needs that a d - b c is not zero.
 /// let vanishing = s.over(&name("e"))?;
-/// assert!(!follows(&[vanishing], &forms, &unknowns));
+/// assert!(multipliers(&[vanishing], &forms, &unknowns).is_none());
 /// # Ok::<(), torse_algebra::ExactError>(())
 /// ```
 #[must_use]
-pub fn follows(differences: &[Fraction], forms: &[Fraction], unknowns: &[Symbol]) -> bool {
+pub fn multipliers(
+    differences: &[Fraction],
+    forms: &[Fraction],
+    unknowns: &[Symbol],
+) -> Option<Vec<Vec<Polynomial>>> {
     let forms: Vec<Polynomial> = forms.iter().map(|f| f.numerator().clone()).collect();
     let terms: usize = forms.iter().map(Polynomial::len).sum();
     if forms.len() != unknowns.len() || unknowns.len() > MAX_UNKNOWNS || terms > MAX_TERMS {
-        return false;
+        return None;
     }
     let rates = |p: &Polynomial| Some(linear_form(&p.clone().into(), unknowns)?.0);
-    let Some(rows) = forms.iter().map(rates).collect::<Option<Vec<_>>>() else {
-        return false;
-    };
-    let Ok(matrix) = Matrix::from_rows(rows) else {
-        return false;
-    };
-    let (Ok(determinant), Ok(adjugate)) = (matrix.determinant(), matrix.adjugate()) else {
-        return false;
-    };
-    differences.iter().all(|difference| {
+    let rows = forms.iter().map(rates).collect::<Option<Vec<_>>>()?;
+    let matrix = Matrix::from_rows(rows).ok()?;
+    let (determinant, adjugate) = (matrix.determinant().ok()?, matrix.adjugate().ok()?);
+    let of = |difference: &Fraction| {
         let numerator = difference.numerator();
-        let factors = rates(numerator)
-            .and_then(|rates| Matrix::from_rows(vec![rates]).ok()?.times(&adjugate).ok())
-            .and_then(|row| {
-                let factors = row.rows().next()?.iter();
-                let factors =
-                    factors.map(|f| f.numerator().exact_quotient(determinant.numerator()));
-                factors.collect::<Option<Vec<Polynomial>>>()
-            });
-        factors.is_some_and(|factors| {
-            let terms = factors.iter().zip(&forms);
-            let sum = terms.fold(Polynomial::zero(), |sum, (l, f)| &sum + &(l * f));
-            sum == *numerator
-        })
-    })
+        let row = Matrix::from_rows(vec![rates(numerator)?]).ok()?;
+        let row = row.times(&adjugate).ok()?;
+        let factors = row.rows().next()?.iter();
+        let factors = factors.map(|f| f.numerator().exact_quotient(determinant.numerator()));
+        let factors = factors.collect::<Option<Vec<Polynomial>>>()?;
+        let terms = factors.iter().zip(&forms);
+        let sum = terms.fold(Polynomial::zero(), |sum, (l, f)| &sum + &(l * f));
+        (sum == *numerator).then_some(factors)
+    };
+    differences.iter().map(of).collect()
 }

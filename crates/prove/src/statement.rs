@@ -6,11 +6,12 @@
 
 use crate::alternatives;
 use crate::case::Ground;
-use crate::combination::follows;
+use crate::combination::multipliers;
 use crate::decide::contradiction::contradiction;
-use crate::decide::{self, Decision, conditions, instances, sign};
+use crate::decide::domain::Domain;
+use crate::decide::value::{Proof, plain, quotient};
+use crate::decide::{self, Decision, conditions, equality, instances, sign, witness};
 use crate::evaluate::value::{Statement, Value};
-use crate::evidence::{Evidence, Witness};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
@@ -20,6 +21,11 @@ use torse_language::derivation::declarations::SymbolKind;
 use torse_language::derivation::{Claim, Origin, Written};
 use torse_language::fault::{Fault, Problem};
 use torse_language::syntax::{Connective, Relation};
+use torse_proof::identity::{Combination, Equations, Vanishing};
+use torse_proof::proof::Emptiness;
+use torse_proof::proof::ground::Sharpness;
+use torse_proof::sign::Sign;
+use torse_proof::{Constraint, Refuted};
 
 /// Decides a statement on the domain of a claim: the claim's own, or another one in its place.
 ///
@@ -29,22 +35,8 @@ pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, 
     let elaborator = Rc::new(Elaborator::new(&claim.declarations));
     let core = core::Claim::elaborated(&elaborator, claim, statement)?;
     let parts = Parts::of(alternatives::parts(&core), &elaborator, &statement.origin);
-    let decision = parts
-        .decide(&core.statement)
-        .map_err(|fault| fault.within(&statement.origin))?;
-    Ok(match decision {
-        // The parts of a conjunction may have factors of one another as their conditions.
-        Decision::Proven {
-            evidence,
-            conditions,
-            steps,
-        } => Decision::Proven {
-            evidence,
-            conditions: conditions::separated(&conditions),
-            steps,
-        },
-        other => other,
-    })
+    let decision = parts.decide(&core.statement);
+    decision.map_err(|fault| fault.within(&statement.origin))
 }
 
 /// The values of some integers.
@@ -93,6 +85,9 @@ impl<'a> Parts<'a> {
             }
             core::Statement::Join(Connective::Implies, premise, conclusion) => {
                 match self.under(&[premise], true, conclusion)? {
+                    Some(Decision::Proven(proof)) => {
+                        Ok(Decision::Proven(Proof::Conclusion(Box::new(proof))))
+                    }
                     Some(decision) => Ok(decision),
                     None => self.everywhere(statement),
                 }
@@ -100,7 +95,7 @@ impl<'a> Parts<'a> {
             core::Statement::Join(Connective::Or, ..) => match alternatives::clauses(statement) {
                 Some(clauses) => {
                     let clauses = clauses.iter().map(|clause| self.alternative(clause));
-                    conjoined(clauses)
+                    conjoined(clauses, Proof::Clauses)
                 }
                 None => self.everywhere(statement),
             },
@@ -112,18 +107,11 @@ impl<'a> Parts<'a> {
     /// brought in.
     fn everywhere_defined(&self, decision: Decision) -> Decision {
         match decision {
-            Decision::Proven {
-                evidence,
-                conditions,
-                steps,
-            } if !conditions.is_empty()
-                && self.deciders.iter().all(Decider::brings_no_divisors) =>
+            Decision::Proven(proof)
+                if !proof.conditions().is_empty()
+                    && self.deciders.iter().all(Decider::brings_no_divisors) =>
             {
-                Decision::Proven {
-                    evidence,
-                    conditions: vec![],
-                    steps,
-                }
+                Decision::Proven(Proof::Defined(Box::new(proof)))
             }
             other => other,
         }
@@ -133,33 +121,41 @@ impl<'a> Parts<'a> {
     /// domain: a false one is no alternative.
     fn alternative(&self, literals: &[&core::Statement]) -> Result<Decision, Fault> {
         let (mut left, mut decisions, mut false_denial) = (vec![], vec![], None);
-        for literal in literals {
-            let decision = self.decide(literal)?;
-            match &decision {
-                Decision::Proven { conditions, .. } if conditions.is_empty() => {
-                    return Ok(decision);
+        for (place, literal) in literals.iter().enumerate() {
+            match self.decide(literal)? {
+                Decision::Proven(proof) if proof.conditions().is_empty() => {
+                    return Ok(Decision::Proven(decide::alternative(place, false, proof)));
                 }
-                Decision::Refuted(_) if denies(literal) => false_denial = Some(decision),
-                _ => {
-                    left.push(*literal);
-                    decisions.push(decision);
+                refuted @ Decision::Refuted(_) if denies(literal) => {
+                    false_denial = Some(refuted);
+                }
+                decision => {
+                    left.push((place, *literal));
+                    decisions.push((place, decision));
                 }
             }
         }
-        if left.len() <= 1
-            && let Some(decision) = decisions.pop().or(false_denial)
-        {
-            return Ok(decision);
+        if left.len() <= 1 {
+            match (decisions.pop(), false_denial) {
+                (Some((place, Decision::Proven(proof))), _) => {
+                    return Ok(Decision::Proven(decide::alternative(place, false, proof)));
+                }
+                (Some((_, decision)), _) | (None, Some(decision)) => return Ok(decision),
+                (None, None) => {}
+            }
         }
-        for (place, conclusion) in left.iter().enumerate().rev() {
-            let others = [&left[..place], &left[place + 1..]].concat();
-            let found = self.under(&others, false, conclusion)?;
-            let settles = |found: &Decision| match found {
-                Decision::Proven { conditions, .. } => conditions.is_empty(),
-                found => found.is_refuted(),
-            };
-            if let Some(found) = found.filter(settles) {
-                return Ok(found);
+        for (number, (place, conclusion)) in left.iter().enumerate().rev() {
+            let others = left
+                .iter()
+                .enumerate()
+                .filter(|(other, _)| *other != number);
+            let others: Vec<&core::Statement> = others.map(|(_, (_, literal))| *literal).collect();
+            match self.under(&others, false, conclusion)? {
+                Some(Decision::Proven(proof)) if proof.conditions().is_empty() => {
+                    return Ok(Decision::Proven(decide::alternative(*place, true, proof)));
+                }
+                Some(refuted @ Decision::Refuted(_)) => return Ok(refuted),
+                _ => {}
             }
         }
         Ok(Decision::Open {
@@ -170,7 +166,10 @@ impl<'a> Parts<'a> {
 
     /// A statement that is decided as it is, on every part.
     fn everywhere(&self, statement: &core::Statement) -> Result<Decision, Fault> {
-        conjoined(self.deciders.iter().map(|part| part.single(statement)))
+        conjoined(
+            self.deciders.iter().map(|part| part.single(statement)),
+            Proof::Parts,
+        )
     }
 
     /// The conclusion where all premises are true, or all are false: at every other point the statement is true. `None` if
@@ -195,13 +194,9 @@ impl<'a> Parts<'a> {
         let there = Parts::of(there, &self.elaborator, self.origin);
         Ok(Some(match there.decide(conclusion) {
             // No point, or none at which the premises are so: the second is a proof.
-            Ok(Decision::Vacuous { reason }) => match self.everywhere(conclusion)? {
-                vacuous @ Decision::Vacuous { .. } => vacuous,
-                _ => Decision::Proven {
-                    evidence: Evidence::Identity,
-                    conditions: vec![],
-                    steps: vec![format!("no point is to be looked at: {reason}")],
-                },
+            Ok(Decision::Vacuous(emptiness)) => match self.everywhere(conclusion)? {
+                vacuous @ Decision::Vacuous(_) => vacuous,
+                _ => Decision::Proven(Proof::Nowhere(emptiness)),
             },
             Ok(decision) => decision,
             Err(fault) if fault.is_limit() => Decision::Open {
@@ -223,23 +218,43 @@ fn denies(statement: &core::Statement) -> bool {
 }
 
 /// The decision from those on all parts of a domain, or of all parts of a statement. A part without points says nothing.
-fn conjoined(parts: impl Iterator<Item = Result<Decision, Fault>>) -> Result<Decision, Fault> {
-    let mut whole: Option<Decision> = None;
+fn conjoined(
+    parts: impl Iterator<Item = Result<Decision, Fault>>,
+    joined: impl FnOnce(Vec<Proof>) -> Proof,
+) -> Result<Decision, Fault> {
+    let (mut proofs, mut open, mut empty) = (vec![], None, None);
+    let mut proven = false;
     for part in parts {
-        let part = part?;
-        if part.is_refuted() {
-            return Ok(part);
+        match part? {
+            refuted @ Decision::Refuted(_) => return Ok(refuted),
+            Decision::Proven(proof) => {
+                proven = true;
+                proofs.push(proof);
+            }
+            Decision::Vacuous(emptiness) => {
+                proofs.push(Proof::Nowhere(emptiness.clone()));
+                empty = Some(emptiness);
+            }
+            undecided @ Decision::Open { .. } => {
+                open.get_or_insert(undecided);
+            }
         }
-        whole = Some(match (whole, part) {
-            (None, part) | (Some(Decision::Vacuous { .. }), part) => part,
-            (Some(known), Decision::Vacuous { .. }) => known,
-            (Some(known), part) => decide::both(known, part),
-        });
     }
-    Ok(whole.unwrap_or(Decision::Open {
-        reason: "no part of the domain".to_owned(),
-        tried: vec![],
-    }))
+    Ok(match (open, proven, empty) {
+        (Some(open), _, _) => open,
+        (None, true, _) => Decision::Proven(match proofs.pop() {
+            Some(only) if proofs.is_empty() => only,
+            last => {
+                proofs.extend(last);
+                joined(proofs)
+            }
+        }),
+        (None, false, Some(emptiness)) => Decision::Vacuous(emptiness),
+        (None, false, None) => Decision::Open {
+            reason: "no part of the domain".to_owned(),
+            tried: vec![],
+        },
+    })
 }
 
 impl Decider<'_> {
@@ -253,18 +268,20 @@ impl Decider<'_> {
     }
 
     /// A point of the domain at which both sides of the first comparison are defined.
-    fn anywhere(&self, statement: &core::Statement) -> Option<Witness> {
+    fn anywhere(&self, statement: &core::Statement) -> Option<Refuted<Polynomial>> {
         let at = |instance: &Instance| {
             let ground = self.ground(instance).ok()?;
             let value = ground.evaluator.truth(statement).ok()?;
-            let mut witness = decide::sampled(&value, &ground.domain)?;
-            let known = witness.at.clone();
-            let integers = instance
-                .iter()
-                .filter(|(n, _)| known.iter().all(|(name, _)| name != *n))
-                .map(|(n, v)| (n.clone(), v.to_string()));
-            witness.at.splice(0..0, integers);
-            Some(witness)
+            let mut point = decide::sampled(&value, &ground.domain)?;
+            let own = point.counterexample_mut();
+            witness::complete(own, &self.claim, instance, &ground.domain);
+            Some(match instance.is_empty() {
+                true => point,
+                false => Refuted::Instance {
+                    integers: instance.clone(),
+                    refuted: Box::new(point),
+                },
+            })
         };
         at(&Instance::new()).or_else(|| {
             let (assignments, _) = self.instances();
@@ -314,16 +331,16 @@ impl Decider<'_> {
         let far = instances::far(&assignments, self.elaborator.declarations());
         for (number, assignment) in assignments.iter().chain(&far).enumerate() {
             // Greater integers are for statements that say nothing about small ones.
-            let silent = |(_, d): &(Instance, Decision)| matches!(d, Decision::Vacuous { .. });
+            let silent = |(_, d): &(Instance, Decision)| matches!(d, Decision::Vacuous(_));
             if number >= assignments.len() && (complete || !decided.iter().all(silent)) {
                 break;
             }
             let decision = match self.symbolic(statement, assignment) {
                 Ok(decision) => decision,
                 // Some term is defined at no point of the instance, so the statement says nothing there.
-                Err(fault) if undefined(&fault) => Decision::Vacuous {
-                    reason: fault.problem.to_string(),
-                },
+                Err(fault) if undefined(&fault) => {
+                    Decision::Vacuous(Emptiness::Undefined(fault.problem.to_string()))
+                }
                 Err(fault) if fault.is_limit() => Decision::Open {
                     reason: fault.problem.to_string(),
                     tried: vec![],
@@ -362,12 +379,10 @@ impl Decider<'_> {
             match self.symbolic(statement, &assignment) {
                 Ok(Decision::Open { .. }) => return Ok(None),
                 Ok(decision) => decided.push((assignment, decision)),
-                Err(fault) if undefined(&fault) => decided.push((
-                    assignment,
-                    Decision::Vacuous {
-                        reason: fault.problem.to_string(),
-                    },
-                )),
+                Err(fault) if undefined(&fault) => {
+                    let why = Emptiness::Undefined(fault.problem.to_string());
+                    decided.push((assignment, Decision::Vacuous(why)));
+                }
                 Err(fault) if fault.is_limit() => return Ok(None),
                 Err(fault) => return Err(fault),
             }
@@ -375,12 +390,14 @@ impl Decider<'_> {
         Ok(Some(instances::combined(decided, true, "")))
     }
 
-    /// The conditions under which an equation follows from the given ones without solving these, if it does.
+    /// An equation as a combination of the given ones, without solving these, if it is one, with the conditions that it
+    /// leaves.
     fn unsolved(
         &self,
         statement: &core::Statement,
         instance: &Instance,
-    ) -> Option<Vec<Polynomial>> {
+        by: Vanishing,
+    ) -> Option<(Ground<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
         let core::Statement::Compare {
             relation: Relation::Equal,
             left,
@@ -408,9 +425,7 @@ impl Decider<'_> {
             .map(|(x, y)| x.minus(y).as_fraction().cloned())
             .collect();
         let differences = differences?;
-        if !follows(&differences, &forms, &unknowns) {
-            return None;
-        }
+        let multipliers = multipliers(&differences, &forms, &unknowns)?;
         let sides = left.entries().into_iter().chain(right.entries());
         let divisors = sides.flat_map(|side| side.conditions());
         let of = |all: &[Fraction]| -> Vec<Polynomial> {
@@ -418,7 +433,15 @@ impl Decider<'_> {
         };
         let conditions: Vec<Polynomial> =
             divisors.chain(of(&differences)).chain(of(&forms)).collect();
-        Some(open_conditions(&conditions, &ground))
+        let open = open_conditions(&conditions, &ground);
+        let combination = Combination {
+            of: Equations::Given,
+            equations: forms.iter().map(|f| f.numerator().clone()).collect(),
+            multipliers,
+            divisors: decide::witness::nonconstant(conditions),
+            by,
+        };
+        Some((ground, combination, open))
     }
 
     /// The decision with some integers fixed.
@@ -435,12 +458,12 @@ impl Decider<'_> {
             .map(ToString::to_string)
             .filter(|name| !instance.contains_key(name))
             .collect();
-        if let Some(reason) = contradiction(&ground.domain, &names) {
+        if let Some(emptiness) = contradiction(&ground.domain, &names) {
             // Where a divisor of the elimination vanishes, the constraints may say something else.
             return Ok(match ground.domain.pivots.is_empty() {
-                true => Decision::Vacuous { reason },
+                true => Decision::Vacuous(emptiness),
                 false => Decision::Open {
-                    reason,
+                    reason: emptiness.map(&plain).reason(),
                     tried: vec![],
                 },
             });
@@ -466,40 +489,73 @@ impl Decider<'_> {
                 }
             }
         }
-        let Decision::Proven {
-            evidence,
-            conditions,
-            steps,
-        } = decision
-        else {
-            return Ok(decision);
+        let proof = match decision {
+            Decision::Proven(proof) => proof,
+            Decision::Refuted(mut refutation) => {
+                let point = refutation.refuted.counterexample_mut();
+                witness::complete(point, &self.claim, instance, &ground.domain);
+                return Ok(Decision::Refuted(refutation));
+            }
+            other => return Ok(other),
         };
-        let mut conditions = conditions;
+        let mut conditions: Vec<Polynomial> = proof.conditions().into_iter().cloned().collect();
         if !is_equality(&value) {
             conditions.extend(ground.domain.pivots.iter().cloned());
         }
-        let mut conditions = open_conditions(&conditions, &ground);
-        let mut steps = steps;
+        let met = conditions;
+        let conditions = open_conditions(&met, &ground);
         if !conditions.is_empty()
-            && let Some(weaker) = self.unsolved(statement, instance)
+            && let Some((unsolved, combination, weaker)) =
+                self.unsolved(statement, instance, equality::vanishing(&ground.evaluator))
             && weaker
                 .iter()
                 .all(|condition| conditions.contains(condition))
             && weaker.len() < conditions.len()
         {
-            conditions = weaker;
-            steps.push("the difference is a combination of the given equations".to_owned());
+            let nonzero = nonzero(&met, &weaker, &unsolved.domain);
+            let combination = Proof::Combination(combination);
+            return Ok(proved(unsolved, combination, (weaker, nonzero), vec![]));
         }
-        Ok(Decision::Proven {
-            evidence,
-            conditions,
-            steps: [
-                steps,
-                decide::ranges(&value, &ground.domain, &ground.evaluator)?,
-            ]
-            .concat(),
-        })
+        let ranges = decide::ranges(&value, &ground.domain, &ground.evaluator)?;
+        let nonzero = nonzero(&met, &conditions, &ground.domain);
+        Ok(proved(ground, proof, (conditions, nonzero), ranges))
     }
+}
+
+/// A proof on its ground.
+fn proved(
+    ground: Ground<'_>,
+    proof: Proof,
+    (conditions, nonzero): (Vec<Polynomial>, Vec<Sign<Polynomial>>),
+    ranges: Vec<Sharpness<Polynomial>>,
+) -> Decision {
+    let constraints = ground.domain.constraints.iter().map(|c| Constraint {
+        value: quotient(&c.value),
+        relation: c.relation,
+    });
+    Decision::Proven(Proof::On(Box::new(torse_proof::proof::ground::Ground {
+        constraints: constraints.collect(),
+        eliminated: ground.eliminated,
+        proof,
+        conditions,
+        nonzero,
+        ranges,
+    })))
+}
+
+/// Those of the divisors that were met, and are no conditions, whose signs on the declared sets show that they never
+/// vanish, whatever else is assumed: eliminations may rest on that.
+fn nonzero(
+    met: &[Polynomial],
+    conditions: &[Polynomial],
+    domain: &Domain<'_>,
+) -> Vec<Sign<Polynomial>> {
+    let declared = Domain::new(domain.declarations);
+    let divisors = conditions::separated(met).into_iter();
+    let dropped = divisors.filter(|p| !conditions.contains(p));
+    dropped
+        .filter_map(|p| sign::positive(&p, &declared))
+        .collect()
 }
 
 /// Whether a fault says that a term is defined nowhere.

@@ -1,7 +1,7 @@
 //! The verdicts as JSON: the interface that other programs read.
 //!
 //! One object with `totals` and `claims`, a list in the order of the files; every claim has the same fields in
-//! the same order, each a string or null, except `witness` and `net`, objects or null. Nothing in it depends on
+//! the same order, each a string or null, except `witness`, `net` and `replay`, objects or null. Nothing in it depends on
 //! a clock, a path, a locale or the order of a hash table, so a run's bytes can be compared.
 
 use crate::tally::{Remarks, Tally};
@@ -10,13 +10,13 @@ use serde::{Serialize, Serializer, ser::SerializeMap};
 use std::collections::BTreeSet;
 use torse_language::notation::Formula;
 use torse_prove::evidence::Witness;
-use torse_verdicts::outcome::{Net, Outcome, Role, SaidBy};
+use torse_verdicts::outcome::{Net, Outcome, Replay, Role, SaidBy};
 
 /// The verdicts of `outcomes` as pretty-printed JSON, ending in a newline.
 ///
 /// The fields of a claim are `id`, `kind`, `verdict`, `evidence`, `printed`, `parsed`, `corrected`,
 /// `corrected_condition` and `condition` (several are joined by ` and `), `witness` (`at`, an object from names to exact values,
-/// `left`, `right`, `left_decimal`, `right_decimal`), `note`, `net` and `contradiction`; then what the statement rests on:
+/// `left`, `right`, `left_decimal`, `right_decimal`), `note`, `net`, `replay` and `contradiction`; then what the statement rests on:
 /// `hypotheses` (`role`, `formula`, `from` with the `quote` and the `claim` in whose print it stands or the `reason`, and for
 /// those of ours whether they are `needed`), `symbols` with their sets, `definitions`, `bases` and `unknowns`, each in the
 /// order of use. `readings` has a `name`, what it `says` and the fields of a claim for each reading of the sentence.
@@ -29,6 +29,9 @@ use torse_verdicts::outcome::{Net, Outcome, Role, SaidBy};
 /// `decided`, the `instances` that are identities, `why` it is not netted, and for each of the `conditions` what the
 /// statement is where it fails: the points `tried`, how many are `holding`, `failing` and `undefined`, and a point at
 /// which the condition is needed, `needed_at`. The net of a `correction` has the same fields.
+///
+/// `replay` says whether the checker of proofs accepted the proof, `replayed`, and `why` it could not follow it; that of a
+/// `correction` has the same fields.
 ///
 /// # Errors
 ///
@@ -126,6 +129,7 @@ struct Entry<'a> {
     witness: Option<WitnessEntry<'a>>,
     note: Option<&'a str>,
     net: Option<&'a Net>,
+    replay: Option<&'a Replay>,
     contradiction: Option<&'a str>,
     hypotheses: Vec<HypothesisEntry<'a>>,
     symbols: Vec<SymbolEntry<'a>>,
@@ -202,6 +206,7 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
             witness: outcome.witness.as_ref().map(WitnessEntry::from),
             note: outcome.note.as_deref(),
             net: outcome.net.as_ref(),
+            replay: outcome.replay.as_ref(),
             contradiction: outcome.contradiction.as_deref(),
             hypotheses: (outcome.assumed.iter().map(|h| HypothesisEntry {
                 role: h.role,

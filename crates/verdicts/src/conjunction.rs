@@ -41,12 +41,8 @@ pub fn conjuncts(expr: &Expr) -> Vec<&Expr> {
 
 fn word(decision: &Decision) -> String {
     match decision {
-        Decision::Proven {
-            evidence,
-            conditions,
-            ..
-        } => {
-            let by = match evidence {
+        Decision::Proven(proof) => {
+            let by = match proof.evidence() {
                 Evidence::Identity => "an identity",
                 Evidence::Induction => "induction",
                 Evidence::Inequality => "a certificate of sign",
@@ -54,13 +50,13 @@ fn word(decision: &Decision) -> String {
                 Evidence::Witness => "an exact point",
                 Evidence::CheckedRange | Evidence::Sampled => "instances that were tried",
             };
-            match conditions.is_empty() {
+            match proof.conditions().is_empty() {
                 true => format!("holds, by {by}"),
                 false => format!("holds under a condition, by {by}"),
             }
         }
         Decision::Refuted(_) => "fails".to_owned(),
-        Decision::Vacuous { .. } => "says nothing: no point satisfies the assumptions".to_owned(),
+        Decision::Vacuous(_) => "says nothing: no point satisfies the assumptions".to_owned(),
         Decision::Open { .. } => "is not decided".to_owned(),
     }
 }

@@ -4,7 +4,7 @@ use crate::condition::{self, nonzero};
 use crate::finding;
 use crate::outcome::{Outcome, PaperOutcome, ReadingOutcome, SaidBy};
 use crate::repair::subject::Subject;
-use crate::{conjunction, net, provenance, readings, repair, table};
+use crate::{conjunction, net, provenance, readings, repair, replay, table};
 use rayon::prelude::*;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -113,6 +113,8 @@ fn undecided(paper: &str, claim: &Claim) -> Outcome {
         conditions: vec![],
         witness: None,
         net: None,
+        replay: None,
+        grounds: None,
         contradiction: None,
         steps: vec![],
         finding: None,
@@ -176,6 +178,7 @@ fn decided(
         Err(out) => outcome.steps = vec![out.to_string()],
     }
     net::cast(&mut outcome, claim, statement);
+    net::replay(&mut outcome, claim, statement, budget / 5);
     Ok(outcome)
 }
 
@@ -231,7 +234,7 @@ fn correction_rests_on(outcome: &mut Outcome, claim: &Claim, budget: u64) {
     let decided = work::within(budget, || decide_statement(claim, &statement));
     if let Ok(Ok(decision)) = decided {
         let weighed = provenance::weigh(claim, &statement, decision, budget);
-        if let Decision::Proven { conditions, .. } = &weighed.decision {
+        if let Some(conditions) = weighed.decision.conditions() {
             correction.conditions = conditions.iter().map(nonzero).collect();
         }
         let needed = provenance::conditions(claim, &weighed.needed);
@@ -253,14 +256,12 @@ fn drawn(outcome: &mut Outcome, figure: &Figure) {
 
 /// Writes a decision into the outcome.
 fn conclude(outcome: &mut Outcome, decision: Decision, statement: &Written) {
+    outcome.steps = decision.steps();
+    let conditions = decision.conditions().unwrap_or_default();
+    replay::keep(outcome, &decision);
     match decision {
-        Decision::Proven {
-            evidence,
-            conditions,
-            steps,
-        } => {
-            outcome.evidence = Some(evidence);
-            outcome.steps = steps;
+        Decision::Proven(proof) => {
+            outcome.evidence = Some(proof.evidence());
             outcome.conditions = conditions.iter().map(nonzero).collect();
             outcome.verdict = if outcome.conditions.is_empty() {
                 Verdict::Holds
@@ -273,17 +274,13 @@ fn conclude(outcome: &mut Outcome, decision: Decision, statement: &Written) {
         }
         Decision::Refuted(refutation) => {
             outcome.verdict = Verdict::False;
-            outcome.evidence = Some(refutation.evidence);
+            outcome.evidence = Some(refutation.refuted.evidence());
             refute(outcome, *refutation, statement);
         }
-        Decision::Vacuous { reason } => {
-            outcome.verdict = Verdict::Vacuous;
-            outcome.steps = vec![reason];
-        }
-        Decision::Open { reason, tried } => {
+        Decision::Vacuous(_) => outcome.verdict = Verdict::Vacuous,
+        Decision::Open { tried, .. } => {
             outcome.verdict = Verdict::Undecided;
             outcome.evidence = (!tried.is_empty()).then_some(Evidence::CheckedRange);
-            outcome.steps = std::iter::once(reason).chain(tried).collect();
         }
     }
 }
@@ -307,8 +304,7 @@ fn correct(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
 
 /// Writes a refutation into the outcome.
 fn refute(outcome: &mut Outcome, refutation: Refutation, statement: &Written) {
-    outcome.steps = refutation.steps;
-    outcome.witness = Some(refutation.witness);
+    outcome.witness = Some(refutation.witness());
     if let Some((left, right)) = refutation.sides {
         let differing = left.iter().zip(&right).find(|(x, y)| x != y);
         if let Some((x, y)) = differing {

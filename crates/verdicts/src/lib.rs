@@ -4,7 +4,8 @@
 //! the findings of files are told in words, [`readings`] say what is true of a sentence that may be read in two ways, [`table`] what a statement rests on, [`audit`] what a statement leaves
 //! out of the print, [`repair`] searches proved corrections of what
 //! is refuted, [`consequences`] says what falls with it, [`mod@derive`] derives the conditions of joins anew,
-//! [`net`] judges every verdict by the semantics before it is shown, [`mutants`] are slips made on purpose, [`recheck`] replays proofs by other means.
+//! [`net`] judges every verdict by the semantics before it is shown, [`replay`] has its proof ([`grounds`]) checked without
+//! search, [`mutants`] are slips made on purpose, [`recheck`] does both again.
 #![warn(missing_docs)]
 
 pub mod audit;
@@ -14,6 +15,7 @@ pub mod consequences;
 pub mod derive;
 pub mod engine;
 mod finding;
+pub mod grounds;
 pub mod mutants;
 pub mod net;
 pub mod outcome;
@@ -21,9 +23,10 @@ pub mod provenance;
 pub mod readings;
 pub mod recheck;
 pub mod repair;
+pub mod replay;
 pub mod table;
 
 pub use outcome::{
     Assumed, Correction, DataChange, DataCorrection, Net, Outcome, PaperOutcome, ReadingOutcome,
-    Sides,
+    Replay, Sides,
 };

@@ -57,7 +57,7 @@ pub fn survivors(claim: &Claim, most: usize) -> (Vec<Survivor>, usize) {
         let survival = match decide_written(claim, statement, &mutant.statement) {
             None => continue,
             Some(Decision::Refuted(_)) => None,
-            Some(Decision::Proven { .. }) => {
+            Some(Decision::Proven(_)) => {
                 let equal = decide_written(claim, statement, &mutant.equality());
                 let proved = equal.is_some_and(|d| d.is_proven());
                 Some(if proved {
@@ -66,7 +66,9 @@ pub fn survivors(claim: &Claim, most: usize) -> (Vec<Survivor>, usize) {
                     Survival::Unexplained
                 })
             }
-            Some(Decision::Open { reason, .. } | Decision::Vacuous { reason }) => {
+            Some(Decision::Open { reason, .. }) => Some(Survival::Open { reason }),
+            Some(vacuous @ Decision::Vacuous(_)) => {
+                let reason = vacuous.steps().join("; ");
                 Some(Survival::Open { reason })
             }
         };

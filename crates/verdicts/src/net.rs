@@ -14,7 +14,7 @@
 //! **Corrections** are proofs, with conditions of their own, and judged like proofs.
 
 use crate::outcome::{BEYOND, Net, Outcome, Sides};
-use crate::{condition, provenance};
+use crate::{condition, provenance, replay};
 use torse_language::core;
 use torse_language::derivation::{Claim, Written};
 use torse_language::notation::Formula;
@@ -69,7 +69,19 @@ pub fn cast(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
     }
 }
 
-/// What the prover calls settled and the semantics does not.
+/// Has the proof of a verdict gone through by the checker of proofs. One that it rejects makes the claim undecided.
+pub fn replay(outcome: &mut Outcome, claim: &Claim, statement: &Written, budget: u64) {
+    if outcome.contradiction.is_some() {
+        return;
+    }
+    match replay::replayed(outcome, claim, statement, budget) {
+        None => {}
+        Some(Ok(replay)) => outcome.replay = Some(replay),
+        Some(Err(found)) => contradicted(outcome, found),
+    }
+}
+
+/// What the prover calls settled and the semantics, or the checker of proofs, does not.
 fn contradicted(outcome: &mut Outcome, found: String) {
     let verdict = outcome.verdict;
     outcome.verdict = Verdict::Undecided;
@@ -77,6 +89,8 @@ fn contradicted(outcome: &mut Outcome, found: String) {
     outcome.correction = None;
     outcome.data = None;
     outcome.witness = None;
+    outcome.grounds = None;
+    outcome.replay = None;
     outcome.conditions.clear();
     outcome.steps = vec![
         format!("internal contradiction: the proof says {verdict:?}, but {found}"),

@@ -3,8 +3,10 @@
 //! Verdict and evidence are two axes and never merged: the verdict says what is true of the printed
 //! statement, the evidence says what the answer rests on.
 
+use crate::grounds::Grounds;
 use crate::table::Table;
 use serde::Serialize;
+use std::sync::Arc;
 use torse_language::notation::Formula;
 use torse_language::words::{Kind, Verdict};
 use torse_prove::evidence::{Evidence, Witness};
@@ -140,6 +142,45 @@ impl Net {
             conditions: vec![],
             correction: None,
         }
+    }
+}
+
+/// What a checker without search found of the proof of a verdict.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Replay {
+    /// Whether it accepted the proof, as a proof of the core claim.
+    pub replayed: bool,
+    /// What it could not follow, if it did not.
+    pub why: Option<String>,
+    /// The proof of the correction of a refuted statement.
+    pub correction: Option<Box<Replay>>,
+}
+
+impl Replay {
+    /// Accepted.
+    #[must_use]
+    pub fn done() -> Self {
+        Self {
+            replayed: true,
+            why: None,
+            correction: None,
+        }
+    }
+
+    /// Out of the checker's reach.
+    #[must_use]
+    pub fn beyond(why: &str) -> Self {
+        Self {
+            replayed: false,
+            why: Some(why.to_owned()),
+            correction: None,
+        }
+    }
+
+    /// Whether the proof was accepted, and that of the correction as well if there is one.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.replayed && self.correction.as_ref().is_none_or(|own| own.is_whole())
     }
 }
 
@@ -281,6 +322,11 @@ pub struct Outcome {
     pub witness: Option<Witness>,
     /// What the net found; none where nothing was decided.
     pub net: Option<Net>,
+    /// What the checker of proofs found; none where there is no proof.
+    pub replay: Option<Replay>,
+    /// What the verdict rests on, as data.
+    #[serde(skip)]
+    pub grounds: Option<Arc<Grounds>>,
     /// What contradicts the verdict that the prover would have given: the claim is undecided then.
     pub contradiction: Option<String>,
     /// The steps of the decision, in words, in order.

@@ -186,13 +186,7 @@ const MAX_TERMS: usize = 12;
 /// are weaker conditions than the hypothesis; but only short ones tell a reader more than the words of the file, and a
 /// hypothesis that itself says that something does not vanish is such a condition already.
 fn stands_for(without: &Decision, with: &Decision, hypothesis: Option<&Expr>) -> bool {
-    let (
-        Decision::Proven { conditions, .. },
-        Decision::Proven {
-            conditions: known, ..
-        },
-    ) = (without, with)
-    else {
+    let (Some(conditions), Some(known)) = (without.conditions(), with.conditions()) else {
         return false;
     };
     let denies_zeros = hypothesis.is_some_and(denies_zeros);

@@ -189,10 +189,10 @@ const CASES: &[Case] = &[
 /// What the prover alone says.
 fn proved(claim: &Claim) -> Verdict {
     match decide_statement(claim, claim.statement.as_ref().unwrap()) {
-        Ok(Decision::Proven { conditions, .. }) if conditions.is_empty() => Holds,
-        Ok(Decision::Proven { .. }) => Conditional,
+        Ok(Decision::Proven(proof)) if proof.conditions().is_empty() => Holds,
+        Ok(Decision::Proven(_)) => Conditional,
         Ok(Decision::Refuted(_)) => False,
-        Ok(Decision::Vacuous { .. }) => Vacuous,
+        Ok(Decision::Vacuous(_)) => Vacuous,
         Ok(Decision::Open { .. }) | Err(_) => Undecided,
     }
 }

@@ -143,7 +143,7 @@ fn verified(derivations: &tempfile::TempDir, proofs: &str) -> String {
         "json",
         "--derivations",
         path,
-        "--proofs",
+        "--kernel",
         proofs,
     ]);
     assert_eq!(ran.code, Some(0), "{}", ran.err);
@@ -169,7 +169,7 @@ fn the_level_kernel_is_shown_from_the_kept_answers_while_they_fit() {
             "mini/a",
             "--derivations",
             &path,
-            "--proofs",
+            "--kernel",
             folder,
         ])
         .out

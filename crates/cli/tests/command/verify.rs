@@ -183,7 +183,7 @@ fn the_json_has_the_fields_of_the_interface_and_the_same_bytes_twice() {
     );
     for claim in claims {
         let claim = claim.as_object().unwrap();
-        assert_eq!(claim.len(), 23);
+        assert_eq!(claim.len(), 24);
         assert!(claim["contradiction"].is_null(), "{claim:?}");
         assert!(claim["verdict"].is_string() && claim["printed"].is_string());
         assert!(claim["witness"].is_object() || claim["witness"].is_null());
@@ -279,4 +279,40 @@ fn what_differs_from_an_earlier_run_is_told_and_fails() {
     let none = against(folder.path(), &[]);
     assert_eq!(none.code, Some(2));
     assert!(none.err.contains("holds no verdicts"), "{}", none.err);
+}
+
+#[test]
+fn proofs_are_written_whole_and_with_the_same_bytes_each_time() {
+    let claims = [claim("right", TRUE, ""), claim("wrong", WRONG, "")];
+    let (folder, out) = (mini(&claims.concat()), tempfile::tempdir().unwrap());
+    let written = |name: &str| {
+        let to = out.path().join(name);
+        let ran = on(folder.path(), &["verify", "--proofs", to.to_str().unwrap()]);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        let files: Vec<_> = fs::read_dir(&to)
+            .unwrap()
+            .map(|e| e.unwrap().path())
+            .collect();
+        assert_eq!(files, [to.join("mini.json")]);
+        fs::read_to_string(to.join("mini.json")).unwrap()
+    };
+    let text = written("one");
+    assert_eq!(text, written("two"));
+    let all: Value = serde_json::from_str(&text).unwrap();
+    let claims = all["claims"].as_array().unwrap();
+    let right = &claims[0];
+    assert_eq!(right["id"], "mini/right");
+    assert_eq!(right["replayed"], true);
+    let by = &right["rests_on"]["proof"]["of"]["on"]["proof"]["identity"]["by"];
+    assert_eq!(by, "normal-form");
+    let point = &claims[1]["rests_on"]["refutation"]["at"]["at"][0];
+    assert_eq!(point["symbol"], "x");
+    // A folder that cannot be one.
+    let occupied = out.path().join("one/mini.json");
+    let ran = on(
+        folder.path(),
+        &["verify", "--proofs", occupied.to_str().unwrap()],
+    );
+    assert_eq!(ran.code, Some(5), "{}", ran.err);
+    assert_eq!(fs::read_to_string(&occupied).unwrap(), text);
 }

@@ -3,32 +3,35 @@
 use super::domain::{Constraint, Domain};
 use super::order::truth;
 use super::sign::{Sign, of};
-use torse_algebra::Affine;
+use super::value::quotient;
 use torse_algebra::planted::{Planted, planted};
+use torse_algebra::{Affine, Polynomial};
 use torse_language::derivation::declarations::SymbolKind;
 use torse_language::syntax::Relation;
+use torse_proof::proof::Emptiness;
 
 /// A constraint that no point of the declared ranges satisfies that satisfies the others, if one is known; an empty
 /// range is one.
 #[must_use]
-pub fn contradiction(domain: &Domain<'_>, symbols: &[String]) -> Option<String> {
+pub fn contradiction(domain: &Domain<'_>, symbols: &[String]) -> Option<Emptiness<Polynomial>> {
     symbols
         .iter()
         .find_map(|name| empty_range(domain, name))
         .or_else(|| {
             let mut numbered = domain.constraints.iter().enumerate();
             let (_, failing) = numbered.find(|(number, c)| fails(domain, *number, c))?;
-            let others = match domain.constraints.len() {
-                1 => "on the declared ranges",
-                _ => "on the declared ranges where the other assumptions hold",
-            };
-            let sign = failing.relation.sign();
-            Some(format!("{} {sign} 0 holds nowhere {others}", failing.value))
+            Some(Emptiness::Constraint {
+                fails: torse_proof::Constraint {
+                    value: quotient(&failing.value),
+                    relation: failing.relation,
+                },
+                others: domain.constraints.len() > 1,
+            })
         })
 }
 
-fn empty_range(domain: &Domain<'_>, name: &str) -> Option<String> {
-    let empty = || Some(format!("the declared range of {name} is empty"));
+fn empty_range(domain: &Domain<'_>, name: &str) -> Option<Emptiness<Polynomial>> {
+    let empty = || Some(Emptiness::Range(name.to_owned()));
     match domain.declarations.symbol(name)? {
         SymbolKind::Real(_) => {
             let interval = domain.declared(name);

@@ -5,13 +5,15 @@
 //! degrees the series cancel for every degree or not at all (see [`crate::evaluate::series`]).
 
 use super::domain::Domain;
+use super::value::Proof;
 use super::{Decision, Refutation, witness};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{NOWHERE, Value};
-use crate::evidence::Evidence;
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
+use torse_proof::identity::{Combination, Equations, Identity, Vanishing};
+use torse_proof::point::{Comparison, Counterexample};
 
 /// Decides `left == right` on the domain.
 ///
@@ -26,10 +28,8 @@ pub fn decide(
     let pairs: Vec<_> = left.entries().into_iter().zip(right.entries()).collect();
     let mut conditions = vec![];
     let mut failing = None;
-    let mut terms = 0;
     for (position, (x, y)) in pairs.iter().enumerate() {
         let difference = x.minus(y);
-        terms += difference.plain.numerator().len();
         if difference
             .vanishes()
             .map_err(|e| Fault::exact(NOWHERE, e))?
@@ -45,21 +45,11 @@ pub fn decide(
     let Some((position, difference)) = failing else {
         conditions.sort();
         conditions.dedup();
-        let conditions = witness::nonconstant(conditions);
-        if evaluator.met_symbolic_degree() {
-            return Ok(Decision::Proven {
-                evidence: Evidence::Induction,
-                conditions,
-                steps: vec![
-                    "both sides are written with the step of the recursion as an operator on the seeds".to_owned(),
-                    "the difference has no terms, for every degree at once".to_owned(),
-                ],
-            });
-        }
-        return Ok(Decision::identity(
-            conditions,
-            format!("the normal form of the difference has {terms} terms"),
-        ));
+        return Ok(Decision::Proven(Proof::Identity(Identity {
+            by: vanishing(evaluator),
+            in_order: false,
+            divisors: witness::nonconstant(conditions),
+        })));
     };
     let Some(plain) = difference.as_fraction() else {
         return Err(Fault::limit(
@@ -80,18 +70,8 @@ pub fn decide(
             "two sums of symbolic degree do not cancel",
         ));
     };
-    let mut steps = vec![format!(
-        "the normal form of the difference has {} terms",
-        plain.numerator().len()
-    )];
-    if lefts.len() > 1 {
-        steps.push(format!("entry {} differs", position + 1));
-    }
-    if let Some(conditions) = follows(left, right, domain) {
-        return Ok(Decision::identity(
-            conditions,
-            "each difference is a multiple of an equation that is assumed".to_owned(),
-        ));
+    if let Some(combination) = follows(left, right, domain, evaluator) {
+        return Ok(Decision::Proven(Proof::Combination(combination)));
     }
     let point = witness::find(
         plain,
@@ -99,9 +79,15 @@ pub fn decide(
         domain,
         Relation::Different,
     );
-    let completed = point.and_then(|point| witness::described(&point, &lefts, &rights));
+    let kind = Comparison::Equation {
+        entry: position,
+        terms: plain.numerator().len(),
+    };
+    let completed = point.and_then(|point| witness::described(&point, kind, &lefts, &rights));
     Ok(match completed {
-        Some(witness) => Decision::Refuted(Box::new(Refutation { witness, sides: Some((lefts, rights)), steps, evidence: Evidence::Witness })),
+        Some(point) => {
+            Decision::Refuted(Box::new(Refutation::at(point).with_sides(lefts, rights)))
+        }
         None => Decision::Open {
             reason: "the two sides differ as formulas, but no point of the domain was found where they do".to_owned(),
             tried: vec!["simple rational points of the domain".to_owned()],
@@ -109,29 +95,50 @@ pub fn decide(
     })
 }
 
-/// The conditions under which every difference is a multiple of an assumed equation, if it is.
-fn follows(left: &Value, right: &Value, domain: &Domain<'_>) -> Option<Vec<Polynomial>> {
+/// How a difference without terms vanishes, by what the evaluator met.
+pub(crate) fn vanishing(evaluator: &Evaluator<'_>) -> Vanishing {
+    match evaluator.met_symbolic_degree() {
+        true => Vanishing::Series,
+        false => Vanishing::NormalForm,
+    }
+}
+
+/// Every difference as a multiple of an assumed equation, if it is one.
+fn follows(
+    left: &Value,
+    right: &Value,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Option<Combination<Polynomial>> {
     let assumed: Vec<&Fraction> = domain
         .constraints
         .iter()
         .filter(|c| c.relation == Relation::Equal)
         .map(|c| &c.value)
         .collect();
-    let mut conditions = vec![];
+    let (mut conditions, mut multipliers) = (vec![], vec![]);
     for (x, y) in left.entries().into_iter().zip(right.entries()) {
         let difference = x.minus(y).as_fraction()?.clone();
-        let multiple = |c: &&Fraction| {
-            difference
-                .numerator()
-                .exact_quotient(c.numerator())
-                .is_some()
-        };
-        if !difference.is_zero() && !assumed.iter().any(multiple) {
-            return None;
+        let mut row = vec![Polynomial::zero(); assumed.len()];
+        if !difference.is_zero() {
+            let numerator = difference.numerator();
+            let quotients = assumed
+                .iter()
+                .map(|c| numerator.exact_quotient(c.numerator()));
+            let mut found = row.iter_mut().zip(quotients);
+            let (slot, quotient) = found.find_map(|(slot, q)| Some((slot, q?)))?;
+            *slot = quotient;
         }
+        multipliers.push(row);
         conditions.extend(difference.conditions().to_vec());
     }
-    (!assumed.is_empty()).then(|| witness::nonconstant(conditions))
+    (!assumed.is_empty()).then(|| Combination {
+        of: Equations::Assumed,
+        equations: assumed.iter().map(|c| c.numerator().clone()).collect(),
+        multipliers,
+        divisors: witness::nonconstant(conditions),
+        by: vanishing(evaluator),
+    })
 }
 
 /// Some point of the domain with both sides there.
@@ -140,7 +147,7 @@ pub fn sample(
     left: &Value,
     right: &Value,
     domain: &Domain<'_>,
-) -> Option<crate::evidence::Witness> {
+) -> Option<Counterexample<Polynomial>> {
     let plain = |value: &Value| {
         value
             .entries()
@@ -156,5 +163,5 @@ pub fn sample(
         .fold(Fraction::zero(), |sum, f| sum + f.clone() * f);
     let sides: Vec<&Fraction> = left.iter().chain(&right).collect();
     let point = witness::find(&all, &sides, domain, Relation::AtLeast)?;
-    witness::described(&point, &left, &right)
+    witness::described(&point, Comparison::Domain, &left, &right)
 }

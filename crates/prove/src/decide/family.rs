@@ -11,16 +11,18 @@
 use super::domain::Domain;
 use super::order::truth;
 use super::sharpness::Bounded;
-use super::sign::{self, Sign};
+use super::sign;
+use super::value::{Proof, quotient};
 use super::witness::{self, Point};
 use super::{Decision, Refutation};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::NOWHERE;
-use crate::evidence::{Evidence, Witness};
 use torse_algebra::{Fraction, Matrix, Polynomial, Symbol};
 use torse_language::core::Family;
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
+use torse_proof::family::{Nonnegative, Part};
+use torse_proof::point::{Comparison, Counterexample, Failure};
 
 /// The degrees that are looked at one by one.
 pub(super) const DEGREES: u8 = 4;
@@ -49,33 +51,29 @@ pub fn nonnegative(
     evaluator: &Evaluator<'_>,
 ) -> Result<Decision, Fault> {
     let (step, seeds) = family(basis, evaluator)?;
-    let mut steps = vec![];
-    for (what, part) in step
+    let mut parts = vec![];
+    let all = step
         .iter()
-        .map(|p| ("step factor", p))
-        .chain(seeds.iter().map(|p| ("seed", p)))
-    {
-        let text = torse_language::notation::text(&crate::formula::expression(part));
-        let proved = part.as_polynomial().and_then(|p| sign::of(p, domain));
-        if part.is_zero() || matches!(proved, Some(Sign::Positive | Sign::Nonnegative)) {
-            steps.push(format!(
-                "{what} {text} >= 0 by Bernstein coefficients in the tangent of the half angle"
-            ));
+        .map(|p| (false, p))
+        .chain(seeds.iter().map(|p| (true, p)));
+    for (is_seed, part) in all {
+        if let Some(proved) = nonnegative_part(part, is_seed, domain) {
+            parts.push(proved);
             continue;
         }
-        if let Some(point) = witness::find(part, &[], domain, Relation::Less)
-            && what == "seed"
-            && let Some(witness) =
-                witness::described(&point, std::slice::from_ref(part), &[Fraction::zero()])
+        let text = torse_language::notation::text(&crate::formula::expression(part));
+        if is_seed
+            && let Some(point) = witness::find(part, &[], domain, Relation::Less)
+            && let Some(point) = witness::described(
+                &point,
+                Comparison::Seed,
+                std::slice::from_ref(part),
+                &[Fraction::zero()],
+            )
         {
-            let steps = vec![format!("the seed {text} is negative somewhere")];
-            return Ok(Decision::Refuted(Box::new(Refutation {
-                witness,
-                sides: None,
-                steps,
-                evidence: Evidence::Witness,
-            })));
+            return Ok(Decision::Refuted(Box::new(Refutation::at(point))));
         }
+        let what = if is_seed { "seed" } else { "step factor" };
         return Ok(Decision::Open {
             reason: format!("the sign of the {what} {text} is not settled"),
             tried: vec![
@@ -84,13 +82,24 @@ pub fn nonnegative(
             ],
         });
     }
-    steps.push(
-        "the step keeps nonnegative functions nonnegative: induction over the degree".to_owned(),
-    );
-    Ok(Decision::Proven {
-        evidence: Evidence::Induction,
-        conditions: vec![],
-        steps,
+    Ok(Decision::Proven(Proof::Nonnegative(Nonnegative { parts })))
+}
+
+/// A function of a family that is nowhere negative on the domain, with what shows it.
+pub(super) fn nonnegative_part(
+    function: &Fraction,
+    is_seed: bool,
+    domain: &Domain<'_>,
+) -> Option<Part<Polynomial>> {
+    let polynomial = function.as_polynomial()?;
+    let sign = match polynomial.is_zero() {
+        true => None,
+        false => Some(sign::nonnegative(polynomial, domain)?),
+    };
+    Some(Part {
+        is_seed,
+        function: polynomial.clone(),
+        sign,
     })
 }
 
@@ -237,36 +246,16 @@ pub fn independent(
             let Some(combination) = at.as_deref().and_then(dependency) else {
                 continue;
             };
-            let mut at: Vec<(String, String)> = vec![("degree".to_owned(), degree.to_string())];
-            at.extend(point.iter().map(|(s, v)| (s.to_string(), v.to_string())));
-            let terms: Vec<String> = combination
-                .iter()
-                .enumerate()
-                .filter(|(_, c)| !c.is_zero())
-                .map(|(i, c)| match c.as_rational() {
-                    Some(one) if one == torse_algebra::rational::integer(1) => {
-                        format!("{}[{i},{degree}]", basis.name)
-                    }
-                    _ => format!("({c})*{}[{i},{degree}]", basis.name),
-                })
-                .collect();
-            let witness = Witness {
-                at,
-                left: terms.join(" + "),
-                right: "0".to_owned(),
-                left_decimal: "0".to_owned(),
-                right_decimal: "0".to_owned(),
+            let point = Counterexample {
+                at: witness::values(&point),
+                others: vec![],
+                failure: Failure::Dependent {
+                    family: basis.name.to_string(),
+                    degree: u32::from(degree),
+                    combination: combination.iter().map(quotient).collect(),
+                },
             };
-            let steps = vec![
-                "the coefficients of the functions in normal form are a matrix in the shape parameters".to_owned(),
-                format!("at these shape parameters its rows are dependent for degree {degree}"),
-            ];
-            return Ok(Decision::Refuted(Box::new(Refutation {
-                witness,
-                sides: None,
-                steps,
-                evidence: Evidence::Witness,
-            })));
+            return Ok(Decision::Refuted(Box::new(Refutation::at(point))));
         }
         match full_rank(&rows, domain) {
             true => tried.push(format!(

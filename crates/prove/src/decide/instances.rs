@@ -4,11 +4,13 @@
 //! One failing instance refutes the statement. Instances that hold prove nothing, unless the ranges of
 //! the integers are finite and every instance was decided.
 
-use super::Decision;
-use crate::evidence::Evidence;
+use super::value::{Proof, plain};
+use super::{Decision, Refutation};
 use std::collections::BTreeMap;
-use torse_algebra::Fraction;
+use torse_algebra::{Fraction, Polynomial};
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
+use torse_proof::Refuted;
+use torse_proof::proof::Instance;
 
 /// How far integers are raised where small ones say nothing.
 const FAR: i64 = 12;
@@ -156,60 +158,54 @@ pub fn combined(
     complete: bool,
     reason: &str,
 ) -> Decision {
-    let mut conditions = vec![];
-    let mut tried = vec![];
+    let mut proofs = vec![];
     let mut empty = None;
     let mut proven = false;
-    for (assignment, decision) in instances {
-        let label = assignment
-            .iter()
-            .map(|(n, v)| format!("{n} = {v}"))
-            .collect::<Vec<_>>()
-            .join(", ");
+    for (integers, decision) in instances {
         match decision {
-            Decision::Refuted(mut refutation) => {
-                let known = refutation.witness.at.clone();
-                let integers = assignment
-                    .iter()
-                    .filter(|(n, _)| known.iter().all(|(name, _)| name != *n))
-                    .map(|(n, v)| (n.clone(), v.to_string()));
-                refutation.witness.at.splice(0..0, integers);
-                refutation.steps.insert(0, format!("the instance {label}"));
-                return Decision::Refuted(refutation);
+            Decision::Refuted(refutation) => {
+                return Decision::Refuted(Box::new(Refutation {
+                    refuted: Refuted::Instance {
+                        integers,
+                        refuted: Box::new(refutation.refuted),
+                    },
+                    sides: refutation.sides,
+                }));
             }
-            Decision::Proven {
-                conditions: more, ..
-            } => {
+            Decision::Proven(proof) => {
                 proven = true;
-                conditions.extend(more);
-                tried.push(format!("holds for {label}"));
+                proofs.push(Instance { integers, proof });
             }
-            Decision::Vacuous { reason } => {
-                tried.push(format!("says nothing for {label}: {reason}"));
-                empty.get_or_insert(reason);
+            Decision::Vacuous(emptiness) => {
+                empty.get_or_insert(emptiness.clone());
+                let proof = Proof::Nowhere(emptiness);
+                proofs.push(Instance { integers, proof });
             }
             Decision::Open { reason, .. } => {
-                tried.push(format!("open for {label}: {reason}"));
+                let mut tried = told(&proofs);
+                tried.push(format!("open for {}: {reason}", label(&integers)));
                 return Decision::Open { reason, tried };
             }
         }
     }
     match (complete, proven, empty) {
-        (true, true, _) => {
-            conditions.sort();
-            conditions.dedup();
-            Decision::Proven {
-                evidence: Evidence::Identity,
-                conditions,
-                steps: tried,
-            }
-        }
-        (true, false, Some(reason)) => Decision::Vacuous { reason },
+        (true, true, _) => Decision::Proven(Proof::Instances(proofs)),
+        (true, false, Some(emptiness)) => Decision::Vacuous(emptiness),
         _ => Decision::Open {
             reason: reason.to_owned(),
-            tried,
+            tried: told(&proofs),
         },
     }
+}
+
+/// What was tried, a line an instance.
+fn told(proofs: &[Instance<Polynomial>]) -> Vec<String> {
+    Proof::Instances(proofs.to_vec()).map(&plain).steps()
+}
+
+fn label(integers: &BTreeMap<String, i64>) -> String {
+    let values = integers.iter().map(|(n, v)| format!("{n} = {v}"));
+    values.collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -20,38 +20,35 @@ pub mod lively;
 pub mod order;
 pub mod sharpness;
 pub mod sign;
+pub mod value;
 pub mod variation;
 pub mod witness;
+mod words;
 
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{Statement, Value};
-use crate::evidence::{Evidence, Witness};
+use crate::evidence::Witness;
 use domain::{Constraint, Domain};
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::core::FamilyProperty;
 use torse_language::fault::Fault;
 use torse_language::syntax::{Connective, Relation};
+use torse_proof::Refuted;
+use torse_proof::point::Counterexample;
+use torse_proof::proof::Emptiness;
+use torse_proof::proof::ground::Sharpness;
+use value::{Proof, plain};
 
 /// What is known about a statement.
 #[derive(Debug, Clone)]
 pub enum Decision {
-    /// True on the whole domain, where the conditions do not vanish.
-    Proven {
-        /// What the proof rests on.
-        evidence: Evidence,
-        /// Divisors that were used: the proof holds where none of them is zero.
-        conditions: Vec<Polynomial>,
-        /// The steps, in words.
-        steps: Vec<String>,
-    },
+    /// True on the whole domain, where the conditions of the proof do not vanish.
+    Proven(Proof),
     /// False, with a point of the domain.
     Refuted(Box<Refutation>),
     /// No point satisfies the assumptions.
-    Vacuous {
-        /// The assumption that fails everywhere.
-        reason: String,
-    },
+    Vacuous(Emptiness<Polynomial>),
     /// Neither.
     Open {
         /// Why.
@@ -64,36 +61,75 @@ pub enum Decision {
 /// How a statement fails.
 #[derive(Debug, Clone)]
 pub struct Refutation {
-    /// The point and both sides there.
-    pub witness: Witness,
+    /// The point, or what is denied and true.
+    pub refuted: Refuted<Polynomial>,
     /// Both sides before any symbol got a value, entry by entry, where they are plain.
     pub sides: Option<(Vec<Fraction>, Vec<Fraction>)>,
-    /// The steps, in words.
-    pub steps: Vec<String>,
-    /// What it rests on: the point, or, where something is denied, the proof of what is denied.
-    pub evidence: Evidence,
 }
 
-impl Decision {
-    /// Proven, from nothing but an identity.
-    fn identity(conditions: Vec<Polynomial>, step: String) -> Self {
-        Self::Proven {
-            evidence: Evidence::Identity,
-            conditions,
-            steps: vec![step],
+impl Refutation {
+    /// At this point.
+    #[must_use]
+    pub fn at(point: Counterexample<Polynomial>) -> Self {
+        Self {
+            refuted: Refuted::At(point),
+            sides: None,
         }
     }
 
+    /// The same with the sides as formulas.
+    #[must_use]
+    pub fn with_sides(self, left: Vec<Fraction>, right: Vec<Fraction>) -> Self {
+        Self {
+            sides: Some((left, right)),
+            ..self
+        }
+    }
+
+    /// The point in words.
+    #[must_use]
+    pub fn witness(&self) -> Witness {
+        words::witness(&self.refuted)
+    }
+}
+
+impl Decision {
     /// Whether this is a proof.
     #[must_use]
     pub fn is_proven(&self) -> bool {
-        matches!(self, Self::Proven { .. })
+        matches!(self, Self::Proven(_))
     }
 
     /// Whether this is a refutation.
     #[must_use]
     pub fn is_refuted(&self) -> bool {
         matches!(self, Self::Refuted(_))
+    }
+
+    /// The steps in words; the reason where there is no proof.
+    #[must_use]
+    pub fn steps(&self) -> Vec<String> {
+        match self {
+            Self::Proven(proof) => proof.map(&plain).steps(),
+            Self::Refuted(refutation) => refutation.refuted.map(&plain).steps(),
+            Self::Vacuous(emptiness) => vec![emptiness.map(&plain).reason()],
+            Self::Open { reason, tried } => {
+                let first = std::iter::once(reason.clone());
+                first.chain(tried.iter().cloned()).collect()
+            }
+        }
+    }
+
+    /// The conditions of a proof, as factors of which none divides another.
+    #[must_use]
+    pub fn conditions(&self) -> Option<Vec<Polynomial>> {
+        match self {
+            Self::Proven(proof) => {
+                let conditions: Vec<Polynomial> = proof.conditions().into_iter().cloned().collect();
+                Some(conditions::separated(&conditions))
+            }
+            _ => None,
+        }
     }
 }
 
@@ -140,8 +176,8 @@ pub fn decide(
         }
         Statement::Join(Connective::Or, a, b) => {
             let first = decide(a, domain, evaluator)?;
-            if first.is_proven() {
-                return Ok(first);
+            if let Decision::Proven(proof) = first {
+                return Ok(Decision::Proven(alternative(0, false, proof)));
             }
             let second = decide(b, domain, evaluator)?;
             let closed = |s: &Statement| !has_negation(s);
@@ -151,17 +187,20 @@ pub fn decide(
             {
                 let mut there = domain.clone();
                 there.constraints.extend(failing);
-                let decided = decide(a, &there, evaluator)?;
-                if decided.is_proven() || decided.is_refuted() {
-                    return Ok(decided);
+                match decide(a, &there, evaluator)? {
+                    Decision::Proven(proof) => {
+                        return Ok(Decision::Proven(alternative(0, true, proof)));
+                    }
+                    refuted @ Decision::Refuted(_) => return Ok(refuted),
+                    Decision::Vacuous(_) | Decision::Open { .. } => {}
                 }
             }
             Ok(match (first, second) {
-                (_, proven @ Decision::Proven { .. }) => proven,
+                (_, Decision::Proven(proof)) => Decision::Proven(alternative(1, false, proof)),
                 // Two refutations that need no point are refutations at every point.
                 (Decision::Refuted(x), Decision::Refuted(y))
-                    if x.witness.at.is_empty()
-                        && y.witness.at.is_empty()
+                    if x.refuted.counterexample().at.is_empty()
+                        && y.refuted.counterexample().at.is_empty()
                         && closed(a)
                         && closed(b) =>
                 {
@@ -184,7 +223,7 @@ pub fn decide(
     }
 }
 
-/// What is known about the ranges of the parameters of a proved statement about order, in words.
+/// What is known about the ranges of the parameters of a proved statement about order.
 ///
 /// # Errors
 /// A [`Fault`] when the seeds of a family cannot be evaluated.
@@ -192,7 +231,7 @@ pub fn ranges(
     statement: &Statement,
     domain: &Domain,
     evaluator: &Evaluator<'_>,
-) -> Result<Vec<String>, Fault> {
+) -> Result<Vec<Sharpness<Polynomial>>, Fault> {
     let bounded = match statement {
         Statement::Family {
             property: FamilyProperty::Nonnegative,
@@ -200,7 +239,7 @@ pub fn ranges(
         } => family::bounded(basis, evaluator)?,
         _ => sharpness::bounded(statement),
     };
-    Ok(sharpness::steps(&bounded, domain))
+    Ok(sharpness::all(&bounded, domain))
 }
 
 /// The constraints under which a statement fails, if they are a conjunction.
@@ -233,61 +272,52 @@ fn has_negation(statement: &Statement) -> bool {
     }
 }
 
+/// One of several alternatives.
+pub(crate) fn alternative(place: usize, where_others_fail: bool, proof: Proof) -> Proof {
+    Proof::Alternative {
+        place,
+        where_others_fail,
+        proof: Box::new(proof),
+    }
+}
+
 /// `not p`: p does not hold at every point of the domain. A point where p fails proves it; a proof of p
 /// refutes it, and any point of the domain shows it.
-pub(crate) fn negated(decided: Decision, anywhere: impl FnOnce() -> Option<Witness>) -> Decision {
+pub(crate) fn negated(
+    decided: Decision,
+    anywhere: impl FnOnce() -> Option<Refuted<Polynomial>>,
+) -> Decision {
     match decided {
         Decision::Refuted(refutation) => {
-            let at = refutation
-                .witness
-                .at
-                .iter()
-                .map(|(name, value)| format!("{name} = {value}"));
-            let point = at.collect::<Vec<_>>().join(", ");
-            let mut steps = refutation.steps;
-            steps.push(format!(
-                "a point where the negated statement fails: {point}"
-            ));
-            Decision::Proven {
-                evidence: Evidence::Witness,
-                conditions: vec![],
-                steps,
-            }
+            Decision::Proven(Proof::Exists(Box::new(refutation.refuted)))
         }
-        Decision::Proven {
-            conditions,
-            steps,
-            evidence,
-        } if conditions.is_empty() => match anywhere() {
-            Some(witness) => {
-                let first = "the negated statement is proved: it holds everywhere".to_owned();
-                let steps = std::iter::once(first).chain(steps).collect();
-                Decision::Refuted(Box::new(Refutation {
-                    witness,
-                    sides: None,
-                    steps,
-                    evidence,
-                }))
-            }
+        Decision::Proven(proof) if proof.conditions().is_empty() => match anywhere() {
+            Some(point) => Decision::Refuted(Box::new(Refutation {
+                refuted: Refuted::Denied {
+                    proof: Box::new(proof),
+                    anywhere: Box::new(point),
+                },
+                sides: None,
+            })),
             None => Decision::Open {
                 reason: "the negated statement holds, but no point of the domain was found"
                     .to_owned(),
-                tried: steps,
+                tried: vec![],
             },
         },
-        Decision::Proven { steps, .. } => Decision::Open {
+        Decision::Proven(_) => Decision::Open {
             reason: "the negated statement is proved under conditions only".to_owned(),
-            tried: steps,
+            tried: vec![],
         },
-        undecided @ (Decision::Open { .. } | Decision::Vacuous { .. }) => undecided,
+        undecided @ (Decision::Open { .. } | Decision::Vacuous(_)) => undecided,
     }
 }
 
 /// A point of the domain, with both sides of the first comparison that has plain ones.
-pub(crate) fn sampled(statement: &Statement, domain: &Domain<'_>) -> Option<Witness> {
-    comparisons(statement)
-        .into_iter()
-        .find_map(|(left, right)| equality::sample(left, right, domain))
+pub(crate) fn sampled(statement: &Statement, domain: &Domain<'_>) -> Option<Refuted<Polynomial>> {
+    let mut sides = comparisons(statement).into_iter();
+    let point = sides.find_map(|(left, right)| equality::sample(left, right, domain));
+    point.map(Refuted::At)
 }
 
 /// The sides of all comparisons in a statement.
@@ -307,28 +337,9 @@ pub(crate) fn both(first: Decision, second: Decision) -> Decision {
     }
     match (first, second) {
         (_, refuted @ Decision::Refuted(_)) => refuted,
-        (
-            Decision::Proven {
-                evidence: e1,
-                conditions: c1,
-                steps: s1,
-            },
-            Decision::Proven {
-                evidence: e2,
-                conditions: c2,
-                steps: s2,
-            },
-        ) => {
-            let mut conditions = [c1, c2].concat();
-            conditions.sort();
-            conditions.dedup();
-            // The weaker kind of evidence names the whole: an identity is the strongest.
-            Decision::Proven {
-                evidence: e1.max(e2),
-                conditions,
-                steps: [s1, s2].concat(),
-            }
+        (Decision::Proven(first), Decision::Proven(second)) => {
+            Decision::Proven(Proof::Both(Box::new(first), Box::new(second)))
         }
-        (Decision::Proven { .. }, other) | (other, _) => other,
+        (Decision::Proven(_), other) | (other, _) => other,
     }
 }

@@ -9,12 +9,15 @@ use super::domain::Domain;
 use super::order::truth;
 use super::sign::coordinates::Coordinates;
 use super::sign::prove;
+use super::value::quotient;
 use crate::evaluate::value::Statement;
 use std::sync::Arc;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
 use torse_language::derivation::declarations::{Bound, Interval, SymbolKind};
 use torse_language::syntax::{Connective, Relation};
+use torse_proof::Ratio;
+use torse_proof::proof::ground::Sharpness;
 
 /// How far a range is left, one after the other.
 const STEPS: [(i64, i64); 3] = [(1, 1024), (1, 16), (1, 1)];
@@ -64,9 +67,9 @@ pub fn bounded(statement: &Statement) -> Vec<Bounded> {
     }
 }
 
-/// What leaving the ranges of the parameters at each end leads to, in words.
+/// What leaving the ranges of the parameters at each end leads to.
 #[must_use]
-pub fn steps(all: &[Bounded], domain: &Domain<'_>) -> Vec<String> {
+pub fn all(all: &[Bounded], domain: &Domain<'_>) -> Vec<Sharpness<Polynomial>> {
     if all.iter().any(|b| b.polynomial.len() > MAX_TERMS) {
         return vec![];
     }
@@ -121,14 +124,17 @@ fn beyond(
     interval: &Interval,
     end: &Rational,
     upper: bool,
-) -> Option<String> {
+) -> Option<Sharpness<Polynomial>> {
     for (n, d) in STEPS {
         let step = ratio(n, d)?;
         let there = if upper { end + &step } else { end - &step };
-        if let Some(point) = all.iter().find_map(|b| failure(b, domain, name, &there)) {
-            return Some(format!(
-                "the range of {name} cannot be widened by {step}: it fails at {name} = {there}{point}"
-            ));
+        if let Some(others) = all.iter().find_map(|b| failure(b, domain, name, &there)) {
+            return Some(Sharpness::Fails {
+                name: name.to_owned(),
+                by: step,
+                at: there,
+                others,
+            });
         }
     }
     let step = ratio(1, 16)?;
@@ -150,11 +156,19 @@ fn beyond(
     let holds = all.iter().all(|b| {
         prove(&b.polynomial, &wider).is_some_and(|certificate| certificate.strict || !b.strict)
     });
-    holds.then(|| format!("the range of {name} may be widened to {there}: it is proved there too"))
+    holds.then(|| Sharpness::Wider {
+        name: name.to_owned(),
+        to: there,
+    })
 }
 
-/// A point with this value of the symbol at which the bound fails, in words.
-fn failure(bounded: &Bounded, domain: &Domain<'_>, name: &str, value: &Rational) -> Option<String> {
+/// The other coordinates of a point with this value of the symbol at which the bound fails.
+fn failure(
+    bounded: &Bounded,
+    domain: &Domain<'_>,
+    name: &str,
+    value: &Rational,
+) -> Option<Vec<(String, Ratio<Polynomial>)>> {
     // Points that assumptions exclude are no counterexamples.
     if !domain.constraints.is_empty() {
         return None;
@@ -209,36 +223,30 @@ fn failure(bounded: &Bounded, domain: &Domain<'_>, name: &str, value: &Rational)
         });
         if !open && truth(&moved.substituted(place).into(), wrong) == Some(true) {
             let shown = sides.iter().zip(&point);
-            return Some(
-                shown
-                    .map(|(symbol, t)| described(symbol, t, &coordinates, domain))
-                    .collect(),
-            );
+            let all = shown.filter_map(|(symbol, t)| described(symbol, t, &coordinates, domain));
+            return Some(all.collect());
         }
     }
     None
 }
 
-/// `, x = 1/2`, or the tangent of half the angle.
+/// The name of a coordinate with its value: a symbol, or the tangent of half an angle.
 fn described(
     symbol: &Symbol,
     t: &Rational,
     coordinates: &Coordinates,
     domain: &Domain<'_>,
-) -> String {
+) -> Option<(String, Ratio<Polynomial>)> {
     let own = coordinates.tangents.iter().find(|(own, ..)| own == symbol);
     let (text, interval) = match own {
         None => (symbol.to_string(), domain.interval(symbol)),
         Some((_, name, angle)) => {
-            let Some(half) = domain.half(name, *angle) else {
-                return String::new();
-            };
+            let half = domain.half(name, *angle)?;
             (half.text(name, *angle), half.tangent)
         }
     };
-    let value = interval.lower.zip(interval.upper).map(|(a, b)| {
-        let width = b.value - a.value.clone();
-        a.value + width * Fraction::from(t.clone())
-    });
-    value.map_or_else(String::new, |value| format!(", {text} = {value}"))
+    let (a, b) = interval.lower.zip(interval.upper)?;
+    let width = b.value - a.value.clone();
+    let value = a.value + width * Fraction::from(t.clone());
+    Some((text, quotient(&value)))
 }

@@ -23,18 +23,21 @@
 
 use super::candidates::{Turns, simplest_between};
 use super::domain::Domain;
-use super::family::{DEGREES, family, functions, parameter_points};
+use super::family::{DEGREES, family, functions, nonnegative_part, parameter_points};
 use super::order::{enclosure, truth};
-use super::sign::{self, Sign};
+use super::sign;
+use super::value::{Proof, quotient};
 use super::{Decision, Refutation, witness};
 use crate::evaluate::Evaluator;
-use crate::evidence::{Evidence, Witness};
 use torse_algebra::rational::integer;
 use torse_algebra::{Angle, Fraction, Matrix, Polynomial, Rational, Scalar as _, Symbol};
 use torse_language::core::Family;
 use torse_language::derivation::declarations::{Bound, Interval, SymbolKind};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
+use torse_proof::Ratio;
+use torse_proof::family::Powers;
+use torse_proof::point::{Counterexample, Failure};
 
 /// The most seeds whose minors are examined.
 const MAX_SEEDS: usize = 5;
@@ -60,16 +63,8 @@ pub fn diminishing(
     if !sum_to_one(&seeds) || !sum_to_one(&step) {
         return Ok(not_affine(basis, domain, &step, &seeds));
     }
-    if powers(&step, &seeds, basis.variable(), domain) {
-        let steps = vec![
-            "the functions of each degree are one function times powers of the quotient of the step factors, with positive coefficients".to_owned(),
-            "the quotient is monotone: the minors of the collocation matrices are those of generalised Vandermonde matrices, nonnegative at every degree".to_owned(),
-        ];
-        return Ok(Decision::Proven {
-            evidence: Evidence::Induction,
-            conditions: vec![],
-            steps,
-        });
+    if let Some(powers) = powers(&step, &seeds, basis.variable(), domain) {
+        return Ok(Decision::Proven(Proof::Powers(powers)));
     }
     let mut tried = vec![];
     if let Some(minors) = totally_positive(&seeds, basis.variable(), domain) {
@@ -98,32 +93,17 @@ pub fn diminishing(
             let Some(found) = two_changes(&fixed, basis.variable(), &places) else {
                 continue;
             };
-            let mut at: Vec<(String, String)> = vec![("degree".to_owned(), degree.to_string())];
-            at.extend(point.iter().map(|(s, v)| (s.to_string(), v.to_string())));
-            at.extend(found.at);
-            let decimal = |value: &Fraction| {
-                enclosure(value, 192).map_or_else(String::new, |b| b.decimal(12))
+            let point = Counterexample {
+                at: witness::values(&point),
+                others: vec![],
+                failure: Failure::Turning {
+                    degree: u32::from(degree),
+                    control: found.control,
+                    places: found.places,
+                    values: found.values,
+                },
             };
-            let witness = Witness {
-                at,
-                left: format!(
-                    "[{}]",
-                    found.values.each_ref().map(ToString::to_string).join(", ")
-                ),
-                right: "one change of sign".to_owned(),
-                left_decimal: format!("[{}]", found.values.each_ref().map(decimal).join(", ")),
-                right_decimal: "one change of sign".to_owned(),
-            };
-            let steps = vec![
-                "the quotient of two functions rises and falls".to_owned(),
-                "so control values with one change of sign give a curve with two: its values at three places are shown".to_owned(),
-            ];
-            return Ok(Decision::Refuted(Box::new(Refutation {
-                witness,
-                sides: None,
-                steps,
-                evidence: Evidence::Witness,
-            })));
+            return Ok(Decision::Refuted(Box::new(Refutation::at(point))));
         }
         tried.push(format!(
             "degree {degree}: the quotients of all pairs of functions are monotone at simple places"
@@ -149,15 +129,12 @@ fn not_affine(
     for raise in 0..DEGREES {
         let row = functions(step, seeds, raise);
         let sum = row.iter().cloned().fold(zero.clone(), |sum, f| sum + f);
-        let constant = ("the constant polygon 1".to_owned(), sum, &one);
-        let single = row.into_iter().enumerate().map(|(i, function)| {
-            let polygon = format!("the polygon with control value {i} = 1 and all others 0");
-            (polygon, function, &zero)
-        });
-        let curves: Vec<(String, Fraction, &Fraction)> =
-            std::iter::once(constant).chain(single).collect();
+        let single = row.into_iter().enumerate();
+        let single = single.map(|(i, function)| (Some(i), function, &zero));
+        let curves: Vec<(Option<usize>, Fraction, &Fraction)> =
+            std::iter::once((None, sum, &one)).chain(single).collect();
         for point in parameter_points(basis, domain) {
-            for (polygon, curve, least) in &curves {
+            for (control, curve, least) in &curves {
                 let at = |place: &Fraction| {
                     let mut all = point.clone();
                     all.insert(variable.clone(), place.clone());
@@ -168,27 +145,18 @@ fn not_affine(
                     continue;
                 };
                 let Crossing { low, high, level } = crossing;
-                let degree = basis.degree + raise;
-                let mut at = vec![("degree".to_owned(), degree.to_string())];
-                at.extend(point.iter().map(|(s, v)| (s.to_string(), v.to_string())));
-                let decimal = |value: &Fraction| {
-                    enclosure(value, 192).map_or_else(String::new, |b| b.decimal(12))
-                };
-                return Decision::Refuted(Box::new(Refutation {
-                    witness: Witness {
-                        at,
-                        left: format!(
-                            "the curve of {polygon} is {} at {} and {} at {}: it crosses {level}",
-                            low.1, low.0, high.1, high.0
-                        ),
-                        right: "the polygon does not".to_owned(),
-                        left_decimal: format!("{} and {}", decimal(&low.1), decimal(&high.1)),
-                        right_decimal: "1".to_owned(),
+                let pair = |(x, value): &(Fraction, Fraction)| (quotient(x), quotient(value));
+                return Decision::Refuted(Box::new(Refutation::at(Counterexample {
+                    at: witness::values(&point),
+                    others: vec![],
+                    failure: Failure::Beyond {
+                        degree: u32::from(basis.degree + raise),
+                        control: *control,
+                        low: pair(&low),
+                        high: pair(&high),
+                        level: quotient(&level),
                     },
-                    sides: None,
-                    steps: vec!["the functions do not sum to one".to_owned()],
-                    evidence: Evidence::Witness,
-                }));
+                })));
             }
         }
     }
@@ -248,13 +216,14 @@ fn beyond(
     None
 }
 
-/// Whether the seeds are positive multiples of `s a^(d-l) b^l`, all of them nonnegative, with b/a
+/// What shows that the seeds are positive multiples of `s a^(d-l) b^l`, all of them nonnegative, with b/a
 /// monotone.
-fn powers(step: &[Fraction; 2], seeds: &[Fraction], variable: &str, domain: &Domain<'_>) -> bool {
-    let nonnegative = |f: &Fraction| {
-        let sign = f.as_polynomial().and_then(|p| sign::of(p, domain));
-        matches!(sign, Some(Sign::Positive | Sign::Nonnegative))
-    };
+fn powers(
+    step: &[Fraction; 2],
+    seeds: &[Fraction],
+    variable: &str,
+    domain: &Domain<'_>,
+) -> Option<Powers<Polynomial>> {
     let [a, b] = step;
     let proportional = seeds.windows(2).all(|pair| {
         let [low, high] = pair else { return false };
@@ -263,9 +232,19 @@ fn powers(step: &[Fraction; 2], seeds: &[Fraction], variable: &str, domain: &Dom
         };
         truth(&ratio, Relation::Greater) == Some(true)
     });
+    if !proportional {
+        return None;
+    }
     let slope = b.derivative(variable) * a.clone() - b.clone() * a.derivative(variable);
-    let monotone = nonnegative(&slope) || nonnegative(&-slope);
-    proportional && monotone && [a, b].into_iter().chain(seeds).all(nonnegative)
+    let monotone = |slope: &Fraction| nonnegative_part(slope, false, domain);
+    let slope = monotone(&slope).or_else(|| monotone(&-slope))?;
+    let factors = [a, b].into_iter().map(|p| (false, p));
+    let all = factors.chain(seeds.iter().map(|p| (true, p)));
+    let parts = all.map(|(is_seed, p)| nonnegative_part(p, is_seed, domain));
+    Some(Powers {
+        parts: parts.collect::<Option<_>>()?,
+        slope,
+    })
 }
 
 /// The number of minors, if certificates of sign show all of them to be nonnegative.
@@ -362,14 +341,15 @@ fn subsets(count: usize) -> Vec<Vec<usize>> {
 }
 
 /// Control values with one change of sign, and places between which the curve changes sign twice.
-struct Failure {
-    at: Vec<(String, String)>,
-    values: [Fraction; 3],
+struct Changes {
+    control: [(usize, Ratio<Polynomial>); 2],
+    places: [Ratio<Polynomial>; 3],
+    values: [Ratio<Polynomial>; 3],
 }
 
 /// Two functions whose quotient rises and falls: with a number r between its values, `f_j - r f_i` changes
 /// sign twice.
-fn two_changes(functions: &[Fraction], variable: &str, places: &[Fraction]) -> Option<Failure> {
+fn two_changes(functions: &[Fraction], variable: &str, places: &[Fraction]) -> Option<Changes> {
     let values: Vec<Vec<Fraction>> = functions
         .iter()
         .map(|f| places.iter().map(|x| f.at(variable, x).ok()).collect())
@@ -386,14 +366,11 @@ fn two_changes(functions: &[Fraction], variable: &str, places: &[Fraction]) -> O
                     continue;
                 };
                 let value = |(f, g): (&Fraction, &Fraction)| g.clone() - f.clone().scaled(&between);
-                return Some(Failure {
-                    at: vec![
-                        (format!("control value {i}"), (-&between).to_string()),
-                        (format!("control value {j}"), "1".to_owned()),
-                        ("all others".to_owned(), "0".to_owned()),
-                        ("places".to_owned(), format!("{x}, {y}, {z}")),
-                    ],
-                    values: [value(*a), value(*b), value(*c)],
+                let one = Fraction::integer(1);
+                return Some(Changes {
+                    control: [(i, quotient(&(-&between).into())), (j, quotient(&one))],
+                    places: [x, y, z].map(|x| quotient(x)),
+                    values: [*a, *b, *c].map(|pair| quotient(&value(pair))),
                 });
             }
         }

@@ -8,24 +8,21 @@
 use super::candidates::Turns;
 use super::domain::Domain;
 use super::lively::livened;
-use super::order::{enclosure, truth};
-use crate::evidence::Witness;
-use crate::formula;
-use num_traits::Signed;
+use super::order::truth;
+use super::value::{fraction, plain_symbol, quotient};
 use std::collections::BTreeMap;
 use torse_algebra::planted::{Planted, planted};
-use torse_algebra::rational::integer;
-use torse_algebra::{Fraction, Polynomial, Rational, Symbol, Unit};
+use torse_algebra::{Fraction, Polynomial, Symbol, Unit};
+use torse_language::core;
 use torse_language::derivation::declarations::SymbolKind;
-use torse_language::notation;
 use torse_language::syntax::Relation;
+use torse_proof::Ratio;
+use torse_proof::point::{Comparison, Counterexample, Failure, Value};
 
 /// The most values tried in one search.
 const MAX_TRIES: usize = 6_000;
 /// The values of each symbol that are tried once more where that was not enough.
 const FEW: usize = 4;
-/// Digits of the decimals shown.
-const DIGITS: usize = 12;
 
 /// A point: exact values of symbols, in order.
 pub type Point = BTreeMap<Symbol, Fraction>;
@@ -289,63 +286,88 @@ impl Search<'_> {
     }
 }
 
-/// An exact number as text: the formula, and its decimals.
-fn shown(value: &Fraction) -> (String, String) {
-    let text = notation::text(&formula::expression(value));
-    let terminating = value.as_rational().and_then(|q| terminating(&q));
-    let decimal = terminating.or_else(|| Some(enclosure(value, 192)?.decimal(DIGITS)));
-    (text, decimal.unwrap_or_default())
-}
-
-/// The decimals of a rational number, if they end.
-fn terminating(q: &Rational) -> Option<String> {
-    let shift = integer(10).pow(i32::try_from(DIGITS).ok()?);
-    let shifted = q.abs() * shift;
-    if !shifted.is_integer() {
-        return None;
-    }
-    let digits = shifted.to_integer().to_string();
-    let padded = format!("{digits:0>width$}", width = DIGITS + 1);
-    let (whole, rest) = padded.split_at(padded.len() - DIGITS);
-    let rest = rest.trim_end_matches('0');
-    let sign = if q.is_negative() { "-" } else { "" };
-    let point = if rest.is_empty() { "" } else { "." };
-    Some(format!("{sign}{whole}{point}{rest}"))
-}
-
-/// The witness for two sides at a point.
+/// The point with the values that both sides have there; `None` where a divisor vanishes.
 #[must_use]
-pub fn described(point: &Point, left: &[Fraction], right: &[Fraction]) -> Option<Witness> {
-    let side = |values: &[Fraction]| -> Option<(String, String)> {
-        let shown: Vec<(String, String)> = values
-            .iter()
-            .map(|v| at_point(v, point).map(|v| shown(&v)))
-            .collect::<Option<_>>()?;
-        let join = |parts: Vec<String>| match parts.as_slice() {
-            [one] => one.clone(),
-            _ => format!("[{}]", parts.join(", ")),
-        };
-        let (exact, decimal) = shown.into_iter().unzip();
-        Some((join(exact), join(decimal)))
+pub fn described(
+    point: &Point,
+    kind: Comparison,
+    left: &[Fraction],
+    right: &[Fraction],
+) -> Option<Counterexample<Polynomial>> {
+    let side = |values: &[Fraction]| -> Option<Vec<Ratio<Polynomial>>> {
+        let there = values.iter().map(|v| at_point(v, point));
+        there.map(|value| Some(quotient(&value?))).collect()
     };
-    let (left, left_decimal) = side(left)?;
-    let (right, right_decimal) = side(right)?;
-    let at = point
-        .iter()
-        .map(|(symbol, value)| {
-            (
-                symbol.to_string(),
-                notation::text(&formula::expression(value)),
-            )
-        })
-        .collect();
-    Some(Witness {
-        at,
-        left,
-        right,
-        left_decimal,
-        right_decimal,
+    Some(Counterexample {
+        at: values(point),
+        others: vec![],
+        failure: Failure::Sides {
+            kind,
+            left: side(left)?,
+            right: side(right)?,
+        },
     })
+}
+
+/// The values of the symbols, in their order.
+#[must_use]
+pub fn values(point: &Point) -> Vec<Value<Polynomial>> {
+    let value = |(symbol, value): (&Symbol, &Fraction)| Value {
+        symbol: plain_symbol(symbol),
+        value: quotient(value),
+    };
+    point.iter().map(value).collect()
+}
+
+/// Gives values to the numbers of a claim that a counterexample says nothing of, for they play no role: the first of their
+/// sets.
+pub(crate) fn complete(
+    point: &mut Counterexample<Polynomial>,
+    claim: &core::Claim,
+    integers: &BTreeMap<String, i64>,
+    domain: &Domain<'_>,
+) {
+    let mut known: BTreeMap<String, i64> = integers.clone();
+    for value in &point.at {
+        let number = fraction(&value.value).and_then(|value| value.as_rational());
+        let whole = number.filter(|q| q.is_integer());
+        let whole = whole.and_then(|q| i64::try_from(&q.to_integer()).ok());
+        known.extend(whole.map(|n| (value.symbol.to_string(), n)));
+    }
+    // An end of a range that names an integer without a value is looked at again when that has one.
+    for _ in 0..claim.symbols.len() {
+        for (name, set) in &claim.symbols {
+            let own = plain_symbol(&Symbol::Named(name.clone()));
+            let has = |v: &Value<Polynomial>| v.symbol == own;
+            let given = point.at.iter().any(has) || point.others.iter().any(has);
+            if given || integers.contains_key(&**name) {
+                continue;
+            }
+            let value = match set {
+                SymbolKind::Real(_) => {
+                    let mut values = domain.candidates(&Symbol::Named(name.clone()), Turns::None);
+                    (!values.is_empty()).then(|| values.remove(0))
+                }
+                SymbolKind::Integer { least, most } => {
+                    let end = least.as_ref().or(most.as_ref());
+                    let number = |form: &torse_algebra::Affine| {
+                        let mut terms = form.multiples();
+                        terms.try_fold(form.constant(), |sum, (other, n)| {
+                            sum.checked_add(known.get(other)?.checked_mul(n)?)
+                        })
+                    };
+                    let chosen = end.map_or(Some(0), number);
+                    known.extend(chosen.map(|n| (name.to_string(), n)));
+                    chosen.map(Fraction::integer)
+                }
+                SymbolKind::Vector(_) | SymbolKind::Family { .. } => None,
+            };
+            point.others.extend(value.map(|value| Value {
+                symbol: own,
+                value: quotient(&value),
+            }));
+        }
+    }
 }
 
 /// Divisors that are constants are no conditions.
@@ -359,25 +381,4 @@ pub fn nonconstant(conditions: Vec<Polynomial>) -> Vec<Polynomial> {
                 .all(|s| matches!(s, Symbol::Pi | Symbol::Root(_)))
         })
         .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use torse_algebra::rational::ratio;
-
-    #[test]
-    fn decimals_that_end_are_told_exactly() {
-        for (n, d, text) in [
-            (0, 1, "0"),
-            (3, 5, "0.6"),
-            (-275, 2, "-137.5"),
-            (12, 1, "12"),
-        ] {
-            let value = Fraction::from(ratio(n, d).unwrap());
-            assert_eq!(shown(&value).1, text);
-        }
-        let third = Fraction::from(ratio(1, 3).unwrap());
-        assert_eq!(shown(&third).1, "0.333333333333...");
-    }
 }

@@ -165,6 +165,8 @@ pub(crate) fn linear_form(
 pub struct Solution {
     /// The value of each symbol.
     pub values: BTreeMap<Symbol, Fraction>,
+    /// The equations that determine them, by their places.
+    pub used: Vec<usize>,
     /// What the equations say beyond that: each is zero.
     pub rest: Vec<Fraction>,
 }
@@ -193,6 +195,8 @@ pub fn solve_for(forms: &[Fraction], symbols: &[Symbol], place: Place) -> Result
     }
     let divisors: Vec<Polynomial> = forms.iter().flat_map(|f| f.conditions().to_vec()).collect();
     let mut determinant = Some(Fraction::integer(1));
+    let mut places: Vec<usize> = (0..rows.len()).collect();
+    let mut chosen = vec![];
     // Gauss-Jordan elimination; every pivot is recorded by the fractions themselves.
     let mut used: Vec<(usize, Vec<Fraction>, Fraction)> = vec![];
     for column in 0..symbols.len() {
@@ -209,6 +213,7 @@ pub fn solve_for(forms: &[Fraction], symbols: &[Symbol], place: Place) -> Result
             ));
         };
         let (row, constant) = rows.remove(pivot);
+        chosen.push(places.remove(pivot));
         let lead = row.get(column).cloned().unwrap_or_else(Fraction::zero);
         determinant = determinant
             .filter(|d| d.numerator().len() * lead.numerator().len() <= MAX_DETERMINANT)
@@ -260,6 +265,7 @@ pub fn solve_for(forms: &[Fraction], symbols: &[Symbol], place: Place) -> Result
     let rest = rows.into_iter().map(|(_, constant)| known(constant));
     Ok(Solution {
         values,
+        used: chosen,
         rest: rest.filter(|form| !form.is_zero()).collect(),
     })
 }

@@ -54,6 +54,8 @@ fn outcome(name: &str, at: &str, kind: Kind, verdict: Verdict, printed: &str) ->
         conditions: Vec::new(),
         witness: None,
         net: None,
+        replay: None,
+        grounds: None,
         contradiction: None,
         steps: Vec::new(),
         finding: None,

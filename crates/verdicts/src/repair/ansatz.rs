@@ -21,7 +21,6 @@ use torse_language::derivation::{Claim, Written};
 use torse_language::notation;
 use torse_language::syntax::{Expr, Node};
 use torse_prove::case::Case;
-use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::value::Value;
@@ -264,9 +263,7 @@ fn proved(
         expr: expr.clone(),
         origin: statement.origin.clone(),
     };
-    let Decision::Proven { conditions, .. } = decide_statement(claim, &trial).ok()? else {
-        return None;
-    };
+    let conditions = decide_statement(claim, &trial).ok()?.conditions()?;
     let derived = match &shape.definition {
         None => "the right side derived anew in the printed terms".to_owned(),
         Some(name) => format!(

@@ -21,7 +21,6 @@ use torse_language::derivation::{Claim, Written};
 use torse_language::notation;
 use torse_language::syntax::{Expr, Node, Operator};
 use torse_prove::case::Case;
-use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 
 /// The most numbers of an example that are taken for unknowns.
@@ -290,9 +289,11 @@ fn explained(claim: &Claim, statement: &Written, change: &Change<'_>) -> Option<
         }
         with(claim, declarations)
     };
-    let Decision::Proven { steps, .. } = decide_statement(&changed(claim), statement).ok()? else {
+    let decided = decide_statement(&changed(claim), statement).ok()?;
+    if !decided.is_proven() {
         return None;
-    };
+    }
+    let steps = decided.steps();
     let (mut explains, mut contradicts, mut refuted) = (vec![], vec![], 0);
     for value in claim.example.iter() {
         let Some(statement) = value.statement.as_ref().filter(|s| is_result(&s.expr)) else {

@@ -17,7 +17,6 @@ use torse_language::derivation::{Claim, Written};
 use torse_language::notation;
 use torse_language::syntax::{Expr, Node, Operator, Relation};
 use torse_prove::case::Case;
-use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 use torse_prove::evaluate::Evaluator;
 
@@ -255,12 +254,8 @@ fn proved(
     }
     let mut declarations = (*claim.declarations).clone();
     declarations.define(name.to_owned(), definition);
-    let Decision::Proven {
-        conditions, steps, ..
-    } = decide_statement(&with(claim, declarations), statement).ok()?
-    else {
-        return None;
-    };
+    let decided = decide_statement(&with(claim, declarations), statement).ok()?;
+    let (conditions, steps) = (decided.conditions()?, decided.steps());
     conditions.is_empty().then(|| DataCorrection {
         changes,
         steps,

@@ -39,7 +39,6 @@ use torse_language::derivation::{Claim, Written};
 use torse_language::notation::{self, Formula};
 use torse_language::syntax::{Expr, Node, Relation};
 use torse_language::words::Kind;
-use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 
 /// The most candidates evaluated with one edit.
@@ -194,10 +193,11 @@ fn provable(claim: &Claim, statement: &Written, expr: &Expr) -> Option<Vec<Formu
         expr: expr.clone(),
         origin: statement.origin.clone(),
     };
-    match decide_statement(claim, &trial) {
-        Ok(Decision::Proven { conditions, .. }) => Some(conditions.iter().map(nonzero).collect()),
-        _ if planted(Planted::CorrectionUnproved) => Some(vec![]),
-        _ => None,
+    let decided = decide_statement(claim, &trial).ok();
+    match decided.and_then(|decision| decision.conditions()) {
+        Some(conditions) => Some(conditions.iter().map(nonzero).collect()),
+        None if planted(Planted::CorrectionUnproved) => Some(vec![]),
+        None => None,
     }
 }
 

@@ -14,14 +14,16 @@
 //! polynomial of degree e in d - j arguments a and j arguments b, divided by `C(d, e)`.
 
 use super::coordinates::{Coordinates, Region};
-use crate::decide::domain::Domain;
+use crate::decide::domain::{Constraint, Domain};
 use crate::decide::order::truth;
+use crate::decide::value::plain_symbol;
 use std::collections::BTreeMap;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::positivity::RationalBox;
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
 use torse_language::syntax::Relation;
+use torse_proof::sign as written;
 
 /// A quantity that is not negative on the domain.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -67,17 +69,6 @@ pub struct Certificate {
     pub rest: Polynomial,
     /// Parts that fill the box.
     pub pieces: Vec<Piece>,
-}
-
-impl Certificate {
-    /// Whether any assumption is used.
-    #[must_use]
-    pub fn rests_on_assumptions(&self) -> bool {
-        let factor = |f: &Factor| matches!(f, Factor::Assumed(_));
-        let outside = |p: &Piece| matches!(p.reason, Reason::Outside(_));
-        let multiples = !self.multipliers.is_empty();
-        multiples || self.factors.iter().any(factor) || self.pieces.iter().any(outside)
-    }
 }
 
 /// Why a certificate proves nothing.
@@ -130,6 +121,79 @@ pub fn assumed(domain: &Domain<'_>) -> Vec<(Polynomial, bool)> {
         }
     });
     oriented.collect()
+}
+
+/// The places, among all constraints, of those that [`assumed`] lists.
+fn places(domain: &Domain<'_>) -> Vec<usize> {
+    let numbered = domain.constraints.iter().enumerate();
+    let oriented = |(_, c): &(usize, &Constraint)| {
+        !matches!(c.relation, Relation::Equal | Relation::Different)
+    };
+    numbered.filter(oriented).map(|(place, _)| place).collect()
+}
+
+/// A certificate as part of a proof, with its coordinates.
+pub(super) fn written(
+    domain: &Domain<'_>,
+    certificate: &Certificate,
+) -> Option<written::Certificate<Polynomial>> {
+    let (assumed, places) = (assumed(domain), places(domain));
+    let place = |number: usize| places.get(number).copied();
+    let mut all = vec![&certificate.rest];
+    for piece in &certificate.pieces {
+        if let Reason::Outside(number) = piece.reason {
+            all.push(&assumed.get(number)?.0);
+        }
+    }
+    let (_, coordinates) = Coordinates::of(&all, domain)?;
+    let square = |(multiple, root): &(Rational, Polynomial)| written::Square {
+        multiple: multiple.clone(),
+        root: root.clone(),
+    };
+    let multiple = |(number, multiple): &(usize, Rational)| {
+        Some(written::Multiple {
+            constraint: place(*number)?,
+            multiple: multiple.clone(),
+        })
+    };
+    let factor = |factor: &Factor| {
+        Some(match factor {
+            Factor::Symbol(symbol) => written::Factor::Symbol(plain_symbol(symbol)),
+            Factor::Assumed(number) => written::Factor::Constraint(place(*number)?),
+            Factor::Square(root) => written::Factor::Square(root.clone()),
+        })
+    };
+    let piece = |piece: &Piece| {
+        let outside = match piece.reason {
+            Reason::Coefficients => None,
+            Reason::Outside(number) => Some(place(number)?),
+        };
+        Some(written::Piece {
+            region: piece.region.clone(),
+            outside,
+        })
+    };
+    Some(written::Certificate {
+        strict: certificate.strict,
+        squares: certificate.squares.iter().map(square).collect(),
+        multiples: certificate
+            .multipliers
+            .iter()
+            .map(multiple)
+            .collect::<Option<_>>()?,
+        factors: certificate
+            .factors
+            .iter()
+            .map(factor)
+            .collect::<Option<_>>()?,
+        rest: certificate.rest.clone(),
+        coordinates: coordinates.written,
+        pieces: certificate
+            .pieces
+            .iter()
+            .map(piece)
+            .collect::<Option<_>>()?,
+    })
 }
 
 /// Replays a certificate about a polynomial.

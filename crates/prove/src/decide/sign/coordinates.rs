@@ -9,9 +9,11 @@
 use crate::decide::angle::Half;
 use crate::decide::domain::Domain;
 use crate::decide::interval::{Bound, Interval};
+use crate::decide::value::{plain_angle, plain_symbol, quotient};
 use std::sync::Arc;
 use torse_algebra::rational::integer;
 use torse_algebra::{Angle, Finest, Fraction, Polynomial, Rational, Symbol};
+use torse_proof::sign::{Coordinate, End};
 
 /// A coordinate t in `[0, 1]`, and whether its ends belong to the domain.
 #[derive(Debug, Clone)]
@@ -33,6 +35,8 @@ pub struct Coordinates {
     pub rays_open: bool,
     /// The symbols that stand for tangents, each with the variable and the angle.
     pub tangents: Vec<(Symbol, Arc<str>, Angle)>,
+    /// What each symbol is, as part of a proof, in the order in which they are put in.
+    pub written: Vec<Coordinate<Polynomial>>,
 }
 
 /// A part of the box: lower and upper ends of the bounded coordinates.
@@ -50,6 +54,7 @@ impl Coordinates {
             .collect();
         let mut intervals: Vec<(Symbol, Interval)> = vec![];
         let mut tangents: Vec<(Symbol, Arc<str>, Angle)> = vec![];
+        let mut written = vec![];
         let mut symbols: Vec<Symbol> = moved.iter().flat_map(|p| p.symbols().to_vec()).collect();
         symbols.sort();
         symbols.dedup();
@@ -68,6 +73,12 @@ impl Coordinates {
             for polynomial in &mut moved {
                 *polynomial = in_half_angle(polynomial, name, *angle, &half, &tangent)?;
             }
+            written.push(Coordinate::Tangent {
+                symbol: plain_symbol(&tangent),
+                variable: name.to_string(),
+                angle: plain_angle(*angle),
+                from: i64::try_from(&half.from).ok()?,
+            });
             intervals.push((tangent.clone(), half.tangent));
             tangents.push((tangent, name.clone(), *angle));
         }
@@ -82,6 +93,7 @@ impl Coordinates {
             sides: vec![],
             rays_open: true,
             tangents,
+            written,
         };
         for (symbol, interval) in intervals {
             if interval.lower.is_none() && interval.upper.is_none() {
@@ -90,6 +102,8 @@ impl Coordinates {
                     *polynomial = in_squares(polynomial, &symbol)?;
                 }
                 coordinates.rays_open = false;
+                let symbol = plain_symbol(&symbol);
+                coordinates.written.push(Coordinate::Squared { symbol });
                 continue;
             }
             let value = coordinates.add(&symbol, &interval)?;
@@ -106,7 +120,17 @@ impl Coordinates {
     /// The symbol by its coordinate.
     fn add(&mut self, symbol: &Symbol, interval: &Interval) -> Option<Fraction> {
         let t = Fraction::symbol(symbol.clone());
-        let mut ray = |bound: &Bound| self.rays_open &= !bound.closed;
+        let own = plain_symbol(symbol);
+        let end = |bound: &Bound| End {
+            value: quotient(&bound.value),
+            closed: bound.closed,
+        };
+        let mut ray = |bound: &Bound, up: bool| {
+            self.rays_open &= !bound.closed;
+            let end = end(bound);
+            let symbol = own.clone();
+            self.written.push(Coordinate::Ray { symbol, end, up });
+        };
         Some(match (interval.lower.clone(), interval.upper.clone()) {
             (Some(a), Some(b)) => {
                 self.sides.push(Side {
@@ -114,14 +138,19 @@ impl Coordinates {
                     lower_closed: a.closed,
                     upper_closed: b.closed,
                 });
+                self.written.push(Coordinate::Side {
+                    symbol: own.clone(),
+                    lower: end(&a),
+                    upper: end(&b),
+                });
                 a.value.clone() + t * (b.value - a.value)
             }
             (Some(a), None) => {
-                ray(&a);
+                ray(&a, true);
                 a.value + t
             }
             (None, Some(b)) => {
-                ray(&b);
+                ray(&b, false);
                 b.value - t
             }
             (None, None) => return None,

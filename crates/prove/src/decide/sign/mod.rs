@@ -16,14 +16,18 @@ mod samples;
 mod squares;
 
 use super::domain::Domain;
+use super::value::Proof as Whole;
 use super::{Decision, Refutation, witness};
 use crate::evaluate::quantity::Quantity;
 use crate::evaluate::value::{NOWHERE, Value};
-use crate::evidence::Evidence;
-use certificate::{Certificate, CertificateError};
+use certificate::CertificateError;
 use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
+use torse_proof::identity::{Identity, Vanishing};
+use torse_proof::order::{Excluded, Order};
+use torse_proof::point::Comparison;
+use torse_proof::sign::Sign as Written;
 
 pub use proof::{Proof, Shown};
 pub use prove::prove;
@@ -84,6 +88,30 @@ pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proo
     }
 }
 
+/// What shows that the polynomial is nowhere negative on the domain, replayed.
+#[must_use]
+pub fn nonnegative(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Written<Polynomial>> {
+    match proof(polynomial, domain)? {
+        (Sign::Positive | Sign::Nonnegative, proof) => {
+            proof.check(domain).ok()?;
+            proof.written(domain)
+        }
+        _ => None,
+    }
+}
+
+/// What shows that the polynomial or its negative is positive on the domain, replayed.
+#[must_use]
+pub fn positive(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Written<Polynomial>> {
+    match proof(polynomial, domain)? {
+        (Sign::Positive | Sign::Negative, proof) => {
+            proof.check(domain).ok()?;
+            proof.written(domain)
+        }
+        _ => None,
+    }
+}
+
 /// Whether the polynomial never vanishes on the domain, by a sign whose certificate is replayed, or because no integers
 /// make it zero.
 #[must_use]
@@ -141,23 +169,25 @@ pub fn compare(
     };
     let difference = x.clone() - y.clone();
     let opposite = relation.opposite();
+    let divisors = || witness::nonconstant(difference.conditions().to_vec());
     if relation == Relation::Different
         && domain.pivots.is_empty()
         && domain.assumes_nonzero(difference.numerator())
     {
-        return Ok(Decision::Proven {
-            evidence: Evidence::Inequality,
-            conditions: witness::nonconstant(difference.conditions().to_vec()),
-            steps: vec!["the hypotheses exclude that the difference vanishes".to_owned()],
-        });
+        return Ok(Decision::Proven(Whole::Excluded(Excluded {
+            numerator: difference.numerator().clone(),
+            divisors: divisors(),
+        })));
     }
     if difference.is_zero() && matches!(relation, Relation::AtMost | Relation::AtLeast) {
-        return Ok(Decision::identity(
-            witness::nonconstant(difference.conditions().to_vec()),
-            "both sides are equal identically".to_owned(),
-        ));
+        return Ok(Decision::Proven(Whole::Identity(Identity {
+            by: Vanishing::NormalForm,
+            in_order: true,
+            divisors: divisors(),
+        })));
     }
-    if let Some((sign, proofs)) = sign_of_fraction(&difference, domain) {
+    if let Some(found) = sign_of_fraction(&difference, domain) {
+        let sign = found.sign;
         let proven = match relation {
             Relation::Different => matches!(sign, Sign::Positive | Sign::Negative),
             Relation::Less => sign == Sign::Negative,
@@ -167,30 +197,26 @@ pub fn compare(
             Relation::Equal => false,
         };
         if proven {
-            return Ok(match replayed(&proofs, domain) {
-                Ok(steps) => Decision::Proven {
-                    evidence: Evidence::Inequality,
-                    conditions: witness::nonconstant(difference.conditions().to_vec()),
-                    steps,
-                },
-                Err(error) => Decision::Open {
-                    reason: format!("the certificate of sign does not hold: {error}"),
-                    tried: vec![],
-                },
-            });
+            return Ok(ordered(
+                relation,
+                (0, false),
+                &difference,
+                &found,
+                divisors(),
+                domain,
+            ));
         }
     }
     if let Some(point) = witness::find(&difference, &[x, y], domain, opposite)
-        && let Some(witness) =
-            witness::described(&point, std::slice::from_ref(x), std::slice::from_ref(y))
+        && let Some(point) = witness::described(
+            &point,
+            Comparison::Order,
+            std::slice::from_ref(x),
+            std::slice::from_ref(y),
+        )
     {
-        return Ok(Decision::Refuted(Box::new(Refutation {
-            witness,
-            // No side of a relation of order is that of an equation.
-            sides: None,
-            steps: vec!["a point of the domain at which the relation fails".to_owned()],
-            evidence: Evidence::Witness,
-        })));
+        // No side of a relation of order is that of an equation.
+        return Ok(Decision::Refuted(Box::new(Refutation::at(point))));
     }
     Ok(Decision::Open {
         reason: "the sign of the difference on the domain is not settled".to_owned(),
@@ -227,59 +253,73 @@ fn different(
         .iter()
         .flat_map(|d| d.conditions().to_vec())
         .collect();
-    let proofs = differences
-        .iter()
-        .find_map(|d| match sign_of_fraction(d, domain)? {
-            (Sign::Positive | Sign::Negative, proofs) => Some(proofs),
-            _ => None,
-        });
-    if let Some(proofs) = proofs {
-        return match replayed(&proofs, domain) {
-            Ok(_) => Decision::Proven {
-                evidence: Evidence::Inequality,
-                conditions: witness::nonconstant(conditions),
-                steps: vec![
-                    "one coordinate of the difference never vanishes on the domain".to_owned(),
-                ],
-            },
-            Err(error) => open(&format!("the certificate of sign does not hold: {error}")),
-        };
+    let found = differences.iter().enumerate().find_map(|(entry, d)| {
+        let found = sign_of_fraction(d, domain)?;
+        matches!(found.sign, Sign::Positive | Sign::Negative).then_some((entry, d, found))
+    });
+    if let Some((entry, difference, found)) = found {
+        let divisors = witness::nonconstant(conditions);
+        let entry = (entry, true);
+        return ordered(relation, entry, difference, &found, divisors, domain);
     }
     open("no coordinate of the difference is known never to vanish")
 }
 
-/// Replays the certificates, and says what they rest on.
-fn replayed(proofs: &[Proof], domain: &Domain<'_>) -> Result<Vec<String>, CertificateError> {
-    for proof in proofs {
-        proof.check(domain)?;
-    }
-    let certificates = || proofs.iter().flat_map(Proof::certificates);
-    let mut steps = vec![];
-    if certificates().any(|certificate| certificate.squares.is_empty()) {
-        let how = "all Bernstein coefficients of the difference on the domain have the right sign";
-        steps.push(how.to_owned());
-    }
-    if certificates().any(|certificate| !certificate.squares.is_empty()) {
-        steps.push("sums of squares are not negative".to_owned());
-    }
+/// A relation proved by signs, whose certificates are replayed; the entry of the sides, and whether there are more.
+fn ordered(
+    relation: Relation,
+    (entry, of_many): (usize, bool),
+    difference: &Fraction,
+    found: &Found,
+    divisors: Vec<Polynomial>,
+    domain: &Domain<'_>,
+) -> Decision {
+    let signs = match replayed(&found.proofs, domain) {
+        Ok(signs) => signs,
+        Err(error) => {
+            return Decision::Open {
+                reason: format!("the certificate of sign does not hold: {error}"),
+                tried: vec![],
+            };
+        }
+    };
     let bounded = |symbol: &Symbol| {
         let mut constraints = domain.constraints.iter();
         constraints.any(|c| c.bound_of(symbol).is_some())
     };
-    let assumes = proofs.iter().any(|proof| {
-        let symbols = proof.polynomial.symbols();
-        let mut certificates = proof.certificates().into_iter();
-        certificates.any(Certificate::rests_on_assumptions) || symbols.iter().any(bounded)
-    });
-    if assumes {
-        steps.push("the assumptions bound the domain".to_owned());
-    }
-    let pieces = |p: &Proof| p.certificates().iter().map(|c| c.pieces.len()).sum();
-    let pieces = proofs.iter().map(pieces).max();
-    if let Some(pieces) = pieces.filter(|n: &usize| *n > 1) {
-        steps.push(format!("on each of the {pieces} parts of the domain"));
-    }
-    Ok(steps)
+    let mut symbols = found.proofs.iter().flat_map(|p| p.polynomial.symbols());
+    let below = difference.denominator_factors();
+    Decision::Proven(Whole::Order(Order {
+        relation,
+        entry,
+        of_many,
+        above: difference.numerator().clone(),
+        below: below.map(|(p, e)| (p.clone(), e)).collect(),
+        product: found.product,
+        signs,
+        divisors,
+        bounded_by_assumptions: symbols.any(bounded),
+    }))
+}
+
+/// Replays the certificates, and writes them as parts of a proof.
+fn replayed(
+    proofs: &[Proof],
+    domain: &Domain<'_>,
+) -> Result<Vec<Written<Polynomial>>, CertificateError> {
+    let written = |proof: &Proof| {
+        proof.check(domain)?;
+        proof.written(domain).ok_or(CertificateError::Domain)
+    };
+    proofs.iter().map(written).collect()
+}
+
+/// The sign of a fraction.
+struct Found {
+    sign: Sign,
+    /// Whether it is that of the product of numerator and denominator.
+    product: bool,
+    proofs: Vec<Proof>,
 }
 
 /// The largest product of numerator and denominator that is examined, in products of terms.
@@ -287,16 +327,24 @@ const MAX_PRODUCT: usize = 200;
 
 /// The sign of a fraction, with the proofs: from the signs of its parts, or else from that of the product of numerator
 /// and denominator, which is the same wherever there is a fraction.
-fn sign_of_fraction(value: &Fraction, domain: &Domain<'_>) -> Option<(Sign, Vec<Proof>)> {
-    if let Some(found) = sign_of_parts(value, domain) {
-        return Some(found);
+fn sign_of_fraction(value: &Fraction, domain: &Domain<'_>) -> Option<Found> {
+    if let Some((sign, proofs)) = sign_of_parts(value, domain) {
+        return Some(Found {
+            sign,
+            product: false,
+            proofs,
+        });
     }
     let (above, below) = (value.numerator(), value.denominator());
     if below.as_constant().is_some() || above.len() * below.len() > MAX_PRODUCT {
         return None;
     }
     let (sign, proof) = proof(&(above * &below), domain)?;
-    Some((sign, vec![proof]))
+    Some(Found {
+        sign,
+        product: true,
+        proofs: vec![proof],
+    })
 }
 
 fn sign_of_parts(value: &Fraction, domain: &Domain<'_>) -> Option<(Sign, Vec<Proof>)> {

@@ -3,9 +3,12 @@
 use super::certificate::{self, Certificate, CertificateError};
 use super::{Sign, proof, prove};
 use crate::decide::domain::Domain;
+use crate::decide::interval::Bound;
+use crate::decide::value::{plain_symbol, quotient};
 use crate::formula::factored;
 use std::collections::BTreeMap;
 use torse_algebra::{Polynomial, Rational, Symbol};
+use torse_proof::sign::{self as written, Bounded, End, Part, Ray, Sign as Written};
 
 /// A proof of sign about one polynomial, with what shows it.
 #[derive(Debug, Clone)]
@@ -51,17 +54,56 @@ impl Proof {
         }
     }
 
-    /// The certificates.
-    pub(super) fn certificates(&self) -> Vec<&Certificate> {
-        match &self.shown {
-            Shown::Whole(certificate) => vec![certificate],
-            Shown::Parts(parts) => parts.iter().collect(),
-            Shown::Factors(proofs) => proofs.iter().flat_map(Proof::certificates).collect(),
-            Shown::Rays(terms) => {
-                let proofs = terms.iter().map(|(_, proof)| proof);
-                proofs.flat_map(Proof::certificates).collect()
+    /// It as part of a proof; `None` where a coordinate cannot be written, which none is that was replayed.
+    pub(in crate::decide) fn written(&self, domain: &Domain<'_>) -> Option<Written<Polynomial>> {
+        let by = match &self.shown {
+            Shown::Whole(certificate) => {
+                written::Shown::Whole(certificate::written(domain, certificate)?)
             }
-        }
+            Shown::Parts(certificates) => {
+                let parts = domain.parts(&self.polynomial);
+                let pairs = parts.iter().zip(certificates);
+                let part = |(part, certificate): (&Domain<'_>, &Certificate)| {
+                    let before = domain.part.len();
+                    let within = part.part.iter().skip(before).map(|(symbol, interval)| {
+                        let end = |bound: &Option<Bound>| {
+                            bound.as_ref().map(|bound| End {
+                                value: quotient(&bound.value),
+                                closed: bound.closed,
+                            })
+                        };
+                        Bounded {
+                            symbol: plain_symbol(symbol),
+                            lower: end(&interval.lower),
+                            upper: end(&interval.upper),
+                        }
+                    });
+                    Some(Part {
+                        within: within.collect(),
+                        certificate: certificate::written(part, certificate)?,
+                    })
+                };
+                written::Shown::Parts(pairs.map(part).collect::<Option<_>>()?)
+            }
+            Shown::Factors(proofs) => {
+                let signs = proofs.iter().map(|proof| proof.written(domain));
+                written::Shown::Factors(signs.collect::<Option<_>>()?)
+            }
+            Shown::Rays(terms) => {
+                let ray = |(product, proof): &(Polynomial, Self)| {
+                    Some(Ray {
+                        product: product.clone(),
+                        coefficient: proof.written(domain)?,
+                    })
+                };
+                written::Shown::Rays(terms.iter().map(ray).collect::<Option<_>>()?)
+            }
+        };
+        Some(Written {
+            polynomial: self.polynomial.clone(),
+            strict: self.strict(),
+            by,
+        })
     }
 
     /// The sign of a product from those of its factors.

@@ -1,0 +1,71 @@
+//! `torse verify --proofs DIR`: what each verdict rests on, written for other programs.
+//!
+//! One file a paper, `DIR/PAPER.json`: an object whose `claims` are those with a proof or a refutation, in file order. A claim
+//! has its `id`, the `reading` of the sentence that it is about (or null), what it `states`, the `verdict`, whether the proof
+//! is `replayed`, and `rests_on`: `{"proof": {"conditions": [...], "of": ...}}` or `{"refutation": ...}`, in the form that the
+//! crate `torse-proof` documents.
+
+use crate::exit::Failure;
+use serde::Serialize;
+use std::path::Path;
+use torse_proof::Polynomial;
+use torse_report::{ReportError, words, write_file};
+use torse_verdicts::grounds::Grounds;
+use torse_verdicts::outcome::{Outcome, PaperOutcome};
+
+#[derive(Serialize)]
+struct Paper<'a> {
+    paper: &'a str,
+    claims: Vec<Claim<'a>>,
+}
+
+#[derive(Serialize)]
+struct Claim<'a> {
+    id: &'a str,
+    reading: Option<&'a str>,
+    states: Option<&'a str>,
+    verdict: &'static str,
+    replayed: bool,
+    rests_on: Grounds<Polynomial>,
+}
+
+/// Writes a file a paper. All of them are made before the first is written, and each appears whole.
+pub fn write(folder: &Path, papers: &[PaperOutcome]) -> Result<(), Failure> {
+    let made = papers.iter().map(|paper| {
+        let mut claims = vec![];
+        for outcome in &paper.claims {
+            claims.extend(claim(&outcome.id, None, outcome));
+            for reading in &outcome.readings {
+                claims.extend(claim(&outcome.id, Some(&reading.name), &reading.outcome));
+            }
+        }
+        let mut text = serde_json::to_string_pretty(&Paper {
+            paper: &paper.slug,
+            claims,
+        })?;
+        text.push('\n');
+        Ok((folder.join(format!("{}.json", paper.slug)), text))
+    });
+    let made: Vec<_> = made
+        .collect::<Result<_, serde_json::Error>>()
+        .map_err(ReportError::from)?;
+    for (path, text) in made {
+        write_file(&path, text.as_bytes())?;
+    }
+    Ok(())
+}
+
+fn claim<'a>(id: &'a str, reading: Option<&'a str>, outcome: &'a Outcome) -> Option<Claim<'a>> {
+    let grounds = outcome.grounds.as_ref()?;
+    Some(Claim {
+        id,
+        reading,
+        states: outcome.parsed.as_ref().map(|formula| formula.text.as_str()),
+        verdict: words::verdict(outcome.verdict).key,
+        replayed: outcome
+            .replay
+            .as_ref()
+            .is_some_and(|replay| replay.replayed),
+        rests_on: grounds.plain(),
+    })
+}

@@ -1,0 +1,213 @@
+//! Points at which a statement fails.
+
+use crate::enclosure::Enclosure;
+use crate::polynomial::Polynomial;
+use crate::ratio::Ratio;
+use crate::symbol::Symbol;
+use serde::Serialize;
+
+/// The value of a symbol.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Value<P> {
+    /// The symbol.
+    pub symbol: Symbol,
+    /// Its value, a number.
+    pub value: Ratio<P>,
+}
+
+/// A point of the domain, and what is wrong there.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Counterexample<P> {
+    /// The values of the symbols, those of eliminated ones too.
+    pub at: Vec<Value<P>>,
+    /// Values of symbols that play no role: any others of their sets would do.
+    pub others: Vec<Value<P>>,
+    /// How the statement fails.
+    pub failure: Failure<P>,
+}
+
+/// How a statement fails at a point.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Failure<P> {
+    /// The sides of a comparison are these numbers.
+    Sides {
+        /// What the comparison is.
+        kind: Comparison,
+        /// The left side, entry by entry.
+        left: Vec<Ratio<P>>,
+        /// The right side.
+        right: Vec<Ratio<P>>,
+    },
+    /// Printed numbers do not agree with the values.
+    Printed(Enclosure<P>),
+    /// The functions of a family of this degree are dependent: this combination of them is zero.
+    Dependent {
+        /// The family.
+        family: String,
+        /// The degree.
+        degree: u32,
+        /// The coefficients.
+        combination: Vec<Ratio<P>>,
+    },
+    /// The curve of control values that change sign once changes sign twice.
+    Turning {
+        /// The degree.
+        degree: u32,
+        /// The control values that are not zero, by their places.
+        control: [(usize, Ratio<P>); 2],
+        /// Three places.
+        places: [Ratio<P>; 3],
+        /// The values of the curve there.
+        values: [Ratio<P>; 3],
+    },
+    /// The curve crosses a level that the control polygon does not meet.
+    Beyond {
+        /// The degree.
+        degree: u32,
+        /// The control value that is 1 where all others are 0; `None` if all are 1.
+        control: Option<usize>,
+        /// A place, and the value there.
+        low: (Ratio<P>, Ratio<P>),
+        /// Another one with a greater value.
+        high: (Ratio<P>, Ratio<P>),
+        /// A number between the values.
+        level: Ratio<P>,
+    },
+}
+
+/// The comparison that fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Comparison {
+    /// An equation; the difference in this entry, from 0, has so many terms.
+    Equation {
+        /// The entry.
+        entry: usize,
+        /// The terms.
+        terms: usize,
+    },
+    /// A relation of order.
+    Order,
+    /// A seed of a basis family is not negative.
+    Seed,
+    /// None: the point is one of the domain.
+    Domain,
+}
+
+impl<P> Value<P> {
+    /// The same in other polynomials.
+    pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Value<Q> {
+        Value {
+            symbol: self.symbol.clone(),
+            value: self.value.map(change),
+        }
+    }
+}
+
+impl<P> Counterexample<P> {
+    /// The same in other polynomials.
+    pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Counterexample<Q> {
+        Counterexample {
+            at: self.at.iter().map(|value| value.map(change)).collect(),
+            others: self.others.iter().map(|value| value.map(change)).collect(),
+            failure: self.failure.map(change),
+        }
+    }
+}
+
+impl<P> Failure<P> {
+    /// The same in other polynomials.
+    pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Failure<Q> {
+        let all = |list: &[Ratio<P>]| list.iter().map(|ratio| ratio.map(change)).collect();
+        let pair = |(a, b): &(Ratio<P>, Ratio<P>)| (a.map(change), b.map(change));
+        match self {
+            Self::Sides { kind, left, right } => Failure::Sides {
+                kind: *kind,
+                left: all(left),
+                right: all(right),
+            },
+            Self::Printed(enclosure) => Failure::Printed(enclosure.map(change)),
+            Self::Dependent {
+                family,
+                degree,
+                combination,
+            } => Failure::Dependent {
+                family: family.clone(),
+                degree: *degree,
+                combination: all(combination),
+            },
+            Self::Turning {
+                degree,
+                control,
+                places,
+                values,
+            } => Failure::Turning {
+                degree: *degree,
+                control: control.each_ref().map(|(place, c)| (*place, c.map(change))),
+                places: places.each_ref().map(|x| x.map(change)),
+                values: values.each_ref().map(|x| x.map(change)),
+            },
+            Self::Beyond {
+                degree,
+                control,
+                low,
+                high,
+                level,
+            } => Failure::Beyond {
+                degree: *degree,
+                control: *control,
+                low: pair(low),
+                high: pair(high),
+                level: level.map(change),
+            },
+        }
+    }
+
+    /// The steps in words.
+    #[must_use]
+    pub fn steps(&self) -> Vec<String> {
+        let text = |steps: &[&str]| steps.iter().map(|step| (*step).to_owned()).collect();
+        match self {
+            Self::Sides { kind, left, .. } => match kind {
+                Comparison::Equation { entry, terms } => {
+                    let mut steps =
+                        vec![format!("the normal form of the difference has {terms} terms")];
+                    if left.len() > 1 {
+                        steps.push(format!("entry {} differs", entry + 1));
+                    }
+                    steps
+                }
+                Comparison::Order => text(&["a point of the domain at which the relation fails"]),
+                Comparison::Seed => text(&["a seed is negative somewhere"]),
+                Comparison::Domain => text(&["a point of the domain"]),
+            },
+            Self::Printed(enclosure) => {
+                let mut steps: Vec<String> = text(&["the value is computed exactly and enclosed"]);
+                if enclosure.entries.len() > 1 {
+                    let differing = enclosure.differing();
+                    let list: Vec<String> = differing.iter().map(usize::to_string).collect();
+                    steps.push(format!("entry {} differs", list.join(", ")));
+                }
+                steps
+            }
+            Self::Dependent { degree, .. } => vec![
+                "the coefficients of the functions in normal form are a matrix in the shape parameters".to_owned(),
+                format!("at these shape parameters its rows are dependent for degree {degree}"),
+            ],
+            Self::Turning { .. } => text(&[
+                "the quotient of two functions rises and falls",
+                "so control values with one change of sign give a curve with two: its values at three places are shown",
+            ]),
+            Self::Beyond { .. } => text(&["the functions do not sum to one"]),
+        }
+    }
+}
+
+impl Value<Polynomial> {
+    /// `x = 1/2`.
+    #[must_use]
+    pub fn text(&self) -> String {
+        format!("{} = {}", self.symbol, self.value)
+    }
+}

@@ -1,0 +1,94 @@
+//! What polynomials of proofs are made of.
+//!
+//! Every symbol stands for a real number. Names, members of families and pi are free of each other; the square root of a
+//! prime satisfies r^2 = p, and sine and cosine of one angle s^2 + c^2 = 1.
+
+use serde::{Serialize, Serializer};
+use std::fmt;
+use std::sync::Arc;
+
+/// What a variable counts where it stands in an angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Unit {
+    /// Quarter turns: the angle is pi/2 times the variable.
+    QuarterTurn,
+    /// Radians: the angle is the variable.
+    Radian,
+}
+
+/// A part of `pi/2*x`, or of `x`, for a variable x.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Angle {
+    /// What the variable counts.
+    pub unit: Unit,
+    /// Into how many parts the angle is divided, at least one.
+    pub parts: u16,
+}
+
+/// A symbol of a polynomial.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Symbol {
+    /// A declared number, a coordinate `v[1]`, or a member of a family, `P[0,1]`; the coordinate of a point of a family
+    /// stands behind its indices, `P[0,1,2]`.
+    Named(Arc<str>),
+    /// The square root of a prime, positive.
+    Root(u32),
+    /// The circle number.
+    Pi,
+    /// The sine of an angle made from the variable.
+    Sine(Arc<str>, Angle),
+    /// The cosine of an angle made from the variable.
+    Cosine(Arc<str>, Angle),
+}
+
+impl Symbol {
+    /// The symbol with this name.
+    #[must_use]
+    pub fn named(name: &str) -> Self {
+        Self::Named(Arc::from(name))
+    }
+
+    /// Whether the symbol is a number that is known.
+    #[must_use]
+    pub fn is_number(&self) -> bool {
+        matches!(self, Self::Root(_) | Self::Pi)
+    }
+
+    /// The variable that the symbol is, or is a function of.
+    #[must_use]
+    pub fn variable(&self) -> Option<&str> {
+        match self {
+            Self::Named(name) | Self::Sine(name, _) | Self::Cosine(name, _) => Some(name),
+            Self::Root(_) | Self::Pi => None,
+        }
+    }
+}
+
+impl fmt::Display for Angle {
+    /// The factor before the variable: `pi/2*`, `1/3*`, nothing.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.unit, self.parts) {
+            (Unit::QuarterTurn, parts) => write!(f, "pi/{}*", 2 * u32::from(parts)),
+            (Unit::Radian, 1) => Ok(()),
+            (Unit::Radian, parts) => write!(f, "1/{parts}*"),
+        }
+    }
+}
+
+impl fmt::Display for Symbol {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Named(name) => f.write_str(name),
+            Self::Root(prime) => write!(f, "sqrt({prime})"),
+            Self::Pi => f.write_str("pi"),
+            Self::Sine(name, angle) => write!(f, "sin({angle}{name})"),
+            Self::Cosine(name, angle) => write!(f, "cos({angle}{name})"),
+        }
+    }
+}
+
+impl Serialize for Symbol {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}

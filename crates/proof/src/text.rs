@@ -1,0 +1,18 @@
+//! Numbers as text in written proofs: exact, `-7/3`.
+
+use serde::{Serialize, Serializer};
+use torse_numbers::Rational;
+
+/// A rational number.
+pub(crate) fn number<S: Serializer>(value: &Rational, to: S) -> Result<S::Ok, S::Error> {
+    to.collect_str(value)
+}
+
+/// The sides of a box, `[[low, high], ...]`.
+pub(crate) fn region<S: Serializer>(
+    region: &[(Rational, Rational)],
+    to: S,
+) -> Result<S::Ok, S::Error> {
+    let sides = region.iter().map(|(a, b)| [a.to_string(), b.to_string()]);
+    sides.collect::<Vec<_>>().serialize(to)
+}

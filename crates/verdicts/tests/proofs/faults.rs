@@ -1,0 +1,78 @@
+//! Deliberate mistakes of the prover are seen by the checker alone, and one of the checker by the prover.
+
+use crate::claim;
+use torse_language::core;
+use torse_language::words::Verdict;
+use torse_numbers::planted::{Planted, with};
+use torse_proof::check::{self, Unchecked, Work};
+use torse_prove::decide_statement;
+use torse_verdicts::engine::decide_claim;
+use torse_verdicts::grounds::Grounds;
+
+/// What the checker says, without the mistake, of what the prover finds with it.
+fn caught(fault: Planted, lines: &str) -> Result<(), Unchecked> {
+    let claim = claim(lines);
+    let statement = claim.statement.clone().unwrap();
+    let decision = with(fault, || decide_statement(&claim, &statement)).unwrap();
+    let grounds = Grounds::of(&decision).unwrap_or_else(|| panic!("{fault:?}: {decision:?}"));
+    let core = core::Claim::new(&claim, &statement).unwrap();
+    let work = Work::new(check::WORK);
+    match grounds.plain() {
+        Grounds::Proof { conditions, of } => {
+            check::proves(&core, &statement.origin, &conditions, &of, &work)
+        }
+        Grounds::Refutation(of) => check::refutes(&core, &statement.origin, &of, &work),
+    }
+}
+
+#[test]
+fn the_checker_sees_mistakes_of_the_prover() {
+    for (fault, lines) in [
+        (
+            Planted::RangeForgotten,
+            "assume = ['x == a']\nstates = 'a >= 0'",
+        ),
+        (
+            Planted::ConditionDropped,
+            "given = ['a*b == a']\nsolve_for = ['b']\nstates = 'b == 1'",
+        ),
+        (
+            Planted::AssumptionReversed,
+            "assume = ['a + b >= 1']\nstates = 'a + b <= 1'",
+        ),
+        (
+            Planted::BoundReversed,
+            "assume = ['a >= 1']\nstates = 'a - x <= 1'",
+        ),
+        (
+            Planted::WitnessAnywhere,
+            "assume = ['a^3 > 1']\nstates = 'a > 1/2'",
+        ),
+        (Planted::RoundingTooWide, "states = 'agrees(pi, 3.15)'"),
+        (
+            Planted::CosineRate,
+            "states = 'D(cos(pi/2*x), x) == pi/2*sin(pi/2*x)'",
+        ),
+        (Planted::SecondHalfIgnored, "states = 'a == a and a == b'"),
+    ] {
+        let said = caught(fault, lines);
+        assert!(
+            matches!(said, Err(Unchecked::Wrong(_))),
+            "{fault:?}: {said:?}"
+        );
+    }
+}
+
+#[test]
+fn a_mistake_of_the_checker_contradicts_the_prover() {
+    let claim = claim("states = '(a - b)*(a + b) == a^2 - b^2'");
+    let clean = decide_claim("proofs", &claim).unwrap();
+    assert_eq!(clean.verdict, Verdict::Holds);
+    assert!(clean.replay.unwrap().replayed);
+    let faulty = with(Planted::DifferenceReadAsSum, || {
+        decide_claim("proofs", &claim)
+    })
+    .unwrap();
+    assert_eq!(faulty.verdict, Verdict::Undecided);
+    assert!(faulty.contradiction.unwrap().contains("multiplied out"));
+}

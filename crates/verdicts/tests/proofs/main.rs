@@ -1,0 +1,85 @@
+//! Proofs as values, and the checker that goes through them without search.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "helpers of tests"
+)]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod damaged;
+mod faults;
+mod kinds;
+mod random;
+
+use torse_language::core;
+use torse_language::derivation::{Claim, Origin};
+use torse_proof::Polynomial;
+use torse_proof::check::{self, Unchecked, Work};
+use torse_prove::decide_statement;
+use torse_verdicts::grounds::Grounds;
+
+const DECLARATIONS: &str = r#"
+[symbols]
+x = { in = "[0, 1]" }
+z = { in = "[0, 1]" }
+u = { in = "[0, inf)" }
+v = { in = "[0, inf)" }
+a = {}
+b = {}
+r = {}
+s = {}
+n = { integer = ">= 1" }
+i = { integer = "0..2" }
+[basis.B]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['1 - x', 'x']
+"#;
+
+/// A claim with what the prover found.
+struct Found {
+    core: core::Claim,
+    origin: Origin,
+    grounds: Grounds<Polynomial>,
+}
+
+fn claim(lines: &str) -> Claim {
+    let paper = common::loaded("proofs", DECLARATIONS, &[lines]).unwrap();
+    paper.claims.into_iter().next().unwrap()
+}
+
+/// What the prover finds of a claim whose fields are `lines`; nothing where it decides nothing.
+fn tried(lines: &str) -> Option<Found> {
+    let claim = claim(lines);
+    let statement = claim.statement.clone().unwrap();
+    let decision = decide_statement(&claim, &statement).unwrap();
+    Some(Found {
+        core: core::Claim::new(&claim, &statement).unwrap(),
+        origin: statement.origin,
+        grounds: Grounds::of(&decision)?.plain(),
+    })
+}
+
+#[track_caller]
+fn found(lines: &str) -> Found {
+    tried(lines).unwrap_or_else(|| panic!("{lines}: not decided"))
+}
+
+impl Found {
+    /// What the checker says.
+    fn checked(&self) -> Result<(), Unchecked> {
+        let work = Work::new(check::WORK);
+        match &self.grounds {
+            Grounds::Proof { conditions, of } => {
+                check::proves(&self.core, &self.origin, conditions, of, &work)
+            }
+            Grounds::Refutation(of) => check::refutes(&self.core, &self.origin, of, &work),
+        }
+    }
+}
