@@ -44,6 +44,7 @@ pub mod export;
 mod file;
 pub mod fold;
 pub mod inspect;
+pub mod movable;
 mod unit;
 pub mod unroll;
 

@@ -269,7 +269,7 @@ impl Page<'_> {
         write!(
             out,
             "<figcaption>Figure {}. {} <span class=\"provenance\">{}",
-            position + 1,
+            Text(&figure.number),
             Sentence(&figure.caption),
             badge(figure.verdict),
         )?;

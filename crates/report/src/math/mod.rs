@@ -33,7 +33,7 @@ pub struct Mathematics {
     /// Typst mathematics, without dollar signs.
     pub typst: String,
     /// Ways to break a long formula into pieces of Typst mathematics, coarsest first; none for a short one.
-    pub breaks: Vec<Vec<String>>,
+    pub breaks: Vec<Vec<Piece>>,
     /// MathML, one element for each piece between which a line may be broken.
     #[serde(skip)]
     pub mathml: Vec<String>,
@@ -43,9 +43,18 @@ pub struct Mathematics {
     /// The same in pieces between which a line may be broken, each with about how many letters wide it is.
     #[serde(skip)]
     pub latex_pieces: Vec<(String, usize)>,
-    /// Letters and signs on one line.
-    #[serde(skip)]
+    /// Letters and signs on one line: what stands for the formula where it is read aloud.
+    #[serde(rename = "alt")]
     pub text: String,
+}
+
+/// A piece of a formula that is broken over lines.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Piece {
+    /// Typst mathematics.
+    pub typst: String,
+    /// Letters and signs.
+    pub alt: String,
 }
 
 /// A stretch of a sentence.
@@ -84,9 +93,15 @@ impl Mathematics {
         /// No formula of so few letters is wider than the column.
         const SHORT: usize = 30;
         let text = write::text(node);
-        let mut breaks: Vec<Vec<String>> = Vec::new();
+        let mut breaks: Vec<Vec<Piece>> = Vec::new();
         if text.chars().count() > SHORT {
-            let piece = |piece: Vec<Node>| write::typst(&Node::Row(piece));
+            let piece = |piece: Vec<Node>| {
+                let row = Node::Row(piece);
+                Piece {
+                    typst: write::typst(&row),
+                    alt: write::text(&row),
+                }
+            };
             let cut = |width| mathml::cuts(node, width).into_iter().map(piece).collect();
             breaks.extend(WIDTHS.into_iter().map(cut));
             breaks.dedup();

@@ -1,0 +1,54 @@
+//! Pictures, and what is said of them.
+
+use crate::paper;
+use crate::support::HTML;
+use torse_report::gallery;
+
+#[test]
+fn figures_say_what_was_assumed_and_what_replaced_in_page_and_gallery() {
+    let sample = paper::sample();
+    let figures = paper::figures();
+    let gallery = gallery(&[(&sample, &figures)]).unwrap();
+    for (what, text) in [("page", HTML.as_str()), ("gallery", gallery.as_str())] {
+        for verdict in ["reproduced", "partial", "underspecified"] {
+            assert!(text.contains(verdict), "{what}: {verdict}");
+        }
+        assert!(
+            text.contains("Assumed:") && text.contains("the view; the range of"),
+            "{what}"
+        );
+        assert!(text.contains("Not printed, replaced by our own:"), "{what}");
+        assert!(!text.contains("<script>alert"), "{what}");
+    }
+    for figure in &figures {
+        let link = format!("<img src=\"figures/{}.png\" width=", figure.name);
+        assert!(gallery.contains(&link), "{}", figure.name);
+    }
+}
+
+#[test]
+fn a_figure_with_sliders_carries_its_nets_as_json() {
+    let start = "<script type=\"application/json\">";
+    assert_eq!(HTML.matches(start).count(), 1);
+    let (_, after) = HTML.split_once(start).unwrap();
+    let (data, _) = after.split_once("</script>").unwrap();
+    let data: serde_json::Value = serde_json::from_str(data).unwrap();
+    let arch = paper::arch().unwrap();
+    let parts = data["parts"].as_array().unwrap();
+    assert_eq!(parts.len(), arch.parts().len());
+    for (part, of) in parts.iter().zip(arch.parts()) {
+        for (net, points) in part["nets"].as_array().unwrap().iter().zip(&of.nets) {
+            let numbers: Vec<f64> = net
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|n| n.as_f64().unwrap())
+                .collect();
+            let close = numbers
+                .iter()
+                .zip(points.iter().flatten())
+                .all(|(a, b)| (a - b).abs() < 1e-4);
+            assert!(numbers.len() == 3 * points.len() && close);
+        }
+    }
+}
