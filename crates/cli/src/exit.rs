@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use thiserror::Error;
 use torse_designs::{DesignError, Ending};
+use torse_exchange::ExchangeError;
 use torse_language::derivation::{DerivationError, LoadError};
 use torse_language::words::Verdict;
 use torse_plates::PlateError;
@@ -182,6 +183,24 @@ pub enum Failure {
         /// Why.
         reason: String,
     },
+    /// The developable of a figure makes no CAD file.
+    #[error("figure `{figure}`: {source}")]
+    Step {
+        /// The figure.
+        figure: String,
+        /// Why.
+        #[source]
+        source: ExchangeError,
+    },
+    /// A derivation file that was read a moment ago is not there any more.
+    #[error("{} cannot be read", path.display())]
+    Unread {
+        /// The path.
+        path: PathBuf,
+        /// Why.
+        #[source]
+        source: std::io::Error,
+    },
     /// The terminal, or what stands in for it, took no more.
     #[error("cannot write the output")]
     Print(#[source] std::io::Error),
@@ -246,10 +265,11 @@ impl Failure {
                 Ending::Missed => Exit::Differs,
             },
             Failure::MissingCoqc => Exit::Missing,
-            Failure::ReadProofs { .. } => Exit::BadData,
+            Failure::ReadProofs { .. } | Failure::Unread { .. } => Exit::BadData,
             Failure::Proofs(_)
             | Failure::Report(_)
             | Failure::Figure { .. }
+            | Failure::Step { .. }
             | Failure::Print(_) => Exit::Output,
         }
     }

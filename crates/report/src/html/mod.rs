@@ -6,6 +6,7 @@
 //! and adds filter, search and keys.
 
 mod claim;
+mod colophon;
 mod drawing;
 mod graph;
 mod landing;
@@ -80,6 +81,8 @@ struct PagePicture {
     torse: Option<String>,
     /// The name of the files that a reader saves.
     name: String,
+    /// The place of a STEP file.
+    step: Option<String>,
 }
 
 /// The pictures, and the letters that they share as an element of the page.
@@ -110,6 +113,7 @@ fn pictures(
             moving: figure.interactive.as_ref().map(moving::data).transpose()?,
             torse: figure.torse.as_ref().map(torse::data).transpose()?,
             name: figure.name.clone(),
+            step: figure.step.clone(),
         });
     }
     Ok((pictures, shelf.written()))
@@ -134,10 +138,11 @@ impl Page<'_> {
              <title>Verification report: {title}</title>\n<style>\n{}</style>\n</head>\n<body>\n\
              <a class=\"skip\" href=\"#claims\">Skip to the claims</a>\n\
              <header class=\"masthead\">\n<p class=\"kicker\">Verification report</p>\n<h1>{title}</h1>\n\
-             <p class=\"meta\">{}</p>\n<p class=\"meta\"><em>{}</em></p>\n</header>\n<main>\n",
+             <p class=\"meta\">{}</p>\n<p class=\"meta\"><em>{}</em>{}</p>\n</header>\n<main>\n",
             style(),
             Text(&self.report.authors),
             Text(&self.report.venue),
+            text::doi(self.report),
         )?;
         out.push_str(&self.letters);
         overview::write(out, self.report)?;
@@ -164,6 +169,7 @@ impl Page<'_> {
             }
         }
         overview::write_appendix(out, self.report)?;
+        colophon::write(out, self.report)?;
         out.push_str("</main>\n");
         Ok(())
     }
@@ -253,11 +259,13 @@ impl Page<'_> {
         write!(out, "<figure id=\"{}\">{}", figure.anchor, picture.element,)?;
         // A developable can be moved in more ways, so that its nets are not needed besides.
         if let Some(data) = &picture.torse {
+            let step = picture.step.as_deref().unwrap_or_default();
             write!(
                 out,
-                "<details class=\"moving torse\" data-name=\"{}\" data-alt=\"{alt}\"><summary>Move and unroll it</summary>\
+                "<details class=\"moving torse\" data-name=\"{}\" data-step=\"{}\" data-alt=\"{alt}\"><summary>Move and unroll it</summary>\
                  <script type=\"application/json\">{data}</script></details>",
                 Text(&picture.name),
+                Text(step),
             )?;
         } else if let Some(data) = &picture.moving {
             write!(

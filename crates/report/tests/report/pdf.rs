@@ -55,6 +55,7 @@ fn a_picture_that_is_none_is_an_error_that_names_the_document() {
         stand_in: Vec::new(),
         interactive: None,
         torse: None,
+        step: None,
     };
     let error = typeset(&short(), &[broken]).unwrap_err();
     assert!(
