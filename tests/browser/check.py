@@ -55,6 +55,11 @@ addEventListener("load", async () => {
     location.hash = last.id;
     await frame();
     await frame();
+    const middle = shown()[shown().length >> 1];
+    location.hash = middle.id;
+    await frame();
+    await frame();
+    seen.under = document.getElementById("tools").getBoundingClientRect().bottom - middle.querySelector("h3").getBoundingClientRect().top;
     seen.opened = last.querySelector("details").open && Boolean(last.querySelector("dl + dl"));
     const cut = (box) => box.scrollWidth - box.clientWidth;
     // A fraction that is wider than the window is scrolled; everything else is broken.
@@ -159,6 +164,8 @@ def faults(seen):
         wrong.append("the address does not say what is shown")
     if seen["none"]["left"] or not seen["none"]["told"] or seen["after"] != seen["claims"]:
         wrong.append("an empty result is not told, or not undone")
+    if seen["under"] > 0:
+        wrong.append(f"the bar covers {seen['under']:.0f} pixels of a claim that is linked to")
     if not seen["opened"]:
         wrong.append("a link does not open its claim")
     for name in ("kind", "section"):

@@ -45,6 +45,9 @@ fn a_report_of_a_paper_is_written_whole_and_the_same_twice() {
         [
             "README.md",
             "index.html",
+            "mini-erratum.md",
+            "mini-erratum.pdf",
+            "mini-erratum.tex",
             "mini.html",
             "mini.pdf",
             "summary.pdf",

@@ -32,7 +32,6 @@ const STYLE: &str = include_str!("../../assets/page.css");
 /// machine: made with `pyftsubset --layout-features=ssty,dtls` and renamed, as its licence (GUST) asks.
 const FONT: &[u8] = include_bytes!("../../assets/math.woff2");
 const SCRIPT: &str = include_str!("../../assets/page.js");
-const MOVING: &str = include_str!("../../assets/moving.js");
 
 /// The report of one paper as one HTML file, with its pictures inside.
 ///
@@ -198,7 +197,7 @@ impl Page<'_> {
         write!(
             out,
             "<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
-             <kbd>Esc</kbd> clear the search; in a moving figure the arrows turn it, <kbd>+</kbd> and <kbd>-</kbd> scale it, <kbd>Home</kbd> puts it back.</p></footer>\n<script>\n{SCRIPT}{MOVING}{}</script>\n</body>\n</html>\n",
+             <kbd>Esc</kbd> clear the search; in a moving figure the arrows turn it, <kbd>+</kbd> and <kbd>-</kbd> scale it, <kbd>Home</kbd> puts it back.</p></footer>\n<script>\n{SCRIPT}{}</script>\n</body>\n</html>\n",
             torse::SCRIPT
         )
     }

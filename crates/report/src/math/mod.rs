@@ -32,7 +32,8 @@ use torse_language::syntax::{Expr, parse};
 pub struct Mathematics {
     /// Typst mathematics, without dollar signs.
     pub typst: String,
-    /// Ways to break a long formula into pieces of Typst mathematics, coarsest first; none for a short one.
+    /// Ways to break a long formula into pieces of Typst mathematics, coarsest first; none for a short one, one for a
+    /// formula within a sentence.
     pub breaks: Vec<Vec<Piece>>,
     /// MathML, one element for each piece between which a line may be broken.
     #[serde(skip)]
@@ -78,13 +79,24 @@ const WIDTHS: [usize; 4] = [usize::MAX, 90, 45, 20];
 impl Mathematics {
     /// A formula within a sentence.
     pub(crate) fn inline(node: &Node) -> Self {
+        /// One of more letters may be wider than what is left of a line, and than the line.
+        const LONG: usize = 50;
+        let text = write::text(node);
+        let breaks = match text.chars().count() > LONG {
+            true => vec![
+                (mathml::finest(node, WIDTHS[WIDTHS.len() - 1]).into_iter())
+                    .map(piece)
+                    .collect(),
+            ],
+            false => Vec::new(),
+        };
         Mathematics {
             typst: write::typst(node),
-            breaks: Vec::new(),
+            breaks,
             mathml: mathml::pieces(node),
             latex: write::latex(node),
             latex_pieces: Vec::new(),
-            text: write::text(node),
+            text,
         }
     }
 
@@ -95,15 +107,11 @@ impl Mathematics {
         let text = write::text(node);
         let mut breaks: Vec<Vec<Piece>> = Vec::new();
         if text.chars().count() > SHORT {
-            let piece = |piece: Vec<Node>| {
-                let row = Node::Row(piece);
-                Piece {
-                    typst: write::typst(&row),
-                    alt: write::text(&row),
-                }
-            };
             let cut = |width| mathml::cuts(node, width).into_iter().map(piece).collect();
             breaks.extend(WIDTHS.into_iter().map(cut));
+            // A product is cut where nothing else helps.
+            let finest = mathml::finest(node, WIDTHS[WIDTHS.len() - 1]);
+            breaks.push(finest.into_iter().map(piece).collect());
             breaks.dedup();
         }
         Mathematics {
@@ -119,6 +127,14 @@ impl Mathematics {
                 .collect(),
             text,
         }
+    }
+}
+
+fn piece(nodes: Vec<Node>) -> Piece {
+    let row = Node::Row(nodes);
+    Piece {
+        typst: write::typst(&row),
+        alt: write::text(&row),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::paper;
 use crate::support::HTML;
-use torse_report::gallery;
+use torse_report::{gallery, model::Report};
 
 #[test]
 fn figures_say_what_was_assumed_and_what_replaced_in_page_and_gallery() {
@@ -24,6 +24,28 @@ fn figures_say_what_was_assumed_and_what_replaced_in_page_and_gallery() {
         let link = format!("<img src=\"figures/{}.png\" width=", figure.name);
         assert!(gallery.contains(&link), "{}", figure.name);
     }
+}
+
+#[test]
+fn a_figure_of_the_paper_has_its_number_and_a_picture_of_ours_another() {
+    let numbers = |at: &str| -> Vec<String> {
+        let mut sample = paper::sample();
+        for claim in &mut sample.claims {
+            if claim.id == "sample/fig-1" {
+                claim.at = at.to_owned();
+            }
+        }
+        let report = Report::new(&sample, &paper::figures());
+        report.figures.into_iter().map(|of| of.number).collect()
+    };
+    assert_eq!(
+        numbers("Fig. 2 (a) (its caption is missing)"),
+        ["2(a)", "E1", "E2"]
+    );
+    assert_eq!(numbers("Sect. 3.1, Figure 12"), ["12", "E1", "E2"]);
+    assert_eq!(numbers("Figs. 9–10"), ["E1", "E2", "E3"]);
+    assert!(HTML.contains("<figcaption>Figure 1. ") && HTML.contains("<figcaption>Figure E1. "));
+    assert!(HTML.contains(">Figure 1</a>"), "a mention");
 }
 
 #[test]

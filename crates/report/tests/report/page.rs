@@ -2,7 +2,7 @@
 
 use crate::paper;
 use crate::support::{HTML, page};
-use torse_report::model::Report;
+use torse_report::{Source, Typeset, html_page, landing_page, model::Report};
 
 #[test]
 fn the_page_has_an_anchor_and_filter_attributes_for_every_claim() {
@@ -59,6 +59,24 @@ fn the_page_shows_formulas_as_mathml_and_what_cannot_be_read_as_code() {
     assert!(HTML.contains(formula) || HTML.contains("<mi>x</mi>"));
     // The statement, which is no formula, in the claim and in the list of what it is about.
     assert!(HTML.contains("<code class=\"plain\">#panic(1)"));
+}
+
+#[test]
+fn page_letter_and_landing_page_say_what_they_were_made_from() {
+    let digest = "0123456789abcdef".repeat(4);
+    let source = Source::new("sample", Some("10.1000/<1>"), &digest);
+    let report = Report::new(&paper::sample(), &[]).from_source(source);
+    let page = html_page(&report, &[]).unwrap();
+    let landing = landing_page(std::slice::from_ref(&report)).unwrap();
+    for text in [&page, &landing] {
+        let link = "<a href=\"https://doi.org/10.1000/&lt;1&gt;\">doi:10.1000/&lt;1&gt;</a>";
+        assert!(text.contains(link));
+        assert!(text.contains(env!("CARGO_PKG_VERSION")));
+    }
+    assert!(page.contains(&digest) && page.contains("cat derivations/sample/*.toml | sha256sum"));
+    assert!(landing.contains("<code>0123456789ab</code>"));
+    assert!(page.contains("href=\"sample-erratum.pdf\"") && page.contains("href=\"sample.pdf\""));
+    Typeset::paper(&report, &[]).unwrap().pdf().unwrap();
 }
 
 #[test]

@@ -43,6 +43,12 @@ fn a_paper_without_claims_and_a_summary_without_papers_are_documents_too() {
 }
 
 #[test]
+fn the_summary_has_a_page_for_each_paper() {
+    let papers = vec![paper::sample(), paper::sample(), paper::sample()];
+    assert_eq!(summary(&papers).unwrap().page_count(), 3);
+}
+
+#[test]
 fn a_picture_that_is_none_is_an_error_that_names_the_document() {
     let broken = FigureImage {
         name: "broken".to_owned(),
