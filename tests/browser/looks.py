@@ -24,9 +24,21 @@ addEventListener("load", async () => {
   // Boxes of the lines of every text that is seen; of a formula the box of the whole.
   const lines = () => {
     const boxes = [], walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    // What is scrolled out of its frame is not seen.
+    const frame = (node) => {
+      let [least, most] = [-Infinity, Infinity];
+      for (let part = node.nodeType === 1 ? node : node.parentElement; part && part !== document.body; part = part.parentElement) {
+        if (getComputedStyle(part).overflowX === "visible") continue;
+        const { left, right } = part.getBoundingClientRect();
+        [least, most] = [Math.max(least, left), Math.min(most, right)];
+      }
+      return [least, most];
+    };
     const add = (node, rects, words) => {
+      const [least, most] = frame(node);
       for (const { left, right, top, bottom } of rects) {
-        if (right - left > 2 && bottom - top > 2) boxes.push({ node, left, right, top, bottom, words });
+        const box = { node, left: Math.max(left, least), right: Math.min(right, most), top, bottom, words };
+        if (box.right - box.left > 2 && bottom - top > 2) boxes.push(box);
       }
     };
     while (walker.nextNode()) {
@@ -51,13 +63,7 @@ addEventListener("load", async () => {
         if (a.node !== b.node && wide > 3 && high > 0.66 * least) over.push(`${a.words} | ${b.words}`);
       }
     });
-    const scrolled = (node) => {
-      for (let part = node.nodeType === 1 ? node : node.parentElement; part; part = part.parentElement) {
-        if (part !== document.body && part !== document.documentElement && getComputedStyle(part).overflowX !== "visible") return true;
-      }
-      return false;
-    };
-    const cut = boxes.filter((box) => box.right > innerWidth + 1 && !scrolled(box.node)).map(({ words }) => words);
+    const cut = boxes.filter((box) => box.right > innerWidth + 1).map(({ words }) => words);
     return { over, cut, wide: document.documentElement.scrollWidth - innerWidth };
   };
   const rules = async () => {

@@ -209,11 +209,21 @@ impl<'a> File<'a> {
     }
 }
 
+/// Names of files that are not a paper's.
+const TAKEN: [&str; 2] = ["summary", "index"];
+
+/// How the name of a paper's letter ends.
+const LETTER: &str = "-erratum";
+
 /// Fails unless `slug` can be the name of a paper's files: it stays in the folder and takes no other
 /// file's name.
 fn check_slug(slug: &str) -> Result<(), Failure> {
     let plain = |character: char| character.is_ascii_alphanumeric() || character == '-';
-    match !slug.is_empty() && slug.chars().all(plain) && slug != "summary" && slug != "index" {
+    match !slug.is_empty()
+        && slug.chars().all(plain)
+        && !TAKEN.contains(&slug)
+        && !slug.ends_with(LETTER)
+    {
         true => Ok(()),
         false => Err(Failure::Slug {
             slug: slug.to_owned(),
