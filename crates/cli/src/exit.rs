@@ -147,7 +147,9 @@ pub enum Failure {
     Derive(Box<DeriveError>),
     /// The id of a paper would lead a file astray.
     #[error("the paper's id `{slug}` cannot be the name of a report")]
-    #[diagnostic(help("an id is made of letters, digits and hyphens, and is neither `summary` nor `index`, and does not end in `-erratum`"))]
+    #[diagnostic(help(
+        "an id is made of letters, digits and hyphens, and is neither `summary` nor `index`, and does not end in `-erratum`"
+    ))]
     Slug {
         /// The id.
         slug: String,

@@ -156,3 +156,48 @@ pub(crate) fn expression(formula: &str) -> Option<Expr> {
     let formula = formula.replace("[]", "");
     parse(&formula).ok().map(Expr::placeless)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The breaks of a formula as texts.
+    fn texts(pieces: &[Piece]) -> Vec<&str> {
+        pieces.iter().map(|piece| piece.alt.as_str()).collect()
+    }
+
+    #[test]
+    fn a_long_formula_within_a_sentence_may_break_behind_commas_and_before_factors() {
+        let short = read("a + b", &Names::default()).unwrap();
+        assert!(Mathematics::inline(&short).breaks.is_empty());
+        let long = "h(u, [-20, 60, 45], [-28, 39, 34], [-38, -60, 45], [-10, -67, -74])";
+        let long = Mathematics::inline(&read(long, &Names::default()).unwrap());
+        let [pieces] = long.breaks.as_slice() else {
+            unreachable!("one way to break it")
+        };
+        let pieces = texts(pieces);
+        assert_eq!(pieces.concat().replace(' ', ""), long.text.replace(' ', ""));
+        assert!(pieces.len() > 2, "{pieces:?}");
+        assert!(
+            pieces.iter().all(|piece| piece.chars().count() < 34),
+            "{pieces:?}"
+        );
+        let (last, before) = pieces.split_last().unwrap();
+        assert!(
+            before.iter().all(|piece| piece.ends_with([',', ' '])),
+            "{pieces:?}"
+        );
+        assert!(last.ends_with(')'));
+    }
+
+    #[test]
+    fn the_last_way_to_break_a_product_leaves_no_piece_too_wide() {
+        let product = "[l*F(z)*sum(k, 0, n, g[k](z)*X[k]), l*F(z)*sum(k, 0, n, g[k](z)*Y[k])] == 0";
+        let product = Mathematics::display(&read(product, &Names::default()).unwrap());
+        let finest = texts(product.breaks.last().unwrap());
+        assert!(
+            finest.iter().all(|piece| piece.chars().count() <= 34),
+            "{finest:?}"
+        );
+    }
+}
