@@ -24,18 +24,21 @@ addEventListener("load", async () => {
   // Boxes of the lines of every text that is seen; of a formula the box of the whole.
   const lines = () => {
     const boxes = [], walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-    // What is scrolled out of its frame is not seen.
-    const frame = (node) => {
-      let [least, most] = [-Infinity, Infinity];
-      for (let part = node.nodeType === 1 ? node : node.parentElement; part && part !== document.body; part = part.parentElement) {
-        if (getComputedStyle(part).overflowX === "visible") continue;
-        const { left, right } = part.getBoundingClientRect();
-        [least, most] = [Math.max(least, left), Math.min(most, right)];
+    // What is scrolled out of its frame is not seen; frames of parents are worked out once.
+    const known = new Map([[document.body, [-Infinity, Infinity]]]);
+    const frame = (part) => {
+      if (!known.has(part)) {
+        let [least, most] = frame(part.parentElement);
+        if (getComputedStyle(part).overflowX !== "visible") {
+          const { left, right } = part.getBoundingClientRect();
+          [least, most] = [Math.max(least, left), Math.min(most, right)];
+        }
+        known.set(part, [least, most]);
       }
-      return [least, most];
+      return known.get(part);
     };
     const add = (node, rects, words) => {
-      const [least, most] = frame(node);
+      const [least, most] = frame(node.parentElement);
       for (const { left, right, top, bottom } of rects) {
         const box = { node, left: Math.max(left, least), right: Math.min(right, most), top, bottom, words };
         if (box.right - box.left > 2 && bottom - top > 2) boxes.push(box);
