@@ -14,21 +14,10 @@ import html
 import json
 import pathlib
 import re
-import shutil
-import subprocess
 import sys
-import tempfile
 import zlib
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
-
-# Errors are caught from the first script on.
-FIRST = """<script>
-window.seen = { errors: [] };
-addEventListener("error", (event) => seen.errors.push(String(event.message || event.type)), true);
-addEventListener("securitypolicyviolation", (event) => seen.errors.push(`policy: ${event.violatedDirective}`));
-console.error = (...words) => seen.errors.push(words.join(" "));
-</script>"""
+import chromium
 
 LAST = """<script>
 addEventListener("load", async () => {
@@ -66,6 +55,11 @@ addEventListener("load", async () => {
     location.hash = last.id;
     await frame();
     await frame();
+    const middle = shown()[shown().length >> 1];
+    location.hash = middle.id;
+    await frame();
+    await frame();
+    seen.under = document.getElementById("tools").getBoundingClientRect().bottom - middle.querySelector("h3").getBoundingClientRect().top;
     seen.opened = last.querySelector("details").open && Boolean(last.querySelector("dl + dl"));
     const cut = (box) => box.scrollWidth - box.clientWidth;
     // A fraction that is wider than the window is scrolled; everything else is broken.
@@ -99,12 +93,9 @@ addEventListener("load", async () => {
       details.open = false;
     }
   } catch (error) { seen.errors.push(String(error.stack || error)); }
-  const report = document.createElement("pre");
-  report.id = "what-was-seen";
-  report.textContent = JSON.stringify(seen);
-  document.body.append(report);
+""" + chromium.TELL + """
 });
-</script></body>"""
+</script>"""
 
 
 # A page without claims, the landing page: it has no script of its own, and its policy allows none.
@@ -114,43 +105,9 @@ addEventListener("load", () => {
   seen.cut = maths.filter((box) => box.scrollWidth - box.clientWidth > 1 && getComputedStyle(box).overflowX === "visible").length;
   seen.wide = document.documentElement.scrollWidth - innerWidth;
   seen.math = document.querySelectorAll("math").length;
-  const report = document.createElement("pre");
-  report.id = "what-was-seen";
-  report.textContent = JSON.stringify(seen);
-  document.body.append(report);
+""" + chromium.TELL + """
 });
-</script></body>"""
-
-POLICY = re.compile(r'<meta http-equiv="Content-Security-Policy"[^>]*>')
-
-
-def dumped(browser, page, width):
-    """The page as it stands after its scripts have run, in a window of this width."""
-    with tempfile.TemporaryDirectory() as profile:
-        command = [
-            browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-            "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage",
-            f"--user-data-dir={profile}", f"--window-size={width},900", "--virtual-time-budget=60000",
-            "--dump-dom", page.as_uri(),
-        ]
-        return subprocess.run(command, capture_output=True, text=True, timeout=300, check=False).stdout
-
-
-def run(browser, page, width):
-    """What the page's visitor saw in a window of this width."""
-    text = page.read_text(encoding="utf-8")
-    with tempfile.TemporaryDirectory() as folder:
-        folder = pathlib.Path(folder)
-        copy = folder / "page.html"
-        last = LAST if 'id="unfold"' in text else PLAIN
-        if last is PLAIN:
-            text = POLICY.sub("", text)
-        text = text.replace("<head>", "<head>" + FIRST, 1)
-        head, _, tail = text.rpartition("</body>")
-        copy.write_text(head + last + tail, encoding="utf-8")
-        dump = dumped(browser, copy, width)
-    found = re.search(r'<pre id="what-was-seen">(.*?)</pre>', dump, re.S)
-    return json.loads(html.unescape(found.group(1))) if found else None
+</script>"""
 
 
 def unpacked(text):
@@ -177,6 +134,13 @@ def typed(page):
     return [words[max(0, found.start() - 20):found.end() + 20] for found in TYPED.finditer(words)]
 
 
+def absent(page):
+    """Files that the page leads to and that do not lie beside it."""
+    text = unpacked(page.read_text(encoding="utf-8"))
+    files = set(re.findall(r'(?:href|data-step|src)="([^"#:?]+)[#?"]', text))
+    return sorted(name for name in files if not (page.parent / html.unescape(name)).is_file())
+
+
 def faults(seen):
     """What is wrong with what was seen, in words."""
     if seen is None:
@@ -200,6 +164,8 @@ def faults(seen):
         wrong.append("the address does not say what is shown")
     if seen["none"]["left"] or not seen["none"]["told"] or seen["after"] != seen["claims"]:
         wrong.append("an empty result is not told, or not undone")
+    if seen["under"] > 0:
+        wrong.append(f"the bar covers {seen['under']:.0f} pixels of a claim that is linked to")
     if not seen["opened"]:
         wrong.append("a link does not open its claim")
     for name in ("kind", "section"):
@@ -219,9 +185,8 @@ def faults(seen):
 
 
 def main():
-    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    browser = chromium.found()
     if browser is None:
-        print("skipped: no Chromium found")
         return 0
     pages = [pathlib.Path(name) for name in sys.argv[1:]]
     if not pages:
@@ -232,12 +197,17 @@ def main():
         if page.stat().st_size > BUDGET:
             failed = True
             print(f"{page.name}: {page.stat().st_size} bytes are more than {BUDGET}")
+        missing = absent(page)
+        if missing:
+            failed = True
+            print(f"{page.name}: {len(missing)} links lead to no file beside it: {missing[:3]}")
         found = typed(page)
         if found:
             failed = True
             print(f"{page.name}: {len(found)} stretches of typed mathematics: {found[:3]}")
-        for width in (360, 1200):
-            seen = run(browser, page, width)
+        last = LAST if chromium.has_script(page.read_text(encoding="utf-8")) else PLAIN
+        for width in chromium.WIDTHS:
+            seen = chromium.run(browser, page, width, last)
             wrong = faults(seen)
             failed = failed or bool(wrong)
             good = "fine"

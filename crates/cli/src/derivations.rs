@@ -3,9 +3,12 @@
 use crate::exit::Failure;
 use crate::mistakes::Mistakes;
 use crate::selection;
+use sha2::{Digest as _, Sha256};
 use std::path::{Path, PathBuf};
 use torse_language::derivation;
 use torse_language::derivation::Paper;
+use torse_language::derivation::schema::PaperHead;
+use torse_report::Source;
 
 /// What a folder of derivations holds.
 pub struct Found {
@@ -58,6 +61,28 @@ impl Derivations {
                 found => found,
             },
         }
+    }
+
+    /// What a report about a paper of the folder is made from.
+    pub fn source(&self, paper: &PaperHead) -> Result<Source, Failure> {
+        let folder = self.find()?.join(&paper.id);
+        let unread = |path: &Path| {
+            let path = path.to_owned();
+            move |source| Failure::Unread { path, source }
+        };
+        let entries = std::fs::read_dir(&folder).map_err(unread(&folder))?;
+        let files = entries.flatten().map(|entry| entry.path());
+        let mut files: Vec<PathBuf> = files
+            .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
+            .collect();
+        files.sort();
+        let mut digest = Sha256::new();
+        for file in &files {
+            digest.update(std::fs::read(file).map_err(unread(file))?);
+        }
+        let digits = |byte: &u8| format!("{byte:02x}");
+        let digest: String = digest.finalize().iter().map(digits).collect();
+        Ok(Source::new(&paper.id, paper.doi.as_deref(), &digest))
     }
 
     fn find(&self) -> Result<PathBuf, Failure> {

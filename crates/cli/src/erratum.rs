@@ -9,7 +9,7 @@ use clap::Args;
 use std::path::PathBuf;
 use torse_language::derivation::Paper;
 use torse_report::model::Report;
-use torse_report::{Typeset, erratum_latex, erratum_markdown, write_file};
+use torse_report::{ReportError, Typeset, erratum_latex, erratum_markdown, write_file};
 
 /// Write the corrections of a paper as TeX, PDF and Markdown, ready to be sent to its authors or journal.
 ///
@@ -38,6 +38,21 @@ Examples:
   torse erratum gbt-surfaces
   torse erratum gbt-developable --out letters";
 
+/// How the bytes of a letter are made.
+type Bytes = fn(&Report) -> Result<Vec<u8>, ReportError>;
+
+/// The files of a letter: their endings, and what makes them.
+pub const LETTERS: [(&str, Bytes); 3] = [
+    ("tex", |report| Ok(erratum_latex(report).into_bytes())),
+    ("pdf", |report| Typeset::erratum(report)?.pdf()),
+    ("md", |report| Ok(erratum_markdown(report).into_bytes())),
+];
+
+/// The name of a file of a paper's letter.
+pub fn file(slug: &str, ending: &str) -> String {
+    format!("{slug}-erratum.{ending}")
+}
+
 impl Erratum {
     /// Decides the paper, writes the letter, and says what was written.
     pub fn run(&self) -> Result<Exit, Failure> {
@@ -59,14 +74,9 @@ impl Erratum {
         let mut written = String::new();
         for paper in &run.papers {
             let report = Report::with_kernel(paper, &[], &accepted);
-            let files = [
-                ("tex", erratum_latex(&report).into_bytes()),
-                ("pdf", Typeset::erratum(&report)?.pdf()?),
-                ("md", erratum_markdown(&report).into_bytes()),
-            ];
-            for (ending, bytes) in files {
-                let file = self.out.join(format!("{}-erratum.{ending}", paper.slug));
-                write_file(&file, &bytes)?;
+            for (ending, bytes) in LETTERS {
+                let file = self.out.join(file(&paper.slug, ending));
+                write_file(&file, &bytes(&report)?)?;
                 written.push_str(&format!("{}\n", file.display()));
             }
         }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use thiserror::Error;
 use torse_designs::{DesignError, Ending};
+use torse_exchange::ExchangeError;
 use torse_language::derivation::{DerivationError, LoadError};
 use torse_language::words::Verdict;
 use torse_plates::PlateError;
@@ -146,7 +147,9 @@ pub enum Failure {
     Derive(Box<DeriveError>),
     /// The id of a paper would lead a file astray.
     #[error("the paper's id `{slug}` cannot be the name of a report")]
-    #[diagnostic(help("an id is made of letters, digits and hyphens, and is not `summary`"))]
+    #[diagnostic(help(
+        "an id is made of letters, digits and hyphens, and is neither `summary` nor `index`, and does not end in `-erratum`"
+    ))]
     Slug {
         /// The id.
         slug: String,
@@ -181,6 +184,24 @@ pub enum Failure {
         path: PathBuf,
         /// Why.
         reason: String,
+    },
+    /// The developable of a figure makes no CAD file.
+    #[error("figure `{figure}`: {source}")]
+    Step {
+        /// The figure.
+        figure: String,
+        /// Why.
+        #[source]
+        source: ExchangeError,
+    },
+    /// A derivation file that was read a moment ago is not there any more.
+    #[error("{} cannot be read", path.display())]
+    Unread {
+        /// The path.
+        path: PathBuf,
+        /// Why.
+        #[source]
+        source: std::io::Error,
     },
     /// The terminal, or what stands in for it, took no more.
     #[error("cannot write the output")]
@@ -246,10 +267,11 @@ impl Failure {
                 Ending::Missed => Exit::Differs,
             },
             Failure::MissingCoqc => Exit::Missing,
-            Failure::ReadProofs { .. } => Exit::BadData,
+            Failure::ReadProofs { .. } | Failure::Unread { .. } => Exit::BadData,
             Failure::Proofs(_)
             | Failure::Report(_)
             | Failure::Figure { .. }
+            | Failure::Step { .. }
             | Failure::Print(_) => Exit::Output,
         }
     }

@@ -10,12 +10,17 @@ use crate::terminal::Progress;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
+use torse_designs::movable::step_of;
+use torse_figures::Torse;
 use torse_language::derivation::Paper;
 use torse_plates::{Plate, PlateError, figure};
 use torse_report::{FigureImage, Image, write_file};
 
 /// The fingerprints of the figures in a folder, by the name of their files.
 pub type Fingerprints = BTreeMap<String, String>;
+
+/// The folder of the figures in that of the reports.
+pub const FOLDER: &str = "figures";
 
 /// The list of fingerprints in a folder of figures.
 const LIST: &str = "fingerprints.json";
@@ -85,12 +90,16 @@ pub fn shown(
                 true => drawn_before(folder, &name),
                 false => None,
             };
-            let svg = match kept {
-                Some(svg) => svg,
-                None => draw(&plate, folder, &name, failed)?,
+            let (svg, kept) = match kept {
+                Some(svg) => (svg, true),
+                None => (draw(&plate, folder, &name, failed)?, false),
             };
             let interactive = plate.interactive().map_err(failed)?;
             let torse = plate.torse().map_err(failed)?;
+            let step = match &torse {
+                Some(torse) => Some(solid(torse, &figure.id, folder, &name, kept)?),
+                None => None,
+            };
             progress.step();
             let drawing = plate.drawing();
             let image = FigureImage {
@@ -104,6 +113,7 @@ pub fn shown(
                 stand_in: drawing.stand_in.clone(),
                 interactive,
                 torse,
+                step,
             };
             Ok(Shown { image, fingerprint })
         })
@@ -115,6 +125,31 @@ pub fn shown(
 /// The names of a figure's files in its folder.
 pub fn files(name: &str) -> [String; 2] {
     [format!("{name}.png"), format!("{name}.svg")]
+}
+
+/// The name of the CAD file of a figure with a developable.
+pub fn cad_file(name: &str) -> String {
+    format!("{name}.step")
+}
+
+/// Writes the developable as a CAD file, unless an equal figure `kept` one; returns its place from the folder above.
+fn solid(
+    torse: &Torse,
+    id: &str,
+    folder: &Path,
+    name: &str,
+    kept: bool,
+) -> Result<String, Failure> {
+    let file = cad_file(name);
+    let path = folder.join(&file);
+    if !(kept && path.is_file()) {
+        let text = step_of(name, torse).map_err(|source| Failure::Step {
+            figure: id.to_owned(),
+            source,
+        })?;
+        write_file(&path, text.as_bytes())?;
+    }
+    Ok(format!("{FOLDER}/{file}"))
 }
 
 /// The drawing from the folder, if both files are there.

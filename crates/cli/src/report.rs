@@ -2,10 +2,11 @@
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
+use crate::figures::FOLDER as FIGURES;
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
-use crate::{figures, guard, selection, terminal};
+use crate::{erratum, figures, guard, selection, terminal};
 use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -13,15 +14,15 @@ use std::path::{Path, PathBuf};
 use torse_language::derivation::Paper;
 use torse_report::model::Report as Document;
 use torse_report::{
-    FigureImage, ReportError, Typeset, gallery, html_page, landing_page, verdicts_json_with_kernel,
-    write_file,
+    FigureImage, ReportError, Source, Typeset, gallery, html_page, landing_page,
+    verdicts_json_with_kernel, write_file,
 };
 use torse_verdicts::outcome::PaperOutcome;
 
 /// Decide all claims, draw the figures, and write everything into a folder.
 ///
-/// The folder gets `verdicts.json` and `summary.pdf` over all papers, `PAPER.pdf` and `PAPER.html` for each
-/// paper, `index.html`, which leads to them, the figures as PNG and SVG under `figures/`, and `README.md`, which shows
+/// The folder gets `verdicts.json` and `summary.pdf` over all papers, `PAPER.pdf`, `PAPER.html` and a letter of corrections
+/// (`PAPER-erratum.tex`, `.pdf`, `.md`) for each paper, `index.html`, which leads to them, the figures as PNG and SVG (developables as STEP besides) under `figures/`, and `README.md`, which shows
 /// them all. Naming papers leaves out the reports and figures of the others, and the pages of all; verdicts and summary are
 /// always of all. Nothing is written while a derivation file is wrong. Figures that did not change are not drawn again. The same input gives the same bytes.
 #[derive(Args)]
@@ -45,9 +46,6 @@ const EXAMPLES: &str = "\
 Examples:
   torse report
   torse report gbt-developable --out gbt-report";
-
-/// The folder of the figures in that of the reports.
-const FIGURES: &str = "figures";
 
 impl Report {
     /// Decides, draws, typesets, writes, and says what was written.
@@ -75,19 +73,24 @@ impl Report {
             .iter()
             .map(|(paper, _)| paper.figures().count())
             .sum();
-        let progress = Progress::new("reporting", pictures + 2 * wanted.len() + 3);
+        let progress = Progress::new("reporting", pictures + 5 * wanted.len() + 3);
         let mut written = Vec::new();
         let figures = self.figures(&wanted, &progress, &mut written)?;
         let shown: Vec<(&PaperOutcome, &[FigureImage])> = (wanted.iter().zip(&figures))
             .map(|((_, outcome), figures)| (*outcome, figures.as_slice()))
             .collect();
         let accepted = self.kernel.accepted(&papers, &run);
+        let sources: Vec<Source> = (papers.iter())
+            .map(|paper| self.derivations.source(&paper.head))
+            .collect::<Result<_, _>>()?;
         let reports: Vec<Document> = (run.papers.par_iter())
             .map(|paper| {
                 let figures = shown.iter().find(|(of, _)| of.slug == paper.slug);
                 let figures = figures.map_or(&[][..], |(_, figures)| *figures);
                 Document::with_kernel(paper, figures, &accepted)
             })
+            .zip(sources)
+            .map(|(report, source)| report.from_source(source))
             .collect();
         let documents = self.documents(&run, &reports, &shown, &accepted);
         let names: Vec<Result<&str, Failure>> = documents
@@ -127,9 +130,9 @@ impl Report {
             let mut images = Vec::new();
             for figure in shown {
                 let name = &figure.image.name;
-                written.extend(
-                    figures::files(name).map(|file| self.line(format!("{FIGURES}/{file}"))),
-                );
+                let cad = figure.image.step.iter().map(|_| figures::cad_file(name));
+                let files = figures::files(name).into_iter().chain(cad);
+                written.extend(files.map(|file| self.line(format!("{FIGURES}/{file}"))));
                 fingerprints.insert(name.clone(), figure.fingerprint);
                 images.push(figure.image);
             }
@@ -161,6 +164,11 @@ impl Report {
             documents.push(File::new(format!("{}.html", paper.slug), || {
                 Ok(html_page(report, figures)?.into_bytes())
             }));
+            for (ending, bytes) in erratum::LETTERS {
+                documents.push(File::new(erratum::file(&paper.slug, ending), move || {
+                    bytes(report)
+                }));
+            }
         }
         documents.push(File::new("summary.pdf", || {
             Typeset::summary(reports)?.pdf()
@@ -201,11 +209,21 @@ impl<'a> File<'a> {
     }
 }
 
+/// Names of files that are not a paper's.
+const TAKEN: [&str; 2] = ["summary", "index"];
+
+/// How the name of a paper's letter ends.
+const LETTER: &str = "-erratum";
+
 /// Fails unless `slug` can be the name of a paper's files: it stays in the folder and takes no other
 /// file's name.
 fn check_slug(slug: &str) -> Result<(), Failure> {
     let plain = |character: char| character.is_ascii_alphanumeric() || character == '-';
-    match !slug.is_empty() && slug.chars().all(plain) && slug != "summary" && slug != "index" {
+    match !slug.is_empty()
+        && slug.chars().all(plain)
+        && !TAKEN.contains(&slug)
+        && !slug.ends_with(LETTER)
+    {
         true => Ok(()),
         false => Err(Failure::Slug {
             slug: slug.to_owned(),

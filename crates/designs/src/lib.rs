@@ -12,6 +12,7 @@
 //! | a pattern file folded and compared with the design | [`fold::fold_back`] |
 //! | any file | [`export::bytes`] |
 //! | points, normals, curvatures | [`eval::eval`] |
+//! | the developable of a figure that a page moves, for a CAD program | [`movable::step_of`] |
 //! | a picture, or a page | [`draw::picture`], [`draw::page`] |
 //!
 //! ```
@@ -44,6 +45,7 @@ pub mod export;
 mod file;
 pub mod fold;
 pub mod inspect;
+pub mod movable;
 mod unit;
 pub mod unroll;
 

@@ -115,7 +115,11 @@ pub struct Interactive {
     monomials: Vec<Vec<u32>>,
     ambient: Ambient,
     parts: Vec<Part>,
+    view: [f64; 2],
 }
+
+/// The usual direction of a view: azimuth and elevation in degrees.
+const USUAL_VIEW: [f64; 2] = [-60.0, 25.0];
 
 /// Why an interactive picture was refused.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -241,7 +245,24 @@ impl Interactive {
             monomials,
             ambient,
             parts,
+            view: USUAL_VIEW,
         })
+    }
+
+    /// The picture as it is seen at first from another direction than the usual one: azimuth and elevation in degrees, as
+    /// those of [`Camera::Angles`](crate::Camera::Angles). Angles that are no numbers change nothing.
+    #[must_use]
+    pub fn seen_from(mut self, view: [f64; 2]) -> Self {
+        if view.iter().all(|angle| angle.is_finite()) {
+            self.view = view;
+        }
+        self
+    }
+
+    /// Azimuth and elevation of the first view, in degrees.
+    #[must_use]
+    pub fn view(&self) -> [f64; 2] {
+        self.view
     }
 
     /// What the reader sets.

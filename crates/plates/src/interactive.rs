@@ -89,7 +89,12 @@ fn interactive(drawing: &Drawing) -> Result<Option<Interactive>, PlateError> {
         .map(slider)
         .collect::<Result<_, PlateError>>()?;
     let ambient = ambient(panel);
-    Ok(Some(Interactive::new(sliders, monomials, ambient, parts)?))
+    let picture = Interactive::new(sliders, monomials, ambient, parts)?;
+    // The view that the printed panel has, where the file gives one.
+    Ok(Some(match panel.view {
+        Some(view) => picture.seen_from(view),
+        None => picture,
+    }))
 }
 
 /// A label in which `{name}` of a slider waits for a value: the name between two signs that a viewer looks for.

@@ -1,9 +1,8 @@
 // Figures with sliders. A part's points are sums over monomials of slider values times nets, so no formula of any
-// basis is needed here. Surfaces are drawn by the painter's algorithm: quadrangles, far ones first.
-"use strict";
+// basis is needed here. Surfaces are drawn by the painter's algorithm: quadrangles, far ones first, on the stage that the
+// developables have: light, walls and ticks are the same.
 (() => {
-  const TILT = { yaw: -0.9, pitch: 0.45, zoom: 1 };
-  const MARGIN = 34;
+  const MARGIN = 46;
 
   function combine(data, part, values) {
     const total = new Float64Array(part.nets[0].length);
@@ -55,7 +54,7 @@
       this.data = JSON.parse(details.querySelector("script").textContent);
       this.box = boxOf(this.data);
       this.values = this.data.sliders.map((slider) => slider.start);
-      Object.assign(this, TILT);
+      this.camera = this.firstCamera();
       this.canvas = document.createElement("canvas");
       this.canvas.tabIndex = 0;
       this.canvas.setAttribute("role", "img");
@@ -64,6 +63,11 @@
       this.listen();
       new ResizeObserver(() => this.draw()).observe(this.canvas);
       this.draw();
+    }
+
+    firstCamera() {
+      const [azimuth, elevation] = this.data.view;
+      return { azimuth, elevation, zoom: 1 };
     }
 
     legend() {
@@ -111,16 +115,16 @@
     }
 
     reset() {
-      Object.assign(this, TILT);
+      this.camera = this.firstCamera();
       this.inputs.forEach(({ input, start, show }, k) => { input.value = start; this.values[k] = start; show(); });
       this.draw();
     }
 
     listen() {
       const { canvas } = this;
-      const turn = (yaw, pitch) => {
-        this.yaw += yaw;
-        this.pitch = Math.max(-1.57, Math.min(1.57, this.pitch + pitch));
+      const turn = (across, up) => {
+        this.camera.azimuth -= across;
+        this.camera.elevation = Math.max(-90, Math.min(90, this.camera.elevation + up));
         this.draw();
       };
       let held = null;
@@ -129,16 +133,16 @@
         canvas.addEventListener("pointerdown", (event) => { held = event; canvas.setPointerCapture(event.pointerId); });
         canvas.addEventListener("pointermove", (event) => {
           if (!held) return;
-          turn((event.clientX - held.clientX) * 0.01, (event.clientY - held.clientY) * 0.01);
+          turn((event.clientX - held.clientX) * 0.5, (event.clientY - held.clientY) * 0.5);
           held = event;
         });
         for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { held = null; });
       }
       canvas.addEventListener("keydown", (event) => {
-        const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
+        const turns = { ArrowLeft: [-6, 0], ArrowRight: [6, 0], ArrowUp: [0, -6], ArrowDown: [0, 6] };
         const scales = { "+": 1.1, "=": 1.1, "-": 1 / 1.1 };
         if (event.key in turns && this.data.dimension === 3) turn(...turns[event.key]);
-        else if (event.key in scales) { this.zoom *= scales[event.key]; this.draw(); }
+        else if (event.key in scales) { this.camera.zoom *= scales[event.key]; this.draw(); }
         else if (event.key === "Home") this.reset();
         else return;
         event.preventDefault();
@@ -153,7 +157,7 @@
       const screen = [];
       if (this.data.dimension === 2) {
         const room = [width - 2 * MARGIN, height - 2 * MARGIN];
-        let scale = room.map((length, k) => this.zoom * length / (size[k] || 1));
+        let scale = room.map((length, k) => this.camera.zoom * length / (size[k] || 1));
         const longest = Math.max(...size), shortest = Math.min(...size);
         if (longest < 6 * shortest) scale = scale.fill(Math.min(...scale));
         this.scale = scale;
@@ -162,13 +166,7 @@
         }
         return screen;
       }
-      const scale = this.zoom * Math.min(width, height) * 1.2 / (Math.hypot(...size) || 1);
-      const [cy, sy, cp, sp] = [Math.cos(this.yaw), Math.sin(this.yaw), Math.cos(this.pitch), Math.sin(this.pitch)];
-      for (let k = 0; k < points.length; k += 3) {
-        const [x, y, z] = [points[k] - middle[0], points[k + 1] - middle[1], points[k + 2] - middle[2]];
-        const right = cy * x + sy * y, back = cy * y - sy * x;
-        screen.push([width / 2 + right * scale, height / 2 - (z * cp + back * sp) * scale, (z * sp - back * cp) * scale]);
-      }
+      for (let k = 0; k < points.length; k += 3) screen.push(this.view.place(points.slice(k, k + 3)));
       return screen;
     }
 
@@ -178,14 +176,7 @@
       const things = [];
       const segment = (a, b, width, colour, lift) => things.push({
         near: (screen[a][2] + screen[b][2]) / 2 + lift,
-        paint: (pen) => {
-          pen.strokeStyle = colour;
-          pen.lineWidth = width;
-          pen.beginPath();
-          pen.moveTo(screen[a][0], screen[a][1]);
-          pen.lineTo(screen[b][0], screen[b][1]);
-          pen.stroke();
-        },
+        paint: (pen) => pen.line([screen[a], screen[b]], colour, width),
       });
       if (part.shape === "surface") {
         const { columns } = part, rows = screen.length / columns;
@@ -209,107 +200,64 @@
       const [width, lift] = part.shape === "curve" ? [2.4, 12] : [1.3, 6];
       for (const [a, b] of segments(part, screen.length)) segment(a, b, width, css(part.colour), lift);
       if (part.shape !== "curve") {
-        for (const [x, y, near] of screen) {
-          things.push({
-            near: near + 14,
-            paint: (pen) => {
-              pen.fillStyle = css(part.colour);
-              pen.beginPath();
-              pen.arc(x, y, 3.4, 0, 7);
-              pen.fill();
-            },
-          });
-        }
+        for (const place of screen) things.push({ near: place[2] + 14, paint: (pen) => pen.dot(place, css(part.colour), 3.4) });
       }
       return things;
     }
 
-    // Lit from above the reader's left shoulder; the back is paler than the front.
+    // The normal of the projected corners, right, up and towards the viewer; the back is paler than the front.
     quadrangle(part, corners) {
       const [p, q, r, s] = corners;
       const u = [r[0] - p[0], p[1] - r[1], r[2] - p[2]], v = [s[0] - q[0], q[1] - s[1], s[2] - q[2]];
-      const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-      const length = Math.hypot(...normal) || 1, front = normal[2] <= 0;
-      const facing = Math.abs((-0.35 * normal[0] + 0.45 * normal[1] + 0.82 * normal[2]) / length);
-      const base = front ? part.colour : mix(part.colour, [205, 205, 205], 0.6);
-      const lit = facing < 0.7 ? mix(mix(base, [0, 0, 0], 0.55), base, facing / 0.7) : mix(base, [255, 255, 255], (facing - 0.7) * 0.9);
-      const colour = css(lit);
-      return {
-        near: (p[2] + q[2] + r[2] + s[2]) / 4,
-        paint: (pen) => {
-          pen.fillStyle = pen.strokeStyle = colour;
-          pen.lineWidth = 0.7;
-          pen.beginPath();
-          corners.forEach(([x, y], k) => (k ? pen.lineTo(x, y) : pen.moveTo(x, y)));
-          pen.closePath();
-          pen.fill();
-          pen.stroke();
-        },
-      };
+      const normal = ruling.cross(u, v), size = Math.hypot(...normal) || 1;
+      const colour = stage.lit(part.colour, normal.map((c) => -c / size));
+      return { near: (p[2] + q[2] + r[2] + s[2]) / 4, paint: (pen) => pen.face(corners, colour, 0.8) };
     }
 
-    // Axes of the plane with a few round numbers, or three short arrows in space.
-    axes(pen, ink) {
-      const { low, high } = this.box, { width, height } = this;
-      pen.strokeStyle = pen.fillStyle = ink;
-      pen.lineWidth = 1;
-      pen.font = "12px system-ui, sans-serif";
-      if (this.data.dimension === 3) {
-        const [cy, sy, cp, sp] = [Math.cos(this.yaw), Math.sin(this.yaw), Math.cos(this.pitch), Math.sin(this.pitch)];
-        const ends = { x: [cy, sy * sp], y: [sy, -cy * sp], z: [0, -cp] };
-        for (const [name, [right, down]] of Object.entries(ends)) {
-          pen.beginPath();
-          pen.moveTo(MARGIN, height - MARGIN);
-          pen.lineTo(MARGIN + 22 * right, height - MARGIN + 22 * down);
-          pen.stroke();
-          pen.fillText(name, MARGIN + 29 * right - 3, height - MARGIN + 29 * down + 4);
-        }
-        return;
-      }
-      const [sx, sy] = this.scale, middle = low.map((value, k) => (value + high[k]) / 2);
-      const span = [width / sx, height / sy];
-      span.forEach((length, axis) => {
-        const step = 10 ** Math.floor(Math.log10(length / 3));
-        const unit = [1, 2, 5, 10].map((factor) => factor * step).find((one) => length / one <= 6) || step;
-        for (let k = Math.ceil((middle[axis] - length / 2) / unit); k * unit <= middle[axis] + length / 2; k += 1) {
-          const value = k * unit, label = String(Number(value.toPrecision(6)));
-          pen.globalAlpha = 0.18;
-          pen.beginPath();
-          if (axis === 0) {
-            const x = width / 2 + (value - middle[0]) * sx;
-            pen.moveTo(x, 0);
-            pen.lineTo(x, height);
-            pen.stroke();
-            pen.globalAlpha = 1;
-            pen.fillText(label, x + 3, height - 5);
-          } else {
-            const y = height / 2 - (value - middle[1]) * sy;
-            pen.moveTo(0, y);
-            pen.lineTo(width, y);
-            pen.stroke();
-            pen.globalAlpha = 1;
-            pen.fillText(label, 4, y - 3);
-          }
+    // Lines of round numbers in the plane.
+    grid(pen, ink) {
+      const { low, high } = this.box;
+      [0, 1].forEach((axis) => {
+        const scale = this.scale[axis], middle = (low[axis] + high[axis]) / 2, room = (axis ? pen.height : pen.width) / scale / 2;
+        for (const value of stage.ticks(middle - room, middle + room, 6)) {
+          const at = axis ? pen.height / 2 - (value - middle) * scale : pen.width / 2 + (value - middle) * scale;
+          pen.line(axis ? [[0, at], [pen.width, at]] : [[at, 0], [at, pen.height]], ink(0.18), 1);
+          if (axis) pen.text([4, at - 8], stage.shown(value), ink(0.8), "left");
+          else pen.text([at + 3, pen.height - 9], stage.shown(value), ink(0.8), "left");
         }
       });
     }
 
     draw() {
-      const { canvas } = this, density = devicePixelRatio || 1;
-      this.width = canvas.clientWidth;
-      this.height = canvas.clientHeight;
-      if (!this.width) return;
+      const { canvas } = this;
+      if (!canvas.clientWidth) return;
       this.showValues();
-      canvas.width = Math.round(this.width * density);
-      canvas.height = Math.round(this.height * density);
-      const pen = canvas.getContext("2d");
-      pen.scale(density, density);
-      pen.lineJoin = pen.lineCap = "round";
+      const pen = pens.canvasPen(canvas), [red, green, blue] = getComputedStyle(canvas).color.match(/[\d.]+/g);
+      const ink = (alpha) => `rgb(${red} ${green} ${blue} / ${alpha})`;
+      Object.assign(this, { width: pen.width, height: pen.height });
+      const sides = this.box.low.map((value, k) => [value, this.box.high[k]]);
+      // The projection fits its frame after every turn.
+      if (this.data.dimension === 3) this.view = stage.fitted(this.camera, air(sides), pen.width, pen.height, MARGIN);
       const things = this.data.parts.flatMap((part) => this.things(part));
-      if (this.data.dimension === 3) things.sort((a, b) => a.near - b.near);
-      this.axes(pen, getComputedStyle(canvas).color);
+      if (this.data.dimension === 2) {
+        this.grid(pen, ink);
+        for (const thing of things) thing.paint(pen);
+        return;
+      }
+      const box = air(sides), marks = stage.walls(pen, this.view, box, ink);
+      things.sort((a, b) => a.near - b.near);
       for (const thing of things) thing.paint(pen);
+      stage.rulers(pen, this.view, box, marks, ink);
     }
+  }
+
+  // A box whose flat sides have some extent.
+  function air(box) {
+    const longest = Math.max(...box.map(([low, high]) => high - low)) || 1;
+    return box.map(([low, high]) => {
+      const more = Math.max(0.02 * longest, (0.12 * longest - (high - low)) / 2);
+      return [low - more, high + more];
+    });
   }
 
   document.addEventListener("toggle", ({ target }) => {

@@ -67,4 +67,6 @@ pub struct FigureImage {
     pub interactive: Option<Interactive>,
     /// The developable that it shows, for pages that can move and unroll it.
     pub torse: Option<Torse>,
+    /// The place, from the folder of the page, of a STEP file of the developable as the page opens with it.
+    pub step: Option<String>,
 }

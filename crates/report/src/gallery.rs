@@ -68,7 +68,14 @@ fn entry(page: &mut String, figure: &FigureImage) -> fmt::Result {
             write!(page, "\n*{what}:* {}.\n", escaped(&plain(&list.join("; "))))?;
         }
     }
-    Ok(())
+    match &figure.step {
+        Some(place) => writeln!(
+            page,
+            "\n<a href=\"{}\">STEP of the developable</a>",
+            escaped(place)
+        ),
+        None => Ok(()),
+    }
 }
 
 /// The text with every sign of HTML and Markdown escaped, on one line.

@@ -12,6 +12,7 @@ use crate::corrections::Corrected;
 use crate::findings::Finding;
 use crate::math::Prose;
 use crate::short::Short;
+use crate::source::Source;
 use crate::tally::Tally;
 use crate::usable::Construction;
 pub use crate::view::{CorrectionView, FormulaView};
@@ -29,6 +30,8 @@ pub struct Report {
     pub authors: String,
     /// Where it appeared.
     pub venue: String,
+    /// What the report was made from.
+    pub source: Option<Source>,
     /// How many claims have which verdict and evidence.
     pub tally: Tally,
     /// What a reader must know, in a minute.
@@ -43,7 +46,7 @@ pub struct Report {
     pub unexpected: usize,
     /// The claims by section of the paper, in the order of the paper.
     pub sections: Vec<Section>,
-    /// The pictures; their position is the number that readers see, less one.
+    /// The pictures.
     pub figures: Vec<FigureView>,
     /// Positions of the pictures that illustrate no claim of this paper.
     pub further_figures: Vec<usize>,
@@ -216,6 +219,8 @@ pub struct FigureView {
     pub file: String,
     /// An identifier for links, unique in the report.
     pub anchor: String,
+    /// The number that readers see: the paper's, such as `2(a)`, or `E1`, `E2`, ... for a picture of ours.
+    pub number: String,
     /// The caption.
     pub caption: Prose,
     /// What it shows, in words.

@@ -141,6 +141,30 @@ pub(crate) fn section_title(at: &str) -> String {
     }
 }
 
+/// The number of a figure from where the paper has it: `Fig. 2 (a)` and `Sect. 3.1, Figure 2(a)` are `2(a)`.
+pub(crate) fn figure_number(at: &str) -> Option<String> {
+    let (_, after) = at.split_once("Fig")?;
+    let after = after
+        .trim_start_matches("ure")
+        .trim_start_matches('.')
+        .trim_start();
+    let digits = after
+        .find(|c: char| !c.is_ascii_digit())
+        .unwrap_or(after.len());
+    let (number, rest) = after.split_at(digits);
+    if number.is_empty() {
+        return None;
+    }
+    let panel = rest.trim_start().strip_prefix('(').and_then(|rest| {
+        let (letter, _) = rest.split_once(')')?;
+        (letter.len() == 1 && letter.chars().all(|c| c.is_ascii_lowercase())).then_some(letter)
+    });
+    Some(match panel {
+        Some(letter) => format!("{number}({letter})"),
+        None => number.to_owned(),
+    })
+}
+
 /// The rank of a heading among those of a report: what stands before the first numbered section, the
 /// sections by number, tables, figures; headings of one rank keep their order.
 pub(crate) fn section_rank(title: &str) -> usize {

@@ -127,7 +127,8 @@ impl Typeset {
         self.document.pages().len()
     }
 
-    /// The document as PDF/A-2b: fonts embedded, with outline and links; the same bytes on every run.
+    /// The document as PDF/A-2b and PDF/UA-1: fonts embedded, with outline and links, tagged, every formula and picture
+    /// with words for those who do not see it; the same bytes on every run.
     ///
     /// # Errors
     ///
@@ -135,9 +136,11 @@ impl Typeset {
     pub fn pdf(&self) -> Result<Vec<u8>, ReportError> {
         const NAME: &str = "the PDF";
         let standards =
-            PdfStandards::new(&[PdfStandard::A_2b]).map_err(|reason| ReportError::Typeset {
-                document: NAME,
-                messages: vec![reason.message().to_string()],
+            PdfStandards::new(&[PdfStandard::A_2b, PdfStandard::Ua_1]).map_err(|reason| {
+                ReportError::Typeset {
+                    document: NAME,
+                    messages: vec![reason.message().to_string()],
+                }
             })?;
         let options = PdfOptions {
             ident: Smart::Custom(self.identifier.clone()),

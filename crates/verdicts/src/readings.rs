@@ -10,7 +10,7 @@ use torse_language::words::Verdict;
 pub fn conclude(outcome: &mut Outcome, readings: Vec<ReadingOutcome>) {
     let lines = readings.iter().map(|reading| {
         let verdict = word(reading.outcome.verdict);
-        format!("read as `{}` ({}): {verdict}", reading.name, reading.says)
+        format!("read as “{}” ({}): {verdict}", reading.name, reading.says)
     });
     outcome.steps = lines.collect();
     let verdicts = readings.iter().map(|reading| reading.outcome.verdict);

@@ -32,7 +32,7 @@ fn readings_with_different_verdicts_accuse_nobody() {
     assert!(found.readings[0].outcome.witness.is_some());
     assert_eq!(
         found.steps[0],
-        "read as `literal` (the literal one): it is false"
+        "read as “literal” (the literal one): it is false"
     );
     assert_eq!(Fate::of(found.verdict), Fate::Open);
 }

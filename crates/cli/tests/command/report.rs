@@ -45,6 +45,9 @@ fn a_report_of_a_paper_is_written_whole_and_the_same_twice() {
         [
             "README.md",
             "index.html",
+            "mini-erratum.md",
+            "mini-erratum.pdf",
+            "mini-erratum.tex",
             "mini.html",
             "mini.pdf",
             "summary.pdf",
@@ -201,7 +204,7 @@ fn the_committed_figures_are_small_and_the_gallery_shows_each() {
 fn an_id_that_would_lead_a_file_astray_is_refused() {
     let folder = mini(&claim("a", "x == x", ""));
     let file = folder.path().join("mini/paper.toml");
-    for id in ["../mini", "summary", "index", ""] {
+    for id in ["../mini", "summary", "index", "mini-erratum", ""] {
         let head = fs::read_to_string(&file).unwrap();
         let start = head.find("id = ").unwrap();
         let end = start + head[start..].find('\n').unwrap();

@@ -11,6 +11,7 @@
   class Torse {
     constructor(details) {
       this.name = details.dataset.name;
+      this.step = details.dataset.step;
       this.title = details.dataset.alt;
       this.data = JSON.parse(details.querySelector("script").textContent);
       this.values = this.data.sliders.map(({ start }) => start);
@@ -71,10 +72,13 @@
         made.addEventListener("click", act);
         return made;
       };
+      // The library wrote a file of the state that the page opens with; it lies beside the page.
+      const { step } = this;
+      const file = step ? [make("a", { href: step, download: "", textContent: "STEP of the first state" })] : [];
       box.append(make("div", { className: "buttons" },
         button("Put back", () => this.reset()),
         button("SVG", () => save.give(`${this.name}.svg`, "image/svg+xml", this.svg())),
-        button("DXF of the sheet", () => save.give(`${this.name}.dxf`, "image/vnd.dxf", save.dxf(this.pieces)))));
+        button("DXF of the sheet", () => save.give(`${this.name}.dxf`, "image/vnd.dxf", save.dxf(this.pieces))), ...file));
       return box;
     }
 

@@ -357,6 +357,7 @@ pub fn figures() -> Vec<FigureImage> {
         stand_in: Vec::new(),
         interactive: None,
         torse: None,
+        step: None,
     };
     let basis = of(
         "basis",

@@ -97,17 +97,12 @@ fn write_inside(out: &mut String, page: &Page<'_>, claim: &ClaimView) -> fmt::Re
     consequences(out, &claim.consequences, claim.distant_survivors.as_deref())?;
     if !claim.see_figures.is_empty() {
         out.push_str("<dt>see</dt><dd>");
-        for (position, figure) in claim
-            .see_figures
-            .iter()
-            .map(|position| position + 1)
-            .enumerate()
-        {
+        let figures = claim.see_figures.iter();
+        let figures = figures.filter_map(|position| page.report.figures.get(*position));
+        for (position, figure) in figures.enumerate() {
             let comma = if position > 0 { ", " } else { "" };
-            write!(
-                out,
-                "{comma}<a href=\"#figure-{figure}\">Figure {figure}</a>"
-            )?;
+            let (anchor, number) = (&figure.anchor, Text(&figure.number));
+            write!(out, "{comma}<a href=\"#{anchor}\">Figure {number}</a>")?;
         }
         out.push_str("</dd>\n");
     }

@@ -1,7 +1,7 @@
 //! The landing page: a card for each paper, the worked example apart.
 
 use super::style;
-use super::text::{Sentence, Text, formula};
+use super::text::{Sentence, Text, doi, formula};
 use crate::ReportError;
 use crate::model::Report;
 use crate::usable::Answer;
@@ -58,11 +58,12 @@ fn card(out: &mut String, report: &Report) -> fmt::Result {
     let slug = Text(&report.slug);
     write!(
         out,
-        "<section class=\"card\" id=\"{slug}\"><h2><a href=\"{slug}.html\">{}</a></h2>\n<p class=\"meta\">{} · <em>{}</em></p>\n\
+        "<section class=\"card\" id=\"{slug}\"><h2><a href=\"{slug}.html\">{}</a></h2>\n<p class=\"meta\">{} · <em>{}</em>{}</p>\n\
          <p><strong>{}</strong> {}</p>\n<ol>",
         Text(&report.title),
         Text(&report.authors),
         Text(&report.venue),
+        doi(report),
         usable(report),
         Text(&report.short.counts)
     )?;
@@ -88,8 +89,18 @@ fn card(out: &mut String, report: &Report) -> fmt::Result {
     }
     write!(
         out,
-        "</ol>\n<p><a href=\"{slug}.html\">report</a> · <a href=\"{slug}.pdf\">as PDF</a></p></section>\n"
-    )
+        "</ol>\n<p><a href=\"{slug}.html\">report</a> · <a href=\"{slug}.pdf\">as PDF</a> · <a href=\"{slug}-erratum.pdf\">letter of corrections</a></p>\n"
+    )?;
+    if let Some(source) = &report.source {
+        writeln!(
+            out,
+            "<p class=\"meta\">torse {} · derivation files <code>{}</code></p>",
+            source.version,
+            Text(source.short())
+        )?;
+    }
+    out.push_str("</section>\n");
+    Ok(())
 }
 
 /// Whether the paper can be used, in a sentence.

@@ -6,6 +6,7 @@
 //! and adds filter, search and keys.
 
 mod claim;
+mod colophon;
 mod drawing;
 mod graph;
 mod landing;
@@ -31,7 +32,6 @@ const STYLE: &str = include_str!("../../assets/page.css");
 /// machine: made with `pyftsubset --layout-features=ssty,dtls` and renamed, as its licence (GUST) asks.
 const FONT: &[u8] = include_bytes!("../../assets/math.woff2");
 const SCRIPT: &str = include_str!("../../assets/page.js");
-const MOVING: &str = include_str!("../../assets/moving.js");
 
 /// The report of one paper as one HTML file, with its pictures inside.
 ///
@@ -80,6 +80,8 @@ struct PagePicture {
     torse: Option<String>,
     /// The name of the files that a reader saves.
     name: String,
+    /// The place of a STEP file.
+    step: Option<String>,
 }
 
 /// The pictures, and the letters that they share as an element of the page.
@@ -110,6 +112,7 @@ fn pictures(
             moving: figure.interactive.as_ref().map(moving::data).transpose()?,
             torse: figure.torse.as_ref().map(torse::data).transpose()?,
             name: figure.name.clone(),
+            step: figure.step.clone(),
         });
     }
     Ok((pictures, shelf.written()))
@@ -134,10 +137,11 @@ impl Page<'_> {
              <title>Verification report: {title}</title>\n<style>\n{}</style>\n</head>\n<body>\n\
              <a class=\"skip\" href=\"#claims\">Skip to the claims</a>\n\
              <header class=\"masthead\">\n<p class=\"kicker\">Verification report</p>\n<h1>{title}</h1>\n\
-             <p class=\"meta\">{}</p>\n<p class=\"meta\"><em>{}</em></p>\n</header>\n<main>\n",
+             <p class=\"meta\">{}</p>\n<p class=\"meta\"><em>{}</em>{}</p>\n</header>\n<main>\n",
             style(),
             Text(&self.report.authors),
             Text(&self.report.venue),
+            text::doi(self.report),
         )?;
         out.push_str(&self.letters);
         overview::write(out, self.report)?;
@@ -164,6 +168,7 @@ impl Page<'_> {
             }
         }
         overview::write_appendix(out, self.report)?;
+        colophon::write(out, self.report)?;
         out.push_str("</main>\n");
         Ok(())
     }
@@ -192,7 +197,7 @@ impl Page<'_> {
         write!(
             out,
             "<footer><p>Keys: <kbd>/</kbd> search, <kbd>j</kbd> and <kbd>k</kbd> next and previous claim, \
-             <kbd>Esc</kbd> clear the search; in a moving figure the arrows turn it, <kbd>+</kbd> and <kbd>-</kbd> scale it, <kbd>Home</kbd> puts it back.</p></footer>\n<script>\n{SCRIPT}{MOVING}{}</script>\n</body>\n</html>\n",
+             <kbd>Esc</kbd> clear the search; in a moving figure the arrows turn it, <kbd>+</kbd> and <kbd>-</kbd> scale it, <kbd>Home</kbd> puts it back.</p></footer>\n<script>\n{SCRIPT}{}</script>\n</body>\n</html>\n",
             torse::SCRIPT
         )
     }
@@ -253,11 +258,13 @@ impl Page<'_> {
         write!(out, "<figure id=\"{}\">{}", figure.anchor, picture.element,)?;
         // A developable can be moved in more ways, so that its nets are not needed besides.
         if let Some(data) = &picture.torse {
+            let step = picture.step.as_deref().unwrap_or_default();
             write!(
                 out,
-                "<details class=\"moving torse\" data-name=\"{}\" data-alt=\"{alt}\"><summary>Move and unroll it</summary>\
+                "<details class=\"moving torse\" data-name=\"{}\" data-step=\"{}\" data-alt=\"{alt}\"><summary>Move and unroll it</summary>\
                  <script type=\"application/json\">{data}</script></details>",
                 Text(&picture.name),
+                Text(step),
             )?;
         } else if let Some(data) = &picture.moving {
             write!(
@@ -269,7 +276,7 @@ impl Page<'_> {
         write!(
             out,
             "<figcaption>Figure {}. {} <span class=\"provenance\">{}",
-            position + 1,
+            Text(&figure.number),
             Sentence(&figure.caption),
             badge(figure.verdict),
         )?;

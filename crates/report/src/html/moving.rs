@@ -32,6 +32,7 @@ pub(super) fn data(picture: &Interactive) -> Result<String, ReportError> {
         .collect::<Result<_, ReportError>>()?;
     let data = json!({
         "dimension": dimension,
+        "view": picture.view(),
         "sliders": sliders,
         "monomials": picture.monomials(),
         "parts": parts,

@@ -1,7 +1,7 @@
 //! Words and formulas as text of the page: never markup.
 
 use crate::math::{Prose, Span};
-use crate::model::FormulaView;
+use crate::model::{FormulaView, Report};
 use crate::words::Term;
 use std::fmt::{self, Write};
 
@@ -65,6 +65,23 @@ impl fmt::Display for Code<'_> {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(out, "<code>{}</code>", Text(self.0))
     }
+}
+
+/// The identifier of a paper, as a link.
+pub(super) struct Doi<'a>(pub(super) &'a str);
+
+impl fmt::Display for Doi<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let doi = Text(self.0);
+        write!(out, "<a href=\"https://doi.org/{doi}\">doi:{doi}</a>")
+    }
+}
+
+/// A point and the identifier, where the paper has one.
+pub(super) fn doi(report: &Report) -> String {
+    let source = report.source.as_ref();
+    let doi = source.and_then(|source| source.doi.as_ref());
+    doi.map_or(String::new(), |doi| format!(" · {}", Doi(doi)))
 }
 
 /// A string as text of the page, in an element or in a quoted attribute: never markup.

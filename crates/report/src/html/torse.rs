@@ -7,7 +7,7 @@ use crate::ReportError;
 use serde_json::{Value, json};
 use torse_figures::{Colour, Monomial, Quotient, Rulings, Slider, Torse, TorsePiece, label_html};
 
-/// What evaluates, unrolls and draws: one file a concept, in the order in which they use each other.
+/// What evaluates, unrolls and draws, and the pictures of nets, which stand on the same stage: one file a concept, in the order in which they use each other.
 pub(super) const SCRIPT: &str = concat!(
     "(() => {\n\"use strict\";\n",
     include_str!("../../assets/torse/series.js"),
@@ -19,6 +19,7 @@ pub(super) const SCRIPT: &str = concat!(
     include_str!("../../assets/torse/scene.js"),
     include_str!("../../assets/torse/save.js"),
     include_str!("../../assets/torse/torse.js"),
+    include_str!("../../assets/moving.js"),
     "})();\n",
 );
 

@@ -5,9 +5,7 @@ use super::node::{Face, Fence, Mark, Node};
 /// The formula as elements between which a line may be broken: before relations, plus and minus, within brackets and
 /// between factors where a piece would be long.
 pub(super) fn pieces(node: &Node) -> Vec<String> {
-    let cuts: Vec<Vec<Node>> = (cuts(node, LONGEST).into_iter())
-        .flat_map(|piece| factors(piece, LONGEST))
-        .collect();
+    let cuts = finest(node, LONGEST);
     let last = cuts.len().saturating_sub(1);
     let piece = |(number, piece): (usize, &Vec<Node>)| {
         let mut out = String::from("<math>");
@@ -29,7 +27,13 @@ pub(super) fn pieces(node: &Node) -> Vec<String> {
     cuts.iter().enumerate().map(piece).collect()
 }
 
-/// A piece that is wider than `longest` letters, cut before factors; never between a function and its argument.
+/// The boxes of a formula in pieces as [`cuts`] has them, those that are still too wide cut before factors.
+pub(super) fn finest(node: &Node, longest: usize) -> Vec<Vec<Node>> {
+    let pieces = cuts(node, longest).into_iter();
+    pieces.flat_map(|piece| factors(piece, longest)).collect()
+}
+
+/// A piece that is wider than `longest` letters, cut before factors; never between a function and its argument; commas stay behind what they end.
 fn factors(piece: Vec<Node>, longest: usize) -> Vec<Vec<Node>> {
     let mut list: Vec<Vec<Node>> = vec![vec![]];
     let mut used = 0;
@@ -37,10 +41,8 @@ fn factors(piece: Vec<Node>, longest: usize) -> Vec<Vec<Node>> {
         let wide = width(std::slice::from_ref(&node));
         let factor = !matches!(node, Node::Fenced(..) | Node::Sign(_) | Node::Gap);
         let before = list.last().and_then(|piece| piece.last());
-        let bound = matches!(
-            before,
-            None | Some(Node::Sign(_) | Node::Function(_) | Node::Sum { .. })
-        );
+        let bound = matches!(before, None | Some(Node::Function(_) | Node::Sum { .. }))
+            || matches!(before, Some(Node::Sign(sign)) if *sign != ',');
         match list.last_mut() {
             Some(piece) if !(factor && !bound && used + wide > longest) => {
                 piece.push(node);

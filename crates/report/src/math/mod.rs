@@ -32,8 +32,9 @@ use torse_language::syntax::{Expr, parse};
 pub struct Mathematics {
     /// Typst mathematics, without dollar signs.
     pub typst: String,
-    /// Ways to break a long formula into pieces of Typst mathematics, coarsest first; none for a short one.
-    pub breaks: Vec<Vec<String>>,
+    /// Ways to break a long formula into pieces of Typst mathematics, coarsest first; none for a short one, one for a
+    /// formula within a sentence.
+    pub breaks: Vec<Vec<Piece>>,
     /// MathML, one element for each piece between which a line may be broken.
     #[serde(skip)]
     pub mathml: Vec<String>,
@@ -43,9 +44,18 @@ pub struct Mathematics {
     /// The same in pieces between which a line may be broken, each with about how many letters wide it is.
     #[serde(skip)]
     pub latex_pieces: Vec<(String, usize)>,
-    /// Letters and signs on one line.
-    #[serde(skip)]
+    /// Letters and signs on one line: what stands for the formula where it is read aloud.
+    #[serde(rename = "alt")]
     pub text: String,
+}
+
+/// A piece of a formula that is broken over lines.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Piece {
+    /// Typst mathematics.
+    pub typst: String,
+    /// Letters and signs.
+    pub alt: String,
 }
 
 /// A stretch of a sentence.
@@ -69,13 +79,24 @@ const WIDTHS: [usize; 4] = [usize::MAX, 90, 45, 20];
 impl Mathematics {
     /// A formula within a sentence.
     pub(crate) fn inline(node: &Node) -> Self {
+        /// One of more letters may be wider than what is left of a line, and than the line.
+        const LONG: usize = 50;
+        let text = write::text(node);
+        let breaks = match text.chars().count() > LONG {
+            true => vec![
+                (mathml::finest(node, WIDTHS[WIDTHS.len() - 1]).into_iter())
+                    .map(piece)
+                    .collect(),
+            ],
+            false => Vec::new(),
+        };
         Mathematics {
             typst: write::typst(node),
-            breaks: Vec::new(),
+            breaks,
             mathml: mathml::pieces(node),
             latex: write::latex(node),
             latex_pieces: Vec::new(),
-            text: write::text(node),
+            text,
         }
     }
 
@@ -84,11 +105,13 @@ impl Mathematics {
         /// No formula of so few letters is wider than the column.
         const SHORT: usize = 30;
         let text = write::text(node);
-        let mut breaks: Vec<Vec<String>> = Vec::new();
+        let mut breaks: Vec<Vec<Piece>> = Vec::new();
         if text.chars().count() > SHORT {
-            let piece = |piece: Vec<Node>| write::typst(&Node::Row(piece));
             let cut = |width| mathml::cuts(node, width).into_iter().map(piece).collect();
             breaks.extend(WIDTHS.into_iter().map(cut));
+            // A product is cut where nothing else helps.
+            let finest = mathml::finest(node, WIDTHS[WIDTHS.len() - 1]);
+            breaks.push(finest.into_iter().map(piece).collect());
             breaks.dedup();
         }
         Mathematics {
@@ -104,6 +127,14 @@ impl Mathematics {
                 .collect(),
             text,
         }
+    }
+}
+
+fn piece(nodes: Vec<Node>) -> Piece {
+    let row = Node::Row(nodes);
+    Piece {
+        typst: write::typst(&row),
+        alt: write::text(&row),
     }
 }
 
@@ -124,4 +155,49 @@ pub(crate) fn expression(formula: &str) -> Option<Expr> {
     // A member of a family without indices is written with empty brackets.
     let formula = formula.replace("[]", "");
     parse(&formula).ok().map(|e| e.placeless())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The breaks of a formula as texts.
+    fn texts(pieces: &[Piece]) -> Vec<&str> {
+        pieces.iter().map(|piece| piece.alt.as_str()).collect()
+    }
+
+    #[test]
+    fn a_long_formula_within_a_sentence_may_break_behind_commas_and_before_factors() {
+        let short = read("a + b", &Names::default()).unwrap();
+        assert!(Mathematics::inline(&short).breaks.is_empty());
+        let long = "h(u, [-20, 60, 45], [-28, 39, 34], [-38, -60, 45], [-10, -67, -74])";
+        let long = Mathematics::inline(&read(long, &Names::default()).unwrap());
+        let [pieces] = long.breaks.as_slice() else {
+            unreachable!("one way to break it")
+        };
+        let pieces = texts(pieces);
+        assert_eq!(pieces.concat().replace(' ', ""), long.text.replace(' ', ""));
+        assert!(pieces.len() > 2, "{pieces:?}");
+        assert!(
+            pieces.iter().all(|piece| piece.chars().count() < 34),
+            "{pieces:?}"
+        );
+        let (last, before) = pieces.split_last().unwrap();
+        assert!(
+            before.iter().all(|piece| piece.ends_with([',', ' '])),
+            "{pieces:?}"
+        );
+        assert!(last.ends_with(')'));
+    }
+
+    #[test]
+    fn the_last_way_to_break_a_product_leaves_no_piece_too_wide() {
+        let product = "[l*F(z)*sum(k, 0, n, g[k](z)*X[k]), l*F(z)*sum(k, 0, n, g[k](z)*Y[k])] == 0";
+        let product = Mathematics::display(&read(product, &Names::default()).unwrap());
+        let finest = texts(product.breaks.last().unwrap());
+        assert!(
+            finest.iter().all(|piece| piece.chars().count() <= 34),
+            "{finest:?}"
+        );
+    }
 }

@@ -112,7 +112,14 @@ fn between_words(text: &str, names: &Names, list: &mut List) {
                 position = end;
             }
             None => {
-                list.words(token.text);
+                // A number alone is no formula, its sign is a minus all the same.
+                let number = tokens
+                    .get(position + 1)
+                    .is_some_and(|t| t.kind == Kind::Number);
+                match number && sign_before_operand(&tokens, position) {
+                    true => list.words("−"),
+                    false => list.words(token.text),
+                }
                 position += 1;
             }
         }
@@ -509,6 +516,7 @@ mod tests {
                 "Farin-Boehm and B-spline curves (1, 2)",
                 "Farin-Boehm and B-spline curves (1, 2)",
             ),
+            ("the values -1, 0, 1 of mu", "the values −1, 0, 1 of ⟨μ⟩"),
             (
                 "A name, not a formula; I think.",
                 "A name, not a formula; I think.",

@@ -6,14 +6,17 @@ use super::{
 };
 use crate::math::{Names, Prose, plain, spans};
 use crate::rests::{concerns, said_by};
+use crate::source::Source;
 use crate::tally::Tally;
-use crate::text::{anchor, counted, decimal, name, section_rank, section_title, visible};
+use crate::text::{
+    anchor, counted, decimal, figure_number, name, section_rank, section_title, visible,
+};
 use crate::view::{correction, derived, formula};
 use crate::words;
 use crate::{FigureImage, corrections, findings, sentence, short, usable};
 use std::collections::{BTreeMap, BTreeSet};
 use torse_language::notation::Formula;
-use torse_language::words::Verdict;
+use torse_language::words::{Kind, Verdict};
 use torse_prove::Witness;
 use torse_verdicts::consequences::consequences;
 use torse_verdicts::outcome::{ReadingOutcome, Role};
@@ -58,6 +61,7 @@ impl Report {
             title: visible(&paper.title),
             authors: visible(&paper.authors),
             venue: visible(&paper.venue),
+            source: None,
             tally: Tally::new(&paper.claims),
             short: short::of(&paper.claims, &builder.anchors),
             constructions: usable::of(&paper.claims, &builder.anchors),
@@ -69,10 +73,17 @@ impl Report {
                 .filter(|claim| !claim.as_expected())
                 .count(),
             sections,
-            figures: figures.iter().enumerate().map(figure_view).collect(),
+            figures: builder.figure_views(),
             further_figures: builder.further_figures(),
             notation: notation(&paper.claims),
         }
+    }
+
+    /// The report with what it was made from.
+    #[must_use]
+    pub fn from_source(mut self, source: Source) -> Self {
+        self.source = Some(source);
+        self
     }
 
     /// Whether the paper is an example of ours, and no publication.
@@ -92,12 +103,13 @@ pub(crate) fn figure_file(position: usize, image: &FigureImage) -> String {
     format!("figure-{position}.{}", image.image.extension())
 }
 
-fn figure_view((position, image): (usize, &FigureImage)) -> FigureView {
+fn figure_view(position: usize, image: &FigureImage, number: String) -> FigureView {
     let names = Names::default();
     let prose = |text: &String| spans(&visible(text), &names);
     FigureView {
         file: figure_file(position, image),
         anchor: format!("figure-{}", position + 1),
+        number,
         caption: prose(&image.caption),
         alt: visible(&image.alt),
         verdict: words::verdict(image.verdict),
@@ -249,6 +261,27 @@ impl<'a> Builder<'a> {
         let claims = self.figures.get(figure)?.claims.iter();
         let mut known = claims.filter_map(|id| self.by_id.get(id.as_str()));
         known.next().copied()
+    }
+
+    /// The pictures with their numbers: a figure of the paper has the paper's, the others are counted.
+    fn figure_views(&self) -> Vec<FigureView> {
+        let mut taken = BTreeSet::new();
+        let mut own = 0;
+        let mut views = Vec::with_capacity(self.figures.len());
+        for (position, image) in self.figures.iter().enumerate() {
+            let claim = self.shown_at(position);
+            let claim = claim.and_then(|claim| self.paper.claims.get(claim));
+            let printed = claim
+                .filter(|claim| claim.kind == Kind::Figure)
+                .and_then(|claim| figure_number(&claim.at))
+                .filter(|number| taken.insert(number.clone()));
+            let number = printed.unwrap_or_else(|| {
+                own += 1;
+                format!("E{own}")
+            });
+            views.push(figure_view(position, image, number));
+        }
+        views
     }
 
     fn further_figures(&self) -> Vec<usize> {
