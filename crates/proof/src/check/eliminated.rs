@@ -120,6 +120,7 @@ impl Domain<'_> {
             let mut row = vec![];
             for determined in &group.values {
                 let (_, slope) = match numerator.degree_in(&determined.symbol) {
+                    0 if inside(numerator, &determined.symbol) => return Err(wrong()),
                     0 => (Polynomial::zero(), Polynomial::zero()),
                     _ => linear(numerator, &determined.symbol).ok_or_else(wrong)?,
                 };
@@ -239,13 +240,17 @@ fn contains_zero(set: &Set) -> bool {
 
 /// `(rest, slope)` of a polynomial that is `slope*symbol + rest`, the symbol in neither, nor under a sine.
 fn linear(polynomial: &Polynomial, symbol: &Symbol) -> Option<(Polynomial, Polynomial)> {
-    let inside =
-        |own: &Symbol| own != symbol && own.variable().map(Symbol::named).as_ref() == Some(symbol);
-    if polynomial.symbols().any(inside) {
+    if inside(polynomial, symbol) {
         return None;
     }
     match polynomial.coefficients_in(symbol).as_slice() {
         [rest, slope] => Some((rest.clone(), slope.clone())),
         _ => None,
     }
+}
+
+/// Whether a symbol stands under a sine or cosine.
+fn inside(polynomial: &Polynomial, symbol: &Symbol) -> bool {
+    let of = |own: &Symbol| own.variable().map(Symbol::named).as_ref() == Some(symbol);
+    polynomial.symbols().any(|own| own != symbol && of(own))
 }
