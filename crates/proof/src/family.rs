@@ -30,7 +30,7 @@ pub struct Powers<P> {
     /// The two factors a, b of the step, then the seeds, none of them negative.
     pub parts: Vec<Part<P>>,
     /// `b'a - ba'`, or its negative where the quotient falls.
-    pub slope: Part<P>,
+    pub slope: Box<Part<P>>,
 }
 
 impl<P> Part<P> {
@@ -74,7 +74,7 @@ impl<P> Powers<P> {
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Powers<Q> {
         Powers {
             parts: self.parts.iter().map(|part| part.map(change)).collect(),
-            slope: self.slope.map(change),
+            slope: Box::new(self.slope.map(change)),
         }
     }
 

@@ -526,7 +526,7 @@ impl Decider<'_> {
 fn proved(
     ground: Ground<'_>,
     proof: Proof,
-    (conditions, nonzero): (Vec<Polynomial>, Vec<Sign<Polynomial>>),
+    (conditions, (nonzero, seen)): (Vec<Polynomial>, Nonzero),
     ranges: Vec<Sharpness<Polynomial>>,
 ) -> Decision {
     let constraints = ground.domain.constraints.iter().map(|c| Constraint {
@@ -539,23 +539,32 @@ fn proved(
         proof,
         conditions,
         nonzero,
+        seen,
         ranges,
     })))
 }
 
-/// Those of the divisors that were met, and are no conditions, whose signs on the declared sets show that they never
-/// vanish, whatever else is assumed: eliminations may rest on that.
-fn nonzero(
-    met: &[Polynomial],
-    conditions: &[Polynomial],
-    domain: &Domain<'_>,
-) -> Vec<Sign<Polynomial>> {
+/// What never vanishes: on the declared sets by a sign, whatever else is assumed, so that eliminations may rest on it; or as
+/// far as was seen under all assumptions.
+type Nonzero = (Vec<Sign<Polynomial>>, Vec<Polynomial>);
+
+/// Those of the divisors that were met, and are no conditions.
+fn nonzero(met: &[Polynomial], conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
     let declared = Domain::new(domain.declarations);
-    let divisors = conditions::separated(met).into_iter();
-    let dropped = divisors.filter(|p| !conditions.contains(p));
-    dropped
-        .filter_map(|p| sign::positive(&p, &declared))
-        .collect()
+    let (mut signs, mut seen) = (vec![], vec![]);
+    for divisor in conditions::separated(met) {
+        if conditions.contains(&divisor) {
+            continue;
+        }
+        match sign::positive(&divisor, &declared) {
+            Some(sign) => signs.push(sign),
+            None if domain.assumes_nonzero(&divisor) || sign::never_zero(&divisor, domain) => {
+                seen.push(divisor);
+            }
+            None => {}
+        }
+    }
+    (signs, seen)
 }
 
 /// Whether a fault says that a term is defined nowhere.

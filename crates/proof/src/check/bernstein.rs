@@ -3,14 +3,17 @@
 use crate::polynomial::{Monomial, Polynomial};
 use crate::sign::Piece;
 use crate::symbol::Symbol;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
 /// The coordinates of a domain.
+#[derive(Debug)]
 pub struct Sides {
     /// The bounded ones, and which of their ends belong to the domain.
     pub sides: Vec<(Symbol, bool, bool)>,
+    /// The unbounded ones, which are not negative.
+    pub rays: BTreeSet<Symbol>,
     /// Whether no unbounded coordinate is ever zero.
     pub open: bool,
 }

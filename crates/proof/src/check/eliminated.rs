@@ -10,7 +10,7 @@ use super::quotient::Quotient;
 use super::value::determinant;
 use crate::number::order;
 use crate::polynomial::Polynomial;
-use crate::proof::ground::Determining;
+use crate::proof::ground::{Determining, Elimination};
 use crate::symbol::Symbol;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -82,7 +82,7 @@ impl Domain<'_> {
             return Err(wrong().into());
         };
         Err(match plainly {
-            true => Wrong::Divisor(slope.to_string()).into(),
+            true => self.may_vanish(&slope, known, place)?,
             false => Beyond::Divisor(slope.to_string()).into(),
         })
     }
@@ -120,6 +120,7 @@ impl Domain<'_> {
             let mut row = vec![];
             for determined in &group.values {
                 let (_, slope) = match numerator.degree_in(&determined.symbol) {
+                    0 if inside(numerator, &determined.symbol) => return Err(wrong()),
                     0 => (Polynomial::zero(), Polynomial::zero()),
                     _ => linear(numerator, &determined.symbol).ok_or_else(wrong)?,
                 };
@@ -135,7 +136,7 @@ impl Domain<'_> {
         let determinant = determinant(&rows, self.work)?.above;
         match self.is_nonzero(&determinant, known, level)? {
             true => Ok(()),
-            false => Err(Wrong::Divisor(determinant.to_string()).into()),
+            false => Err(self.may_vanish(&determinant, known, level)?),
         }
     }
 
@@ -148,7 +149,7 @@ impl Domain<'_> {
         known: &[Compared],
         groups: usize,
     ) -> Result<bool, Beyond> {
-        if self.divides(polynomial, known, groups)? {
+        if self.divides(polynomial, known, groups, false)? {
             return Ok(true);
         }
         // The statement says nothing where a term of its own has no value.
@@ -158,7 +159,7 @@ impl Domain<'_> {
                 return Err(Beyond::Large);
             }
         }
-        self.divides(polynomial, known, groups)
+        self.divides(polynomial, known, groups, false)
     }
 
     fn divides(
@@ -166,6 +167,7 @@ impl Domain<'_> {
         polynomial: &Polynomial,
         known: &[Compared],
         groups: usize,
+        with_seen: bool,
     ) -> Result<bool, Beyond> {
         use Relation::{Different, Greater, Less};
         let differs = known
@@ -177,7 +179,15 @@ impl Domain<'_> {
         let declared: Vec<Polynomial> = declared
             .map(|(name, _)| Polynomial::symbol(Symbol::Named(Arc::clone(name))))
             .collect();
+        // Where c + p = 0 with a number c that is not zero, p is not zero.
+        let level = self.hypotheses(0);
+        let equations = level.all.iter().filter(|c| c.relation == Relation::Equal);
+        let implied: Vec<Polynomial> = equations
+            .filter_map(|c| without_number(&c.difference.above))
+            .collect();
+        let seen = if with_seen { self.seen } else { &[] };
         let plain = self.conditions.iter().chain(&self.nonzero).chain(&declared);
+        let plain = plain.chain(&implied).chain(seen);
         let divisors = self.divisors.borrow();
         let mut factors: Vec<(&Polynomial, &Met)> = plain.map(|p| (p, &none)).collect();
         factors.extend(divisors.get(&groups).into_iter().flatten());
@@ -203,6 +213,29 @@ impl Domain<'_> {
         }
         // A nonzero polynomial in pi and roots is a number that is not zero.
         Ok(rest.is_number())
+    }
+
+    /// What is said of a divisor of which nothing that is known says that it does not vanish.
+    fn may_vanish(
+        &self,
+        divisor: &Polynomial,
+        known: &[Compared],
+        groups: usize,
+    ) -> Result<Unchecked, Beyond> {
+        let unplain = |group: &Elimination<Polynomial>| {
+            matches!(group.by, Determining::Assumed { plainly: false })
+        };
+        let seen = self.divides(divisor, known, groups, true)?;
+        Ok(match seen || self.groups.iter().any(unplain) {
+            true => Beyond::Divisor(divisor.to_string()).into(),
+            false => Wrong::Divisor(divisor.to_string()).into(),
+        })
+    }
+
+    /// What is said of a polynomial of the statement that may vanish for all that is known.
+    pub fn may_vanish_here(&self, polynomial: &Polynomial) -> Result<Unchecked, Beyond> {
+        let known = self.hypotheses(self.groups.len());
+        self.may_vanish(polynomial, &known.all, self.groups.len())
     }
 
     /// Whether the denominator of a quotient of the proof is known to differ from zero.
@@ -239,13 +272,29 @@ fn contains_zero(set: &Set) -> bool {
 
 /// `(rest, slope)` of a polynomial that is `slope*symbol + rest`, the symbol in neither, nor under a sine.
 fn linear(polynomial: &Polynomial, symbol: &Symbol) -> Option<(Polynomial, Polynomial)> {
-    let inside =
-        |own: &Symbol| own != symbol && own.variable().map(Symbol::named).as_ref() == Some(symbol);
-    if polynomial.symbols().any(inside) {
+    if inside(polynomial, symbol) {
         return None;
     }
     match polynomial.coefficients_in(symbol).as_slice() {
         [rest, slope] => Some((rest.clone(), slope.clone())),
         _ => None,
     }
+}
+
+/// Whether a symbol stands under a sine or cosine.
+fn inside(polynomial: &Polynomial, symbol: &Symbol) -> bool {
+    let of = |own: &Symbol| own.variable().map(Symbol::named).as_ref() == Some(symbol);
+    polynomial.symbols().any(|own| own != symbol && of(own))
+}
+
+/// The polynomial without its number, if it has one that is not zero.
+fn without_number(polynomial: &Polynomial) -> Option<Polynomial> {
+    let number = polynomial
+        .terms()
+        .filter(|(monomial, _)| monomial.iter().all(|(s, _)| s.is_number()));
+    let number = number.fold(Polynomial::zero(), |mut sum, (monomial, value)| {
+        sum.enter(monomial.clone(), value.clone());
+        sum
+    });
+    (!number.is_zero()).then(|| polynomial.minus(&number))
 }

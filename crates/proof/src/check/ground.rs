@@ -53,6 +53,8 @@ pub struct Domain<'a> {
     pub(super) groups: &'a [Elimination<Polynomial>],
     /// What never vanishes on the declared sets; shown apart from here.
     pub(super) nonzero: Vec<Polynomial>,
+    /// What the prover saw not to vanish, without a proof that is carried.
+    pub(super) seen: &'a [Polynomial],
     values: RefCell<BTreeMap<usize, Rc<BTreeMap<Symbol, Quotient>>>>,
     hypotheses: RefCell<BTreeMap<usize, Rc<Hypotheses>>>,
     /// The eliminated symbols that were met.
@@ -81,6 +83,7 @@ impl<'a> Domain<'a> {
                 .collect(),
             groups: ground.map_or(&[], |ground| &ground.eliminated),
             nonzero: vec![],
+            seen: ground.map_or(&[], |ground| &ground.seen),
             values: RefCell::default(),
             hypotheses: RefCell::default(),
             used: RefCell::default(),

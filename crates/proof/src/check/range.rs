@@ -158,19 +158,19 @@ impl Ranges {
         })
     }
 
-    fn from_zero(&self, symbol: &Symbol, closed: bool) -> bool {
+    fn starts_at_zero(&self, symbol: &Symbol, closed: bool) -> bool {
         let value = Ratio::from(Polynomial::zero());
         self.side(symbol, Some(&End { value, closed }), None)
     }
 
     /// Whether the symbol is never negative.
     pub fn is_nonnegative(&self, symbol: &Symbol) -> bool {
-        symbol.is_number() || self.from_zero(symbol, true)
+        symbol.is_number() || self.starts_at_zero(symbol, true)
     }
 
     /// Whether it is always positive.
     pub fn is_positive(&self, symbol: &Symbol) -> bool {
-        symbol.is_number() || self.from_zero(symbol, false)
+        symbol.is_number() || self.starts_at_zero(symbol, false)
     }
 
     /// Whether the tangent of half of what the angle of a variable is beyond so many quarter turns stays between two ends.

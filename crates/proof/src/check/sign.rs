@@ -11,7 +11,7 @@ use crate::ratio::{Constraint, Ratio};
 use crate::sign::{Certificate, Coordinate, Factor, Piece, Shown, Sign};
 use crate::symbol::Symbol;
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use torse_language::syntax::Relation;
 use torse_numbers::rational::integer;
 
@@ -64,6 +64,9 @@ impl<'a> Signs<'a> {
             });
         }
         let Ratio { above, below } = &constraint.value;
+        if !below.is_number() && !self.domain.nonzero_here(below)? {
+            return Err(Beyond::Divisor(below.to_string()).into());
+        }
         let product = work.times(above, below)?;
         match constraint.relation {
             Relation::Greater => Ok((product, true)),
@@ -234,8 +237,10 @@ impl<'a> Signs<'a> {
         let work = self.domain.work;
         let mut bounds = Sides {
             sides: vec![],
+            rays: BTreeSet::new(),
             open: true,
         };
+        let mut placed = BTreeSet::new();
         for polynomial in &mut *polynomials {
             **polynomial = polynomial.refined().ok_or(Beyond::Large)?;
         }
@@ -254,6 +259,24 @@ impl<'a> Signs<'a> {
             Ok::<(), Unchecked>(())
         };
         for coordinate in coordinates {
+            // Each symbol once, and a tangent is a symbol of its own.
+            let (name, is_new) = match coordinate {
+                Coordinate::Tangent {
+                    symbol,
+                    variable,
+                    angle,
+                    ..
+                } => {
+                    let mut all = polynomials.iter().flat_map(|p| p.symbols());
+                    (format!("{angle}{variable}"), all.all(|own| own != symbol))
+                }
+                Coordinate::Side { symbol, .. }
+                | Coordinate::Ray { symbol, .. }
+                | Coordinate::Squared { symbol } => (symbol.to_string(), true),
+            };
+            if !is_new || !placed.insert(name.clone()) {
+                return Err(Wrong::Coordinate(name).into());
+            }
             let own = |symbol: &Symbol| Quotient::from(Polynomial::symbol(symbol.clone()));
             match coordinate {
                 Coordinate::Tangent {
@@ -314,12 +337,14 @@ impl<'a> Signs<'a> {
                     };
                     let value = Quotient::of(&end.value, work)?.plus(&t, work)?;
                     put(polynomials, &|s| (s == symbol).then(|| value.clone()))?;
+                    bounds.rays.insert(symbol.clone());
                     bounds.open &= !end.closed;
                 }
                 Coordinate::Squared { symbol } => {
                     for polynomial in &mut *polynomials {
                         **polynomial = halved(polynomial, symbol).ok_or(Wrong::Negative)?;
                     }
+                    bounds.rays.insert(symbol.clone());
                     bounds.open = false;
                 }
             }
@@ -359,11 +384,8 @@ impl<'a> Signs<'a> {
             let mut excludes_zero = false;
             // By products of unbounded coordinates, which are not negative.
             for (ray, number) in by_rays(coefficient) {
-                if ray
-                    .iter()
-                    .any(|(symbol, _)| !matches!(symbol, Symbol::Named(_)))
-                {
-                    return Err(Beyond::Construct("a sine without a coordinate").into());
+                if let Some((symbol, _)) = ray.iter().find(|(s, _)| !bounds.rays.contains(s)) {
+                    return Err(Wrong::Coordinate(symbol.to_string()).into());
                 }
                 match order(&number).ok_or(Beyond::Near)? {
                     Ordering::Less => return Ok(None),

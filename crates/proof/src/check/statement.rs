@@ -243,7 +243,7 @@ fn excluded(
     }
     match domain.nonzero_here(&difference.above)? {
         true => Ok(()),
-        false => Err(Wrong::Divisor(own.numerator.to_string()).into()),
+        false => Err(domain.may_vanish_here(&difference.above)?),
     }
 }
 

@@ -22,6 +22,9 @@ pub struct Ground<P> {
     pub conditions: Vec<P>,
     /// What never vanishes on the declared sets, whatever is assumed: by its sign.
     pub nonzero: Vec<Sign<P>>,
+    /// What was seen not to vanish under all assumptions, eliminated symbols replaced: an elimination that rests on this is
+    /// not shown by the proof.
+    pub seen: Vec<P>,
     /// What is known about the ranges of parameters besides.
     pub ranges: Vec<Sharpness<P>>,
 }
@@ -97,6 +100,7 @@ impl<P> Ground<P> {
             proof: self.proof.map(change),
             conditions: self.conditions.iter().map(change).collect(),
             nonzero: self.nonzero.iter().map(|sign| sign.map(change)).collect(),
+            seen: self.seen.iter().map(change).collect(),
             ranges: self.ranges.iter().map(|range| range.map(change)).collect(),
         }
     }

@@ -24,7 +24,7 @@ pub enum Proof<P> {
     /// An equation: the difference is a combination of equations.
     Combination(Combination<P>),
     /// A relation of order, by signs.
-    Order(Order<P>),
+    Order(Box<Order<P>>),
     /// `!=`, by hypotheses.
     Excluded(Excluded<P>),
     /// Printed decimals agree.
@@ -96,7 +96,7 @@ impl<P> Proof<P> {
         match self {
             Self::Identity(proof) => Proof::Identity(proof.map(change)),
             Self::Combination(proof) => Proof::Combination(proof.map(change)),
-            Self::Order(proof) => Proof::Order(proof.map(change)),
+            Self::Order(proof) => Proof::Order(Box::new(proof.map(change))),
             Self::Excluded(proof) => Proof::Excluded(proof.map(change)),
             Self::Enclosure(proof) => Proof::Enclosure(proof.map(change)),
             Self::Nonnegative(proof) => Proof::Nonnegative(proof.map(change)),

@@ -243,7 +243,7 @@ fn powers(
     let parts = all.map(|(is_seed, p)| nonnegative_part(p, is_seed, domain));
     Some(Powers {
         parts: parts.collect::<Option<_>>()?,
-        slope,
+        slope: Box::new(slope),
     })
 }
 

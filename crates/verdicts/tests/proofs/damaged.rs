@@ -286,6 +286,17 @@ fn certificates() {
             ("a side that is no side", &|f| {
                 whole(f).coordinates.pop();
             }),
+            ("a symbol without a coordinate", &|f| {
+                let own = whole(f);
+                own.coordinates.clear();
+                own.pieces.truncate(1);
+                own.pieces[0].region.clear();
+            }),
+            ("a coordinate twice", &|f| {
+                let own = whole(f);
+                let again = own.coordinates[0].clone();
+                own.coordinates.push(again);
+            }),
         ],
     );
     rejected(
@@ -324,6 +335,25 @@ fn certificates() {
             }),
         ],
     );
+}
+
+#[test]
+fn a_symbol_that_may_be_negative_is_no_ray() {
+    // The right certificate of u >= 0, for a.
+    let mut wrong = found("states = 'u >= 0'");
+    let other = found("assume = ['a >= 0']\nstates = 'a >= 0'");
+    let a = || Polynomial::symbol(Symbol::named("a"));
+    wrong.core = other.core;
+    wrong.core.hypotheses.clear();
+    order(&mut wrong).above = a();
+    let sign = &mut order(&mut wrong).signs[0];
+    sign.polynomial = a();
+    let own = certificate(sign);
+    own.factors.clear();
+    own.rest = a();
+    own.coordinates.clear();
+    let said = wrong.checked();
+    assert!(matches!(said, Err(Unchecked::Wrong(_))), "{said:?}");
 }
 
 #[test]

@@ -76,3 +76,17 @@ fn a_mistake_of_the_checker_contradicts_the_prover() {
     assert_eq!(faulty.verdict, Verdict::Undecided);
     assert!(faulty.contradiction.unwrap().contains("multiplied out"));
 }
+
+#[test]
+fn what_an_equation_does_not_say_of_a_symbol_is_no_hypothesis() {
+    // Where x and z are equal the equation leaves r free: x = z = 1/2, b = 0 and r = 1 is a point of the domain.
+    let lines = "given = ['(x - z)*r == (x - z)^2*b']\nsolve_for = ['r']\nassume = ['r > 0']\nstates = 'x != z'";
+    if let Some(found) = crate::tried(lines)
+        && let Grounds::Proof { .. } = found.grounds
+    {
+        let said = found.checked();
+        assert!(matches!(said, Err(Unchecked::Wrong(_))), "{said:?}");
+    }
+    let outcome = decide_claim("proofs", &claim(lines)).unwrap();
+    assert_ne!(outcome.verdict, Verdict::Holds);
+}

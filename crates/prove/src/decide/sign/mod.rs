@@ -289,7 +289,7 @@ fn ordered(
     };
     let mut symbols = found.proofs.iter().flat_map(|p| p.polynomial.symbols());
     let below = difference.denominator_factors();
-    Decision::Proven(Whole::Order(Order {
+    Decision::Proven(Whole::Order(Box::new(Order {
         relation,
         entry,
         of_many,
@@ -299,7 +299,7 @@ fn ordered(
         signs,
         divisors,
         bounded_by_assumptions: symbols.any(bounded),
-    }))
+    })))
 }
 
 /// Replays the certificates, and writes them as parts of a proof.
