@@ -9,6 +9,7 @@ use num_traits::{One, Signed, Zero};
 use serde::{Serialize, Serializer};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fmt;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
@@ -110,9 +111,18 @@ impl Polynomial {
             *exponent >= 2 && matches!(symbol, Symbol::Sine(..) | Symbol::Root(_))
         };
         let Some(place) = monomial.iter().position(reducible) else {
-            let total = self.0.remove(&monomial).unwrap_or_else(Rational::zero) + coefficient;
-            if !total.is_zero() {
-                self.0.insert(monomial, total);
+            match self.0.entry(monomial) {
+                Entry::Vacant(place) => {
+                    place.insert(coefficient);
+                }
+                Entry::Occupied(mut own) => {
+                    let total = own.get() + &coefficient;
+                    if total.is_zero() {
+                        own.remove();
+                    } else {
+                        own.insert(total);
+                    }
+                }
             }
             return;
         };
@@ -137,10 +147,15 @@ impl Polynomial {
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         let mut sum = self.clone();
-        for (monomial, coefficient) in other.terms() {
-            sum.enter(monomial.clone(), coefficient.clone());
-        }
+        sum.add(other);
         sum
+    }
+
+    /// Adds a polynomial in place.
+    pub fn add(&mut self, other: &Self) {
+        for (monomial, coefficient) in other.terms() {
+            self.enter(monomial.clone(), coefficient.clone());
+        }
     }
 
     /// The multiple.
@@ -148,6 +163,9 @@ impl Polynomial {
     pub fn scaled(&self, factor: &Rational) -> Self {
         if factor.is_zero() {
             return Self::default();
+        }
+        if factor.is_one() {
+            return self.clone();
         }
         let term = |(monomial, value): (&Monomial, &Rational)| (monomial.clone(), value * factor);
         Self(self.terms().map(term).collect())
@@ -168,6 +186,11 @@ impl Polynomial {
     /// The product.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
+        for (one, number) in [(other, self), (self, other)] {
+            if let Some(factor) = number.as_constant() {
+                return one.scaled(&factor);
+            }
+        }
         let mut result = Self::default();
         for (a, x) in self.terms() {
             for (b, y) in other.terms() {

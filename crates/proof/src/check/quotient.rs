@@ -71,6 +71,11 @@ impl Quotient {
         if other.above.is_zero() {
             return Ok(self.clone());
         }
+        if self.below == other.below {
+            let above = self.above.plus(&other.above);
+            let below = self.below.clone();
+            return Ok(Self { above, below });
+        }
         let mut below = self.below.clone();
         for (factor, exponent) in &other.below {
             let own = below.entry(factor.clone()).or_insert(0);
@@ -86,6 +91,16 @@ impl Quotient {
         };
         let above = lifted(self)?.plus(&lifted(other)?);
         Ok(Self { above, below })
+    }
+
+    /// Adds another one in place.
+    fn add(&mut self, other: &Self, work: &Work) -> Result<(), Beyond> {
+        if self.below == other.below {
+            self.above.add(&other.above);
+        } else {
+            *self = self.plus(other, work)?;
+        }
+        Ok(())
     }
 
     pub fn minus(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
@@ -164,7 +179,7 @@ impl Quotient {
                     let factor = replaced(symbol, value, work)?;
                     term = term.times(&factor.power(*exponent, work)?, work)?;
                 }
-                sum = sum.plus(&term, work)?;
+                sum.add(&term, work)?;
             }
             Ok(sum)
         };
@@ -199,7 +214,7 @@ impl Quotient {
                 let factor = value(symbol).unwrap_or_else(own);
                 term = term.times(&factor.power(*exponent, work)?, work)?;
             }
-            sum = sum.plus(&term, work)?;
+            sum.add(&term, work)?;
         }
         Ok(sum)
     }
@@ -219,7 +234,7 @@ impl Quotient {
             let mut below = self.below.clone();
             *below.entry(factor.clone()).or_insert(0) += 1;
             let above = work.times(&self.above, &rate)?;
-            sum = sum.plus(&Self { above, below }, work)?;
+            sum.add(&Self { above, below }, work)?;
         }
         Ok(sum)
     }
@@ -296,7 +311,7 @@ fn derivative(p: &Polynomial, by: &Symbol) -> Polynomial {
             }
             let mut term = Polynomial::zero();
             term.enter(rest, coefficient * integer(i64::from(*exponent)));
-            sum = sum.plus(&term.times(&inner));
+            sum.add(&term.times(&inner));
         }
     }
     sum
