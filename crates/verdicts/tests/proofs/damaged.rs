@@ -148,6 +148,7 @@ fn eliminations() {
             ("a hypothesis less", &|f| {
                 f.core.hypotheses.truncate(1);
                 ground(f).constraints.clear();
+                ground(f).seen.clear();
                 f.core.symbols.retain(|name, _| &**name != "x");
             }),
         ],
