@@ -19,9 +19,12 @@ use torse_verdicts::grounds::Grounds;
 
 type P = Polynomial;
 
+/// What is damaged, and how.
+type Damage<'a> = (&'a str, &'a dyn Fn(&mut Found));
+
 /// The proof passes, and with each of these damages it is rejected.
 #[track_caller]
-fn rejected(lines: &str, damages: &[(&str, &dyn Fn(&mut Found))]) {
+fn rejected(lines: &str, damages: &[Damage<'_>]) {
     assert_eq!(found(lines).checked(), Ok(()), "{lines}");
     for (what, damage) in damages {
         let mut found = found(lines);
@@ -148,6 +151,7 @@ fn eliminations() {
             ("a hypothesis less", &|f| {
                 f.core.hypotheses.truncate(1);
                 ground(f).constraints.clear();
+                ground(f).seen.clear();
                 f.core.symbols.retain(|name, _| &**name != "x");
             }),
         ],
