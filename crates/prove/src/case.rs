@@ -61,9 +61,13 @@ impl<'a> Case<'a> {
             .evaluator
             .truth(&core.statement)
             .map_err(|f| f.within(&statement.origin))?;
+        let mut domain = ground.domain;
+        let symbols = symbols_of(&value);
+        let ordered = domain.ordered_exponentials(symbols.iter());
+        domain.constraints.extend(ordered);
         Ok(Self {
             evaluator: ground.evaluator,
-            domain: ground.domain,
+            domain,
             statement: value,
         })
     }
@@ -440,6 +444,20 @@ impl<'a> Ground<'a> {
     }
 }
 
+/// The symbols of the comparisons in a statement that are free of symbolic degrees.
+fn symbols_of(statement: &Statement) -> Vec<Symbol> {
+    match statement {
+        Statement::Compare { left, right, .. } => {
+            let entries = left.entries().into_iter().chain(right.entries());
+            let plain = entries.filter_map(|q| q.as_fraction());
+            plain.flat_map(Fraction::symbols).collect()
+        }
+        Statement::Join(_, a, b) => [symbols_of(a), symbols_of(b)].concat(),
+        Statement::Not(inner) => symbols_of(inner),
+        Statement::Agrees { .. } | Statement::Family { .. } => vec![],
+    }
+}
+
 /// Whether an equation is part of a hypothesis.
 fn has_equation(statement: &core::Statement) -> bool {
     match statement {
@@ -458,7 +476,7 @@ fn plain(value: &Value) -> Option<Fraction> {
 }
 
 fn is_number(symbol: &Symbol) -> bool {
-    matches!(symbol, Symbol::Pi | Symbol::Root(_))
+    symbol.is_number()
 }
 
 /// Whether a symbol occurs in a value: as itself, under a sine or cosine, in an index or in a divisor.

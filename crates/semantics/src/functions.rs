@@ -43,6 +43,7 @@ impl<A: Arithmetic> Evaluator<'_, A> {
             }
             (BuiltIn::SquareRoot, [q]) => Value::Number(number(q)?.square_root(a)?),
             (BuiltIn::Sine, [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.0),
+            (BuiltIn::Exponential, [x]) => Value::Number(number(x)?.exponential(a)?),
             (BuiltIn::Cosine, [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.1),
             (BuiltIn::Dot, [x, y]) => {
                 Value::Number(dot(&value(x)?.entries()?, &value(y)?.entries()?, a)?)

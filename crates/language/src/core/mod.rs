@@ -197,6 +197,8 @@ pub enum BuiltIn {
     Sine,
     /// `cos(a)`, in radians.
     Cosine,
+    /// `exp(a)`, the number e to this power.
+    Exponential,
     /// `dot(a, b)`.
     Dot,
     /// `cross(a, b)` of two vectors of 3.

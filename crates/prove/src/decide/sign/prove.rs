@@ -207,8 +207,7 @@ fn without_square(
 ) -> Option<Certificate> {
     // A factor that is a number, such as a root, would be split off without end.
     let variable = |p: &Polynomial| {
-        let number = |s: &Symbol| matches!(s, Symbol::Pi | Symbol::Root(_));
-        !p.symbols().iter().all(number)
+        !p.symbols().iter().all(Symbol::is_number)
     };
     let mut squares = factors(polynomial).into_iter().filter(variable);
     let (root, rest) = squares
