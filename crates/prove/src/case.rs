@@ -7,6 +7,7 @@
 //! the meaning of nothing.
 
 use crate::decide::domain::{Constraint, Domain};
+use crate::decide::exponential;
 use crate::decide::interval::Interval;
 use crate::decide::sign;
 use crate::evaluate::Evaluator;
@@ -62,9 +63,7 @@ impl<'a> Case<'a> {
             .truth(&core.statement)
             .map_err(|f| f.within(&statement.origin))?;
         let mut domain = ground.domain;
-        let symbols = symbols_of(&value);
-        let ordered = domain.ordered_exponentials(symbols.iter());
-        domain.constraints.extend(ordered);
+        domain.order_exponentials(&exponential::symbols_of(&value));
         Ok(Self {
             evaluator: ground.evaluator,
             domain,
@@ -441,20 +440,6 @@ impl<'a> Ground<'a> {
             .rest
             .iter()
             .try_for_each(|form| self.vanishes(form).map_err(within))
-    }
-}
-
-/// The symbols of the comparisons in a statement that are free of symbolic degrees.
-fn symbols_of(statement: &Statement) -> Vec<Symbol> {
-    match statement {
-        Statement::Compare { left, right, .. } => {
-            let entries = left.entries().into_iter().chain(right.entries());
-            let plain = entries.filter_map(|q| q.as_fraction());
-            plain.flat_map(Fraction::symbols).collect()
-        }
-        Statement::Join(_, a, b) => [symbols_of(a), symbols_of(b)].concat(),
-        Statement::Not(inner) => symbols_of(inner),
-        Statement::Agrees { .. } | Statement::Family { .. } => vec![],
     }
 }
 

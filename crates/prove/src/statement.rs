@@ -8,7 +8,7 @@ use crate::alternatives;
 use crate::case::Ground;
 use crate::combination::follows;
 use crate::decide::contradiction::contradiction;
-use crate::decide::{self, Decision, conditions, instances, sign};
+use crate::decide::{self, Decision, conditions, exponential, instances, sign};
 use crate::evaluate::value::{Statement, Value};
 use crate::evidence::{Evidence, Witness};
 use std::collections::BTreeMap;
@@ -446,6 +446,9 @@ impl Decider<'_> {
             });
         }
         let value = ground.evaluator.truth(statement)?;
+        ground
+            .domain
+            .order_exponentials(&exponential::symbols_of(&value));
         let mut decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
         if decision.is_refuted() {
             // A point at which some other part of the claim is undefined refutes nothing.

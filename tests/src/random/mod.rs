@@ -51,11 +51,13 @@ pub enum Kind {
     Properties,
     /// Sines, cosines and tangents of parts and multiples of an angle, and their signs.
     Angles,
+    /// Exponentials and hyperbolic functions of parts and multiples of an exponent, and their order.
+    Exponentials,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Polynomial,
         Self::Inequality,
         Self::Division,
@@ -69,6 +71,7 @@ impl Kind {
         Self::Decimals,
         Self::Properties,
         Self::Angles,
+        Self::Exponentials,
     ];
 
     /// Its name.
@@ -88,6 +91,7 @@ impl Kind {
             Self::Decimals => "decimals",
             Self::Properties => "properties",
             Self::Angles => "angles",
+            Self::Exponentials => "exponentials",
         }
     }
 
@@ -109,6 +113,7 @@ impl Kind {
             Self::Decimals => kinds::decimals::claim,
             Self::Properties => kinds::properties::claim,
             Self::Angles => kinds::angles::claim,
+            Self::Exponentials => kinds::exponentials::claim,
         };
         let mut claim = make(&mut stream);
         claim.number = number;

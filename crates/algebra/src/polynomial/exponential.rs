@@ -59,7 +59,9 @@ impl Polynomial {
     #[must_use]
     pub fn is_exponential(&self) -> bool {
         let mut symbols = self.symbols().iter();
-        self.len() == 1 && !symbols.as_slice().is_empty() && symbols.all(|s| matches!(s, Symbol::Exp(_)))
+        self.len() == 1
+            && !symbols.as_slice().is_empty()
+            && symbols.all(|s| matches!(s, Symbol::Exp(_)))
     }
 }
 

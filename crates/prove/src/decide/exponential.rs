@@ -3,12 +3,14 @@
 //! The exponential function increases, so the range of an exponent is that of its power, and of two powers the one with
 //! the larger exponent is larger. The first bounds a power as any symbol is bounded; the second becomes a constraint of
 //! the domain, for exponents that are ordered on all of it: with `0 <= t <= a` the constraint
-//! `exp(a) - exp(t) >= 0` is what a proof that `sinh(a - t)` is not negative rests on.
+//! `exp(a) - exp(t) >= 0` is what a proof that `sinh(a - t)` is not negative rests on. Beside its own exponent a power is
+//! bounded by its tangent at zero.
 
 use super::domain::{Constraint, Domain};
 use super::interval::{Bound, Interval};
 use super::order::{enclosure, truth};
 use super::sign::{self, Sign};
+use crate::evaluate::value::Statement;
 use num_integer::lcm;
 use std::sync::Arc;
 use torse_algebra::{Exponent, Finest, Fraction, Polynomial, Rational, Scalar as _, Symbol};
@@ -99,14 +101,17 @@ impl Domain<'_> {
         range
     }
 
-    /// Constraints that order the exponentials among these symbols, where the exponents are ordered on the domain.
-    #[must_use]
-    pub fn ordered_exponentials<'s>(
-        &self,
-        symbols: impl Iterator<Item = &'s Symbol> + Clone,
-    ) -> Vec<Constraint> {
-        let finest = Finest::of(symbols.clone());
+    /// Adds the constraints that order the exponentials among these symbols, where the exponents are ordered on the
+    /// domain.
+    pub fn order_exponentials(&mut self, symbols: &[Symbol]) {
+        let ordered = self.ordered_exponentials(symbols);
+        self.constraints.extend(ordered);
+    }
+
+    fn ordered_exponentials(&self, symbols: &[Symbol]) -> Vec<Constraint> {
+        let finest = Finest::of(symbols.iter());
         let mut exponents: Vec<&Exponent> = symbols
+            .iter()
             .filter_map(|symbol| match symbol {
                 Symbol::Exp(exponent) if !symbol.is_number() => {
                     finest.value(symbol).is_none().then_some(exponent)
@@ -119,7 +124,20 @@ impl Domain<'_> {
         if exponents.len() > MAX_EXPONENTS {
             return vec![];
         }
-        let mut found = vec![];
+        let mut found: Vec<Constraint> = vec![];
+        for exponent in &exponents {
+            // `exp(m) >= 1 + m`, where the exponent stands outside as well.
+            let exponent = (*exponent).clone();
+            let mut names = exponent.powers().iter();
+            if names.all(|(name, _)| symbols.contains(&Symbol::Named(Arc::clone(name)))) {
+                let tangent = &Polynomial::integer(1) + &exponent.polynomial();
+                let power = Polynomial::symbol(Symbol::Exp(exponent));
+                found.push(Constraint {
+                    value: Fraction::from(&power - &tangent),
+                    relation: Relation::AtLeast,
+                });
+            }
+        }
         for (place, first) in exponents.iter().enumerate() {
             for second in exponents.iter().skip(place + 1) {
                 let Ok(parts) = u16::try_from(lcm(u32::from(first.parts()), second.parts().into()))
@@ -141,6 +159,33 @@ impl Domain<'_> {
             }
         }
         found
+    }
+}
+
+/// The symbols of the comparisons in a statement, as far as they are free of symbolic degrees, and of what they were
+/// divided by.
+#[must_use]
+pub fn symbols_of(statement: &Statement) -> Vec<Symbol> {
+    let of = |value: &Fraction| {
+        let divisors = value.conditions().iter();
+        let divisors = divisors.flat_map(|p| p.symbols().to_vec());
+        value
+            .symbols()
+            .into_iter()
+            .chain(divisors)
+            .collect::<Vec<_>>()
+    };
+    match statement {
+        Statement::Compare { left, right, .. } => {
+            let entries = left.entries().into_iter().chain(right.entries());
+            entries
+                .filter_map(|q| q.as_fraction())
+                .flat_map(of)
+                .collect()
+        }
+        Statement::Join(_, a, b) => [symbols_of(a), symbols_of(b)].concat(),
+        Statement::Not(inner) => symbols_of(inner),
+        Statement::Agrees { .. } | Statement::Family { .. } => vec![],
     }
 }
 

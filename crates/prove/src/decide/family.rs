@@ -56,7 +56,9 @@ pub fn nonnegative(
         .chain(seeds.iter().map(|p| ("seed", p)))
     {
         let text = torse_language::notation::text(&crate::formula::expression(part));
-        let proved = part.as_polynomial().and_then(|p| sign::of(p, domain));
+        let mut ordered = domain.clone();
+        ordered.order_exponentials(&part.symbols());
+        let proved = sign::of_fraction(part, &ordered);
         if part.is_zero() || matches!(proved, Some(Sign::Positive | Sign::Nonnegative)) {
             steps.push(format!(
                 "{what} {text} >= 0 by Bernstein coefficients in the tangent of the half angle"

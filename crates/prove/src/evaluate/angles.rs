@@ -17,7 +17,9 @@ pub(super) fn in_finest(left: Value, right: Value, place: Place) -> Result<(Valu
     let mut look = |fraction: &Fraction| {
         let conditions = fraction.conditions().iter().flat_map(|p| p.symbols());
         let all = fraction.symbols().into_iter().chain(conditions.cloned());
-        angles.extend(all.filter(|s| matches!(s, Symbol::Sin(..) | Symbol::Cos(..) | Symbol::Exp(_))));
+        angles.extend(
+            all.filter(|s| matches!(s, Symbol::Sin(..) | Symbol::Cos(..) | Symbol::Exp(_))),
+        );
     };
     for quantity in left.entries().into_iter().chain(right.entries()) {
         look(&quantity.plain);

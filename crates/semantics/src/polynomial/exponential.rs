@@ -28,12 +28,16 @@ pub(super) fn of(exponent: &Quotient, work: &Work) -> Result<Quotient, Gap> {
         };
         let names: Option<BTreeMap<_, _>> = monomial.iter().map(named).collect();
         // A part of a variable, and a power of the number e, are no polynomials here.
-        let names = names.filter(|names| !names.is_empty()).ok_or_else(unknown)?;
+        let names = names
+            .filter(|names| !names.is_empty())
+            .ok_or_else(unknown)?;
         let whole = coefficient
             .is_integer()
             .then(|| i64::try_from(&coefficient.to_integer()).ok())
             .flatten();
-        let count = whole.filter(|n| n.abs() <= MAX_MULTIPLE).ok_or_else(unknown)?;
+        let count = whole
+            .filter(|n| n.abs() <= MAX_MULTIPLE)
+            .ok_or_else(unknown)?;
         let power = Quotient::from(Sum::variable(Variable::Power(names)));
         for _ in 0..count.abs() {
             total = if count.is_negative() {

@@ -6,6 +6,7 @@ pub mod calculus;
 pub mod decimals;
 pub mod degree;
 pub mod division;
+pub mod exponentials;
 pub mod given;
 pub mod inequality;
 pub mod integers;

@@ -282,6 +282,12 @@ fn replayed(proofs: &[Proof], domain: &Domain<'_>) -> Result<Vec<String>, Certif
     Ok(steps)
 }
 
+/// A sign of the fraction wherever it is defined on the domain, if one can be proved.
+#[must_use]
+pub fn of_fraction(value: &Fraction, domain: &Domain<'_>) -> Option<Sign> {
+    sign_of_fraction(value, domain).map(|(sign, _)| sign)
+}
+
 /// The largest product of numerator and denominator that is examined, in products of terms.
 const MAX_PRODUCT: usize = 200;
 
