@@ -125,6 +125,21 @@ impl Domain<'_> {
             return vec![];
         }
         let mut found: Vec<Constraint> = vec![];
+        // A parameter of exponents that also stands outside makes sums strict by its open end.
+        for symbol in symbols.iter().filter(|s| matches!(s, Symbol::Named(_))) {
+            let inside = exponents.iter().any(|exponent| {
+                let mut names = exponent.powers().iter();
+                names.any(|(name, _)| *symbol == Symbol::Named(Arc::clone(name)))
+            });
+            if inside && let Some(end) = self.interval(symbol).lower.filter(|end| !end.closed) {
+                let value = Fraction::symbol(symbol.clone()) - end.value;
+                let relation = Relation::Greater;
+                let known = |c: &Constraint| c.relation == relation && c.value == value;
+                if !found.iter().any(known) {
+                    found.push(Constraint { value, relation });
+                }
+            }
+        }
         for exponent in &exponents {
             // `exp(m) >= 1 + m`, where the exponent stands outside as well.
             let exponent = (*exponent).clone();
