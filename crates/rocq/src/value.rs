@@ -184,6 +184,9 @@ impl Context<'_> {
     /// # Errors
     /// As [`Context::value`].
     pub fn family(&mut self, family: &Arc<Family>) -> Result<(String, Vec<Code>), Gap> {
+        if family.counters.is_some() {
+            return Err(Gap::Construct("a basis whose step depends on the index"));
+        }
         let own = family.variables.iter();
         let own: Vec<(Variable, Kind)> = own
             .map(|v| (v.clone(), Kind::Value(Shape::Number)))

@@ -3,7 +3,7 @@
 use super::quantity::Quantity;
 use super::series::{Axis, Series, Target};
 use super::value::Value;
-use super::{Environment, Evaluator, wrong_type};
+use super::{Environment, Evaluator, counted, wrong_type};
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Fraction};
 use torse_language::core::{Family, Term};
@@ -36,7 +36,6 @@ impl Evaluator<'_> {
                 other => return Err(wrong_type(argument.place, other.kind(), "a number")),
             }
         }
-        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
         let power = degree.clone() - Affine::number(i64::from(family.degree));
         if let Some(n) = power.as_number() {
             let n = match planted(Planted::DegreeBelowSeeds) {
@@ -67,7 +66,15 @@ impl Evaluator<'_> {
                     format!("degree {degree} is larger than 60"),
                 ));
             }
-            let row = self.row(family, &operator, &seeds, steps, &values);
+            let row = match &family.counters {
+                Some(counters) => self
+                    .in_angle(|| self.counted(family, counters, &values, steps, (place, bound)))?,
+                None => {
+                    let (operator, seeds) =
+                        self.in_angle(|| self.seeds(family, &values, place, bound))?;
+                    self.row(family, &operator, &seeds, steps, &values)
+                }
+            };
             // Outside 0..k the functions are zero by convention.
             let entry = usize::try_from(position)
                 .ok()
@@ -84,6 +91,7 @@ impl Evaluator<'_> {
                 ),
             ));
         }
+        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
         self.symbolic_degree.set(true);
         let series = Series::entry(Axis {
             operator,
@@ -115,22 +123,11 @@ impl Evaluator<'_> {
         place: Place,
         outside: &Environment,
     ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
-        let mut bound = match family.closed {
-            true => Environment::new(),
-            false => outside.clone(),
-        };
-        for (variable, value) in family.variables.iter().zip(values) {
-            bound.insert(variable.number(), value.clone().into());
+        let bound = self.arguments(family, values, outside);
+        let one = |term: &Term| self.factor(term, place, &bound);
+        if family.counters.is_some() {
+            return Err(counted::refused(family, place));
         }
-        let one = |term: &Term| -> Result<Fraction, Fault> {
-            match self.value(term, &bound)? {
-                Value::Scalar(q) => q
-                    .as_fraction()
-                    .cloned()
-                    .ok_or_else(|| super::symbolic_degree(place)),
-                other => Err(wrong_type(term.place, other.kind(), "a number")),
-            }
-        };
         let seeds = family
             .seeds
             .iter()
