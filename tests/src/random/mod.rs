@@ -53,11 +53,13 @@ pub enum Kind {
     Angles,
     /// Exponentials and hyperbolic functions of parts and multiples of an exponent, and their order.
     Exponentials,
+    /// Splines, by a basis whose step depends on index and degree.
+    Splines,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Polynomial,
         Self::Inequality,
         Self::Division,
@@ -72,6 +74,7 @@ impl Kind {
         Self::Properties,
         Self::Angles,
         Self::Exponentials,
+        Self::Splines,
     ];
 
     /// Its name.
@@ -92,6 +95,7 @@ impl Kind {
             Self::Properties => "properties",
             Self::Angles => "angles",
             Self::Exponentials => "exponentials",
+            Self::Splines => "splines",
         }
     }
 
@@ -114,6 +118,7 @@ impl Kind {
             Self::Properties => kinds::properties::claim,
             Self::Angles => kinds::angles::claim,
             Self::Exponentials => kinds::exponentials::claim,
+            Self::Splines => kinds::splines::claim,
         };
         let mut claim = make(&mut stream);
         claim.number = number;

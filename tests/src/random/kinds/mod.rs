@@ -13,6 +13,7 @@ pub mod integers;
 pub mod logic;
 pub mod polynomial;
 pub mod properties;
+pub mod splines;
 pub mod vectors;
 
 use super::Kind;
