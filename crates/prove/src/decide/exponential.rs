@@ -3,8 +3,8 @@
 //! The exponential function increases, so the range of an exponent is that of its power, and of two powers the one with
 //! the larger exponent is larger. The first bounds a power as any symbol is bounded; the second becomes a constraint of
 //! the domain, for exponents that are ordered on all of it: with `0 <= t <= a` the constraint
-//! `exp(a) - exp(t) >= 0` is what a proof that `sinh(a - t)` is not negative rests on. Beside its own exponent a power is
-//! bounded by its tangent at zero.
+//! `exp(a) - exp(t) >= 0` is what a proof that `sinh(a - t)` is not negative rests on. Beside its own exponent a power and
+//! its inverse are bounded by their tangents at zero.
 
 use super::domain::{Constraint, Domain};
 use super::interval::{Bound, Interval};
@@ -108,22 +108,8 @@ impl Domain<'_> {
         self.constraints.extend(ordered);
     }
 
-    fn ordered_exponentials(&self, symbols: &[Symbol]) -> Vec<Constraint> {
-        let finest = Finest::of(symbols.iter());
-        let mut exponents: Vec<&Exponent> = symbols
-            .iter()
-            .filter_map(|symbol| match symbol {
-                Symbol::Exp(exponent) if !symbol.is_number() => {
-                    finest.value(symbol).is_none().then_some(exponent)
-                }
-                _ => None,
-            })
-            .collect();
-        exponents.sort();
-        exponents.dedup();
-        if exponents.len() > MAX_EXPONENTS {
-            return vec![];
-        }
+    /// What bounds exponentials by the symbols of their exponents, where these stand outside as well.
+    fn bounds_beside(&self, exponents: &[&Exponent], symbols: &[Symbol]) -> Vec<Constraint> {
         let mut found: Vec<Constraint> = vec![];
         // A parameter of exponents that also stands outside makes sums strict by its open end.
         for symbol in symbols.iter().filter(|s| matches!(s, Symbol::Named(_))) {
@@ -140,19 +126,41 @@ impl Domain<'_> {
                 }
             }
         }
-        for exponent in &exponents {
-            // `exp(m) >= 1 + m`, where the exponent stands outside as well.
+        for exponent in exponents {
+            // `exp(m) >= 1 + m` and `exp(-m) >= 1 - m`, where the exponent stands outside as well.
             let exponent = (*exponent).clone();
             let mut names = exponent.powers().iter();
             if names.all(|(name, _)| symbols.contains(&Symbol::Named(Arc::clone(name)))) {
-                let tangent = &Polynomial::integer(1) + &exponent.polynomial();
+                let (one, outside) = (Polynomial::integer(1), exponent.polynomial());
                 let power = Polynomial::symbol(Symbol::Exp(exponent));
-                found.push(Constraint {
-                    value: Fraction::from(&power - &tangent),
+                let above = &power - &(&one + &outside);
+                let below = &one - &(&power * &(&one - &outside));
+                found.extend([above, below].map(|value| Constraint {
+                    value: value.into(),
                     relation: Relation::AtLeast,
-                });
+                }));
             }
         }
+        found
+    }
+
+    fn ordered_exponentials(&self, symbols: &[Symbol]) -> Vec<Constraint> {
+        let finest = Finest::of(symbols.iter());
+        let mut exponents: Vec<&Exponent> = symbols
+            .iter()
+            .filter_map(|symbol| match symbol {
+                Symbol::Exp(exponent) if !symbol.is_number() => {
+                    finest.value(symbol).is_none().then_some(exponent)
+                }
+                _ => None,
+            })
+            .collect();
+        exponents.sort();
+        exponents.dedup();
+        if exponents.len() > MAX_EXPONENTS {
+            return vec![];
+        }
+        let mut found = self.bounds_beside(&exponents, symbols);
         for (place, first) in exponents.iter().enumerate() {
             for second in exponents.iter().skip(place + 1) {
                 let Ok(parts) = u16::try_from(lcm(u32::from(first.parts()), second.parts().into()))
