@@ -166,10 +166,13 @@ impl Symbol {
 
     /// The names of the variables that the symbol is a function of, its own for a named one.
     pub fn names(&self) -> impl Iterator<Item = &Arc<str>> {
-        let (one, many): (Option<&Arc<str>>, &[(Arc<str>, u16)]) = match self {
-            Self::Named(name) | Self::Sin(name, _) | Self::Cos(name, _) => (Some(name), &[]),
-            Self::Exp(exponent) => (None, &exponent.powers),
-            Self::Indexed(..) | Self::Root(_) | Self::Pi => (None, &[]),
+        let one = match self {
+            Self::Named(name) | Self::Sin(name, _) | Self::Cos(name, _) => Some(name),
+            Self::Exp(_) | Self::Indexed(..) | Self::Root(_) | Self::Pi => None,
+        };
+        let many = match self {
+            Self::Exp(exponent) => exponent.powers(),
+            _ => &[],
         };
         one.into_iter().chain(many.iter().map(|(name, _)| name))
     }
