@@ -76,6 +76,8 @@ never_wrong! {
     printed_decimals_are_never_judged_wrongly: Decimals,
     properties_of_a_basis_are_never_judged_wrongly: Properties,
     parts_and_multiples_of_angles_are_never_judged_wrongly: Angles,
+    exponentials_and_their_order_are_never_judged_wrongly: Exponentials,
+    splines_on_knots_are_never_judged_wrongly: Splines,
 }
 
 /// The first claims of every kind.

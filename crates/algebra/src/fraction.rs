@@ -132,7 +132,8 @@ impl Fraction {
     /// The same value with nothing recorded but its denominator: for a value that is known where its divisors vanish, too.
     #[must_use]
     pub fn without_conditions(mut self) -> Self {
-        self.conditions = self.denominator.keys().cloned().collect();
+        let divisors = self.denominator.keys().filter(|p| !p.is_exponential());
+        self.conditions = divisors.cloned().collect();
         self
     }
 
@@ -152,7 +153,7 @@ fn merged(a: &[Polynomial], b: &[Polynomial]) -> Vec<Polynomial> {
     let mut all: Vec<Polynomial> = a
         .iter()
         .chain(b)
-        .filter(|p| !p.is_constant())
+        .filter(|p| !p.is_constant() && !p.is_exponential())
         .cloned()
         .collect();
     all.sort();

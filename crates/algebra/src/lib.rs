@@ -1,7 +1,7 @@
 //! Exact formulas.
 //!
 //! Sparse polynomials ([`Polynomial`]) over the rationals in named symbols with pi, square roots of primes and
-//! pairs sin/cos of a quarter turn, [`Fraction`]s that remember what they were divided by, truncated
+//! pairs sin/cos of a quarter turn, exponentials, [`Fraction`]s that remember what they were divided by, truncated
 //! power series ([`Jet`]), proofs of sign ([`positivity`]), real roots ([`sturm`]) and matrices over all
 //! of these. The numbers they are made of come from [`torse_numbers`] and are named here again.
 #![warn(missing_docs)]
@@ -22,7 +22,7 @@ pub use matrix::{Matrix, MatrixError};
 pub use polynomial::Polynomial;
 pub use polynomial::angles::Finest;
 pub use sturm::SturmSequence;
-pub use symbol::{Angle, Symbol, Unit};
+pub use symbol::{Angle, Exponent, Symbol, Unit};
 pub use torse_numbers::{
     Affine, Ball, ExactError, Integer, Rational, Scalar, ZeroTest, affine, ball, planted, rational,
     scalar, work,

@@ -3,7 +3,12 @@
 //! Independence is what makes a zero normal form decide an identity, so every symbol states its one
 //! relation, if it has any: pi is transcendental; a variable x is algebraically independent of the
 //! pair sin, cos of its quarter turn (or of one part of it); the pair satisfies sin^2 + cos^2 = 1; square roots of distinct
-//! primes satisfy r^2 = p and nothing else; everything named is free.
+//! primes satisfy r^2 = p and nothing else; everything named is free. Exponentials of different monomials in the
+//! variables are independent of one another, of the variables and of their sines and cosines, which are exponentials of
+//! imaginary multiples (Ax 1971: exponents that are linearly independent over the rationals modulo constants have
+//! exponentials that are independent over the rational functions). The number e, which is the exponential without
+//! variables, is transcendental; whether it is independent of pi is not known. So a zero normal form proves an identity
+//! there as well, and a nonzero one in e and pi alone refutes nothing until an enclosure tells it from zero.
 
 use crate::affine::Affine;
 use std::fmt;
@@ -49,6 +54,62 @@ impl Angle {
     }
 }
 
+/// What stands under an exponential: a monomial in named variables, divided into parts. Without variables it is the
+/// number one, divided.
+///
+/// The exponentials of x and of x/2 are not independent; as for angles, the finest part makes all others
+/// ([`Finest`](crate::Finest)).
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Exponent {
+    powers: Arc<[(Arc<str>, u16)]>,
+    parts: u16,
+}
+
+impl Exponent {
+    /// A monomial, its variables in order, divided into so many parts.
+    pub(crate) fn new(powers: Vec<(Arc<str>, u16)>, parts: u16) -> Self {
+        let powers = powers.into();
+        Self { powers, parts }
+    }
+
+    /// The variables with their powers.
+    #[must_use]
+    pub fn powers(&self) -> &[(Arc<str>, u16)] {
+        &self.powers
+    }
+
+    /// Into how many parts the monomial is divided.
+    #[must_use]
+    pub fn parts(&self) -> u16 {
+        self.parts
+    }
+
+    /// The same monomial in other parts.
+    #[must_use]
+    pub fn over(&self, parts: u16) -> Self {
+        Self {
+            powers: Arc::clone(&self.powers),
+            parts,
+        }
+    }
+}
+
+impl fmt::Display for Exponent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let power = |(name, power): &(Arc<str>, u16)| match power {
+            1 => name.to_string(),
+            power => format!("{name}^{power}"),
+        };
+        let powers: Vec<String> = self.powers.iter().map(power).collect();
+        match (powers.is_empty(), self.parts) {
+            (true, 1) => f.write_str("1"),
+            (true, parts) => write!(f, "1/{parts}"),
+            (false, 1) => f.write_str(&powers.join("*")),
+            (false, parts) => write!(f, "1/{parts}*{}", powers.join("*")),
+        }
+    }
+}
+
 /// One symbol of a polynomial ring. The order of the variants is the order in which terms sort:
 /// control points first, then names, then constants and functions.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -65,6 +126,8 @@ pub enum Symbol {
     Sin(Arc<str>, Angle),
     /// The cosine of an angle made from the named variable.
     Cos(Arc<str>, Angle),
+    /// The exponential of a monomial or, without variables, a root of the number e.
+    Exp(Exponent),
 }
 
 impl Symbol {
@@ -86,8 +149,32 @@ impl Symbol {
         match self {
             Self::Named(name) | Self::Sin(name, _) | Self::Cos(name, _) => &**name == variable,
             Self::Indexed(_, index) => index.iter().any(|i| i.multiple_of(variable) != 0),
+            Self::Exp(exponent) => exponent.powers.iter().any(|(name, _)| &**name == variable),
             Self::Root(_) | Self::Pi => false,
         }
+    }
+
+    /// Whether the symbol is a number: pi, a root, or a power of e.
+    #[must_use]
+    pub fn is_number(&self) -> bool {
+        match self {
+            Self::Pi | Self::Root(_) => true,
+            Self::Exp(exponent) => exponent.powers.is_empty(),
+            _ => false,
+        }
+    }
+
+    /// The names of the variables that the symbol is a function of, its own for a named one.
+    pub fn names(&self) -> impl Iterator<Item = &Arc<str>> {
+        let one = match self {
+            Self::Named(name) | Self::Sin(name, _) | Self::Cos(name, _) => Some(name),
+            Self::Exp(_) | Self::Indexed(..) | Self::Root(_) | Self::Pi => None,
+        };
+        let many = match self {
+            Self::Exp(exponent) => exponent.powers(),
+            _ => &[],
+        };
+        one.into_iter().chain(many.iter().map(|(name, _)| name))
     }
 
     /// The cosine that belongs to a sine.
@@ -116,6 +203,7 @@ impl fmt::Display for Symbol {
             Self::Pi => f.write_str("pi"),
             Self::Sin(name, a) => write!(f, "sin({})", angle(name, *a)),
             Self::Cos(name, a) => write!(f, "cos({})", angle(name, *a)),
+            Self::Exp(exponent) => write!(f, "exp({exponent})"),
         }
     }
 }

@@ -222,6 +222,28 @@ fn names_that_no_formula_can_write_are_not_declared() {
 }
 
 #[test]
+fn a_step_that_depends_on_the_index_names_index_and_degree() {
+    for (names, message) in [
+        ("index = 'i'", "needs both `index` and `order`"),
+        ("order = 'k'", "needs both `index` and `order`"),
+        ("index = 'i'\norder = 'i'", "two names"),
+        ("index = 'i i'\norder = 'k'", "cannot be a name"),
+    ] {
+        let folder = Folder::new("counters");
+        let basis = format!(
+            "[basis.B]\nvariable = 't'\ndegree = 0\nseeds = ['1']\nstep = ['t', '1-t']\n{names}\n"
+        );
+        let claims = format!("{basis}\n{}", claim("mini/a", "1 == 1", ""));
+        folder.write("mini/claims.toml", &claims);
+        let (_, told) = told(&folder.load());
+        assert!(
+            matches!(told.as_slice(), [one] if one.contains(message)),
+            "{names}: {told:#?}"
+        );
+    }
+}
+
+#[test]
 fn files_and_ids_stay_in_the_papers_folder() {
     let folder = Folder::new("outside");
     folder.write("secret.toml", "secret words");

@@ -35,6 +35,12 @@ pub enum ExactError {
         /// How many it may have at most.
         limit: usize,
     },
+    /// The exponential is not a number of this scalar's kind.
+    #[error("the exponential of {argument} has no value here")]
+    NoExponential {
+        /// The exponent as text.
+        argument: String,
+    },
     /// Pi is not a number of this scalar's kind.
     #[error("pi is not a number of this kind")]
     NoPi,

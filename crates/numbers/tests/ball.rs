@@ -309,6 +309,24 @@ proptest! {
     }
 
     #[test]
+    fn the_exponential_of_a_sum_is_the_product_and_narrow(a in -40_i64..40, b in -40_i64..40, d in 1_i64..30, bits in 16_usize..300) {
+        let exp = |n: i64| Ball::from_rational(&ratio(n, d).unwrap(), bits + 200).exp().unwrap().with_bits(bits);
+        let (x, y, sum) = (exp(a), exp(b), exp(a + b));
+        prop_assert!((&x * &y).overlaps(&sum));
+        prop_assert!(sum.width() <= units(2, bits));
+        prop_assert!(a >= b || x.lower() <= y.upper());
+    }
+
+    #[test]
+    fn the_exponential_of_a_ball_holds_those_of_its_numbers((a, b, inside) in interval_and_point(), bits in 8_usize..120) {
+        prop_assume!(a.abs() < integer(1000) && b.abs() < integer(1000));
+        let of_one = Ball::from_rational(&inside, bits).exp().unwrap();
+        let of_all = Ball::from_bounds(&a, &b, bits).exp().unwrap();
+        prop_assert!(of_one.overlaps(&of_all));
+        prop_assert!(!of_one.lower().is_negative());
+    }
+
+    #[test]
     fn multiplication_of_balls_is_as_tight_as_its_corners(
         a in -20_i64..20, b in -20_i64..20, c in -20_i64..20, d in -20_i64..20,
     ) {
@@ -349,6 +367,32 @@ proptest! {
             prop_assert_eq!(value(&text), inside);
         }
     }
+}
+
+#[test]
+fn the_exponential_has_the_digits_of_the_tables() {
+    let exp = |n, d| {
+        let x = Ball::from_rational(&ratio(n, d).unwrap(), 400);
+        x.exp().unwrap().decimal(50)
+    };
+    assert_eq!(exp(0, 1), "1");
+    assert_eq!(
+        exp(1, 1),
+        "2.71828182845904523536028747135266249775724709369995..."
+    );
+    assert_eq!(
+        exp(-1, 1),
+        "0.36787944117144232159552377016146086744581113103176..."
+    );
+    assert_eq!(
+        exp(1, 2),
+        "1.64872127070012814684865078781416357165377610071014..."
+    );
+    assert_eq!(&exp(10, 1)[..17], "22026.46579480671");
+    let far = |n: i64| Ball::from_rational(&integer(n), 64).exp();
+    assert!(matches!(far(1 << 20), Err(ExactError::TooLarge { .. })));
+    let small = far(-(1 << 20)).unwrap();
+    assert!(small.contains_zero() && small.is_within(60));
 }
 
 fn exact_double(x: f64) -> Rational {

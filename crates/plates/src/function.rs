@@ -7,7 +7,7 @@
 
 use crate::PlateError;
 use torse_algebra::rational::to_f64;
-use torse_algebra::{Angle, Fraction, Polynomial, Symbol, Unit};
+use torse_algebra::{Angle, Exponent, Fraction, Polynomial, Symbol, Unit};
 
 /// Powers of a variable, then of the sine and cosine of each angle of the formula.
 type Monomial = Vec<u16>;
@@ -23,7 +23,7 @@ pub struct Function {
 #[derive(Debug, Clone)]
 struct Sum {
     /// The angles of both variables.
-    angles: Vec<Angle>,
+    angles: Vec<Atom>,
     first: Vec<Monomial>,
     second: Vec<Monomial>,
     /// One row of `second.len()` coefficients for each monomial of `first`.
@@ -83,8 +83,14 @@ impl Sum {
     fn new(polynomial: &Polynomial, variables: &[&str]) -> Result<Self, PlateError> {
         let mut angles = vec![];
         for symbol in polynomial.symbols() {
-            if let Symbol::Sin(_, angle) | Symbol::Cos(_, angle) = symbol {
-                number(&mut angles, *angle);
+            match symbol {
+                Symbol::Sin(_, angle) | Symbol::Cos(_, angle) => {
+                    number(&mut angles, Atom::Turn(*angle));
+                }
+                Symbol::Exp(exponent) if !symbol.is_number() => {
+                    number(&mut angles, Atom::Power(single(symbol, exponent)?));
+                }
+                _ => {}
             }
         }
         let mut sum = Sum {
@@ -109,9 +115,21 @@ impl Sum {
                         coefficient *= f64::from(*prime).sqrt().powi(i32::from(power));
                         continue;
                     }
+                    Symbol::Exp(exponent) if symbol.is_number() => {
+                        let root = f64::from(exponent.parts()).recip().exp();
+                        coefficient *= root.powi(i32::from(power));
+                        continue;
+                    }
                     Symbol::Named(name) => (name, 0),
-                    Symbol::Sin(name, angle) => (name, slot(*angle)),
-                    Symbol::Cos(name, angle) => (name, slot(*angle) + 1),
+                    Symbol::Sin(name, angle) => (name, slot(Atom::Turn(*angle))),
+                    Symbol::Cos(name, angle) => (name, slot(Atom::Turn(*angle)) + 1),
+                    Symbol::Exp(exponent) => {
+                        let slot = slot(Atom::Power(single(symbol, exponent)?));
+                        match exponent.powers() {
+                            [(name, _)] => (name, slot),
+                            _ => continue,
+                        }
+                    }
                     Symbol::Indexed(..) => {
                         return Err(PlateError::Symbol {
                             symbol: symbol.to_string(),
@@ -172,6 +190,25 @@ impl Sum {
     }
 }
 
+/// A function of a variable that is a symbol of polynomials.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Atom {
+    /// Sine and cosine.
+    Turn(Angle),
+    /// The exponential of a power of the variable, divided into parts.
+    Power((u16, u16)),
+}
+
+/// The power and the parts of an exponent in one variable.
+fn single(symbol: &Symbol, exponent: &Exponent) -> Result<(u16, u16), PlateError> {
+    match exponent.powers() {
+        [(_, power)] => Ok((*power, exponent.parts())),
+        _ => Err(PlateError::Symbol {
+            symbol: symbol.to_string(),
+        }),
+    }
+}
+
 /// The position of an item in a list, at the end if it is new.
 fn number<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
     let found = list.iter().position(|own| *own == item);
@@ -182,15 +219,23 @@ fn number<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
 }
 
 /// The values of monomials at one point.
-fn powers(monomials: &[Monomial], angles: &[Angle], at: f64) -> Vec<f64> {
+fn powers(monomials: &[Monomial], angles: &[Atom], at: f64) -> Vec<f64> {
     let mut atoms = vec![at];
-    for angle in angles {
-        let whole = match angle.unit {
-            Unit::QuarterTurn => std::f64::consts::FRAC_PI_2 * at,
-            Unit::Radian => at,
-        };
-        let (sin, cos) = (whole / f64::from(angle.parts)).sin_cos();
-        atoms.extend([sin, cos]);
+    for atom in angles {
+        match atom {
+            Atom::Turn(angle) => {
+                let whole = match angle.unit {
+                    Unit::QuarterTurn => std::f64::consts::FRAC_PI_2 * at,
+                    Unit::Radian => at,
+                };
+                let (sin, cos) = (whole / f64::from(angle.parts)).sin_cos();
+                atoms.extend([sin, cos]);
+            }
+            Atom::Power((power, parts)) => {
+                let power = (at.powi(i32::from(*power)) / f64::from(*parts)).exp();
+                atoms.extend([power, power]);
+            }
+        }
     }
     let value = |m: &Monomial| {
         m.iter()

@@ -4,13 +4,13 @@
 
 use proptest::prelude::*;
 use torse_algebra::rational::ratio;
-use torse_algebra::{Angle, Ball, Fraction, Rational, Symbol, Unit};
+use torse_algebra::{Angle, Ball, Fraction, Rational, Scalar as _, Symbol, Unit};
 use torse_plates::{Function, PlateError};
 
 /// Bits of the enclosures.
 const BITS: usize = 120;
 
-/// Symbols that may occur: two variables, their sines and cosines, pi and a root.
+/// Symbols that may occur: two variables, their sines, cosines and exponentials, pi, a root and e.
 fn symbols() -> Vec<Symbol> {
     let mut all = vec![Symbol::Pi, Symbol::Root(2)];
     for name in ["u", "v"] {
@@ -24,7 +24,10 @@ fn symbols() -> Vec<Symbol> {
             all.push(Symbol::Sin(name.into(), angle));
             all.push(Symbol::Cos(name.into(), angle));
         }
+        let half = Fraction::named(name).scaled(&ratio(1, 2).unwrap());
+        all.extend(half.exponential().unwrap().symbols());
     }
+    all.extend(Fraction::integer(1).exponential().unwrap().symbols());
     all
 }
 
@@ -63,6 +66,13 @@ fn enclosed(symbol: &Symbol, u: &Rational, v: &Rational) -> Ball {
             .unwrap(),
         Symbol::Sin(name, a) => angle(name, a).sin_cos().0,
         Symbol::Cos(name, a) => angle(name, a).sin_cos().1,
+        Symbol::Exp(exponent) => {
+            let value = exponent.polynomial().evaluate(&half, |s| match s {
+                Symbol::Named(name) => Ok(at(name)),
+                _ => Err(()),
+            });
+            value.unwrap().exp().unwrap()
+        }
         Symbol::Indexed(..) => unreachable!("no family occurs"),
     }
 }

@@ -7,7 +7,8 @@ use serde::Serialize;
 /// every degree are not negative.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Nonnegative<P> {
-    /// The two factors of the step, then the seeds.
+    /// The two factors of the step, then the seeds; of a quotient its numerator, then the factors of its denominator that
+    /// change its sign.
     pub parts: Vec<Part<P>>,
 }
 

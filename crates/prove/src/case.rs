@@ -7,6 +7,7 @@
 //! the meaning of nothing.
 
 use crate::decide::domain::{Constraint, Domain};
+use crate::decide::exponential;
 use crate::decide::interval::Interval;
 use crate::decide::sign;
 use crate::decide::value::{plain_symbol, quotient};
@@ -65,9 +66,11 @@ impl<'a> Case<'a> {
             .evaluator
             .truth(&core.statement)
             .map_err(|f| f.within(&statement.origin))?;
+        let mut domain = ground.domain;
+        domain.order_exponentials(&exponential::symbols_of(&value));
         Ok(Self {
             evaluator: ground.evaluator,
-            domain: ground.domain,
+            domain,
             statement: value,
         })
     }
@@ -487,7 +490,7 @@ fn plain(value: &Value) -> Option<Fraction> {
 }
 
 fn is_number(symbol: &Symbol) -> bool {
-    matches!(symbol, Symbol::Pi | Symbol::Root(_))
+    symbol.is_number()
 }
 
 /// Whether a symbol occurs in a value: as itself, under a sine or cosine, in an index or in a divisor.

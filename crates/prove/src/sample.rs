@@ -1,7 +1,7 @@
 //! Fast refutation of candidate corrections at a pseudo-random point.
 //!
 //! Every symbol is replaced by an integer that depends on its name alone, sine and cosine by a rational
-//! point of the unit circle, pi by a number like any other (it is transcendental, so an identity in it
+//! point of the unit circle, an exponential by the square of what stands for that of the half, pi by a number like any other (it is transcendental, so an identity in it
 //! is an identity in a variable). A candidate that differs there is no correction; one that agrees is
 //! only a candidate and still has to be proved.
 
@@ -43,6 +43,15 @@ pub fn value(symbol: &Symbol) -> Option<Fraction> {
     };
     Some(match symbol {
         Symbol::Root(_) => return None,
+        // As for angles: the whole is the square of the half.
+        Symbol::Exp(exponent) => {
+            let half = number(&Symbol::Exp(exponent.over(2)));
+            match exponent.parts() {
+                1 => (&half * &half).into(),
+                2 => half.into(),
+                _ => number(symbol).into(),
+            }
+        }
         Symbol::Sin(name, angle) => circle(name, *angle).1.into(),
         Symbol::Cos(name, angle) => circle(name, *angle).0.into(),
         other => number(other).into(),

@@ -10,7 +10,7 @@ use crate::combination::multipliers;
 use crate::decide::contradiction::contradiction;
 use crate::decide::domain::Domain;
 use crate::decide::value::{Proof, plain, quotient};
-use crate::decide::{self, Decision, conditions, equality, instances, sign, witness};
+use crate::decide::{self, Decision, conditions, equality, exponential, instances, sign, witness};
 use crate::evaluate::value::{Statement, Value};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -469,6 +469,9 @@ impl Decider<'_> {
             });
         }
         let value = ground.evaluator.truth(statement)?;
+        ground
+            .domain
+            .order_exponentials(&exponential::symbols_of(&value));
         let mut decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
         if decision.is_refuted() {
             // A point at which some other part of the claim is undefined refutes nothing.

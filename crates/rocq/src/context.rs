@@ -360,7 +360,8 @@ impl Used {
                 used.symbols.insert(Arc::clone(name));
             });
         }
-        used.variables = free(parts(), &family.variables);
+        let bound: Vec<Variable> = family.bound().cloned().collect();
+        used.variables = free(parts(), &bound);
         used
     }
 }
@@ -386,7 +387,7 @@ fn free<'t>(terms: impl Iterator<Item = &'t Term>, bound: &[Variable]) -> BTreeS
                 bound.insert(variable.clone());
             }
             Node::Basis { family, .. } => {
-                bound.extend(family.variables.iter().cloned());
+                bound.extend(family.bound().cloned());
                 pending.extend(family.seeds.iter().cloned());
                 pending.extend([family.step.0.clone(), family.step.1.clone()]);
             }

@@ -253,6 +253,9 @@ impl Context<'_> {
         arguments: &[Term],
         premises: &mut Premises,
     ) -> Result<(), Gap> {
+        if family.counters.is_some() {
+            return Err(Gap::Construct("a basis whose step depends on the index"));
+        }
         let lowest = family.degree;
         if literal(degree).is_none_or(|degree| degree < i64::from(lowest)) {
             let degree = self

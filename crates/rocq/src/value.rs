@@ -184,6 +184,9 @@ impl Context<'_> {
     /// # Errors
     /// As [`Context::value`].
     pub fn family(&mut self, family: &Arc<Family>) -> Result<(String, Vec<Code>), Gap> {
+        if family.counters.is_some() {
+            return Err(Gap::Construct("a basis whose step depends on the index"));
+        }
         let own = family.variables.iter();
         let own: Vec<(Variable, Kind)> = own
             .map(|v| (v.clone(), Kind::Value(Shape::Number)))
@@ -483,6 +486,7 @@ impl Context<'_> {
             (BuiltIn::SquareRoot, [Number]) => ("sqrt", Number),
             (BuiltIn::Sine, [Number]) => ("sin", Number),
             (BuiltIn::Cosine, [Number]) => ("cos", Number),
+            (BuiltIn::Exponential, [Number]) => ("exp", Number),
             (BuiltIn::Dot, [Vector(n), Vector(m)]) if n == m => ("dot", Number),
             (BuiltIn::Cross, [Vector(3), Vector(3)]) => ("cross", Vector(3)),
             (BuiltIn::Norm, [Vector(_)]) => ("norm", Number),

@@ -61,6 +61,12 @@ pub trait Arithmetic {
     /// [`Gap::Unknown`] where they cannot be expressed.
     fn sine_cosine(&self, a: &Self::Number) -> Result<(Self::Number, Self::Number), Gap>;
 
+    /// The exponential of a.
+    ///
+    /// # Errors
+    /// [`Gap::Unknown`] where it cannot be expressed.
+    fn exponential(&self, a: &Self::Number) -> Result<Self::Number, Gap>;
+
     /// Whether the number is zero; `None` if that is not known.
     fn is_zero(&self, a: &Self::Number) -> Option<bool>;
 

@@ -14,7 +14,7 @@ use crate::value::Value;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::Arc;
-use torse_language::core::{BuiltIn, Claim, Family, Node, Points, Term};
+use torse_language::core::{BuiltIn, Claim, Family, Node, Points, Term, Variable};
 use torse_language::syntax::Operator;
 
 /// How deep terms may be nested, not counting chains of one operator.
@@ -384,7 +384,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         &self,
         family: &Family,
         steps: i64,
-        variables: &[torse_language::core::Variable],
+        variables: &[Variable],
         arguments: &[Value<A::Number>],
         scope: &Sc<'_, A>,
     ) -> Result<Vec<Series<A::Number>>, Gap> {
@@ -400,6 +400,12 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             .iter()
             .map(|seed| self.number(seed, scope))
             .collect::<Result<_, _>>()?;
+        if let Some(counters) = &family.counters {
+            for k in i64::from(family.degree)..i64::from(family.degree) + steps {
+                row = self.counted(family, counters, &row, k + 1, scope)?;
+            }
+            return Ok(row);
+        }
         let (keep, shift) = (
             self.number(&family.step.0, scope)?,
             self.number(&family.step.1, scope)?,
@@ -414,6 +420,33 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                 .collect::<Result<_, Gap>>()?;
         }
         Ok(row)
+    }
+
+    /// The functions of degree k from those of one degree less, where the factors depend on the index and on k: each
+    /// function that there is counts with its factor, and no other factor is looked at.
+    fn counted(
+        &self,
+        family: &Family,
+        (index, order): &(Variable, Variable),
+        before: &[Series<A::Number>],
+        k: i64,
+        scope: &Sc<'_, A>,
+    ) -> Result<Vec<Series<A::Number>>, Gap> {
+        let a = self.arithmetic;
+        let scope = scope.with(order.number(), self.integer_value(k));
+        let functions = (0..=k).map(|i| {
+            let scope = scope.with(index.number(), self.integer_value(i));
+            let at = |place: i64| usize::try_from(place).ok().and_then(|p| before.get(p));
+            let mut sum = Series::integer(0, a);
+            for (factor, function) in [(&family.step.0, at(i)), (&family.step.1, at(i - 1))] {
+                if let Some(function) = function {
+                    let factor = self.number(factor, &scope)?;
+                    sum = sum.plus(&factor.times(function, a)?, a)?;
+                }
+            }
+            Ok(sum)
+        });
+        functions.collect()
     }
 
     /// A chain `a + b - c + ...` or any other operator: the left operands are walked without recursion, so that long

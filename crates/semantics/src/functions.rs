@@ -49,6 +49,7 @@ impl<A: Arithmetic> Evaluator<'_, A> {
             (BuiltIn::SquareRoot, [q]) => Value::Number(number(q)?.square_root(a)?),
             (BuiltIn::Sine, [angle]) => Value::Number(self.sine_cosine(number(angle)?)?.0),
             (BuiltIn::Cosine, [angle]) => Value::Number(self.sine_cosine(number(angle)?)?.1),
+            (BuiltIn::Exponential, [x]) => Value::Number(number(x)?.exponential(a)?),
             (BuiltIn::Dot, [x, y]) => {
                 Value::Number(dot(&value(x)?.entries()?, &value(y)?.entries()?, a)?)
             }

@@ -332,6 +332,14 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
         ))
     }
 
+    fn exponential(&self, a: &Self::Number) -> Outcome<A> {
+        let power = self.base.exponential(&a.value)?;
+        if a.change.is_none() {
+            return Ok(Gradient::constant(power));
+        }
+        self.chain(power.clone(), &power, a)
+    }
+
     /// Whether the value is zero whatever the numbers are; `None` where it is zero at the point alone.
     fn is_zero(&self, a: &Self::Number) -> Option<bool> {
         match self.base.is_zero(&a.value) {

@@ -1,6 +1,6 @@
 //! Real numbers at a point: exact as long as they are `r + t pi` with rational r and t, enclosed by a ball beyond.
 //!
-//! So a polynomial at a rational point is decided exactly, and `sin(pi/2*x)` at 0 or 1 as well.
+//! So a polynomial at a rational point is decided exactly, and `sin(pi/2*x)` at 0 or 1 as well, and `exp(x)` at 0.
 
 use crate::arithmetic::Arithmetic;
 use crate::domain::newton::expanded;
@@ -354,6 +354,18 @@ impl Arithmetic for Reals<'_> {
             known(rational_sine(&turns), sine),
             known(rational_sine(&(&*turns + half)), cosine),
         ))
+    }
+
+    fn exponential(&self, a: &Real) -> Result<Real, Gap> {
+        if is_known_zero(a) {
+            return Ok(Rational::one().into());
+        }
+        self.work.spend(16)?;
+        let large = |_| Unknown::Large {
+            what: "an exponential",
+        };
+        let power = a.ball(self.bits).exp().map_err(large)?;
+        Ok(power.into())
     }
 
     fn is_zero(&self, a: &Real) -> Option<bool> {

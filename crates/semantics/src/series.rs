@@ -275,6 +275,32 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         Ok((Self::powers(level, sines), Self::powers(level, cosines)))
     }
 
+    /// The exponential: from `e' = e f'`.
+    pub fn exponential<A: Arithmetic<Number = N>>(&self, a: &A) -> Outcome<N> {
+        let (level, terms) = match self {
+            Self::Number(x) => return Ok(Self::Number(a.exponential(x)?)),
+            Self::Powers { level, terms } => (*level, terms),
+        };
+        let first = terms.first().ok_or(Unknown::Precision)?;
+        let mut powers = vec![first.exponential(a)?];
+        for k in 1..terms.len() {
+            let mut next = Self::integer(0, a);
+            for j in 1..=k {
+                let (Some(f), Some(power)) = (terms.get(j), powers.get(k - j)) else {
+                    continue;
+                };
+                let share = Rational::new(
+                    i64::try_from(j).unwrap_or(i64::MAX).into(),
+                    i64::try_from(k).unwrap_or(i64::MAX).into(),
+                );
+                let rate = f.times(&Self::rational(&share, a), a)?;
+                next = next.plus(&rate.times(power, a)?, a)?;
+            }
+            powers.push(next);
+        }
+        Ok(Self::powers(level, powers))
+    }
+
     /// Whether every coefficient is zero; `None` if that is not known.
     pub fn is_zero<A: Arithmetic<Number = N>>(&self, a: &A) -> Option<bool> {
         match self {

@@ -51,11 +51,15 @@ pub enum Kind {
     Properties,
     /// Sines, cosines and tangents of parts and multiples of an angle, and their signs.
     Angles,
+    /// Exponentials and hyperbolic functions of parts and multiples of an exponent, and their order.
+    Exponentials,
+    /// Splines, by a basis whose step depends on index and degree.
+    Splines,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 15] = [
         Self::Polynomial,
         Self::Inequality,
         Self::Division,
@@ -69,6 +73,8 @@ impl Kind {
         Self::Decimals,
         Self::Properties,
         Self::Angles,
+        Self::Exponentials,
+        Self::Splines,
     ];
 
     /// Its name.
@@ -88,6 +94,8 @@ impl Kind {
             Self::Decimals => "decimals",
             Self::Properties => "properties",
             Self::Angles => "angles",
+            Self::Exponentials => "exponentials",
+            Self::Splines => "splines",
         }
     }
 
@@ -109,6 +117,8 @@ impl Kind {
             Self::Decimals => kinds::decimals::claim,
             Self::Properties => kinds::properties::claim,
             Self::Angles => kinds::angles::claim,
+            Self::Exponentials => kinds::exponentials::claim,
+            Self::Splines => kinds::splines::claim,
         };
         let mut claim = make(&mut stream);
         claim.number = number;

@@ -31,7 +31,9 @@ impl Fraction {
         let (content, factors) = self.factors_of(&divisor.numerator);
         result.numerator = result.numerator.scaled(&content.recip());
         for (factor, exponent) in factors {
-            result.conditions = merged(&result.conditions, std::slice::from_ref(&factor));
+            if !factor.is_exponential() {
+                result.conditions = merged(&result.conditions, std::slice::from_ref(&factor));
+            }
             *result.denominator.entry(factor).or_insert(0) += exponent;
         }
         Ok(result.cancelled())

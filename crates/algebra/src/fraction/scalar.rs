@@ -62,4 +62,17 @@ impl Fraction {
         let (sine, cosine) = polynomial.sine_cosine()?;
         Ok((sine.into(), cosine.into()))
     }
+
+    /// The exponential; see [`Polynomial::exponential`](crate::Polynomial::exponential).
+    ///
+    /// # Errors
+    /// [`ExactError::NoExponential`] when it has no value here.
+    pub fn exponential(&self) -> Result<Self, ExactError> {
+        let polynomial = self
+            .as_polynomial()
+            .ok_or_else(|| ExactError::NoExponential {
+                argument: self.to_string(),
+            })?;
+        polynomial.exponential()
+    }
 }

@@ -62,7 +62,7 @@ impl Fraction {
         Some(total)
     }
 
-    /// The fraction with the variable `name` at `value` wherever it stands: by itself, under sine and cosine, in
+    /// The fraction with the variable `name` at `value` wherever it stands: by itself, under sine, cosine and exponential, in
     /// the indices of members of families, and in the recorded conditions.
     ///
     /// ```
@@ -76,6 +76,7 @@ impl Fraction {
     ///
     /// # Errors
     /// [`ExactError::NoExactTurn`] when the sine and cosine at `value` are not exact here;
+    /// [`ExactError::NoExponential`] when an exponential there has no value;
     /// [`ExactError::NoIndex`] when the variable stands in an index where `value` cannot;
     /// [`ExactError::DivisionByZero`] when a denominator vanishes there.
     pub fn at(&self, name: &str, value: &Fraction) -> Result<Self, ExactError> {
@@ -105,6 +106,13 @@ impl Fraction {
                 pairs.insert(*angle, pair);
             }
         }
+        let mut powers: BTreeMap<Symbol, Self> = BTreeMap::new();
+        for symbol in present.iter().filter(|s| s.depends_on(name)) {
+            if let Symbol::Exp(exponent) = symbol {
+                let exponent = Self::from(exponent.polynomial()).at(name, value)?;
+                powers.insert(symbol.clone(), exponent.exponential()?);
+            }
+        }
         self.substituted(|symbol| match symbol {
             Symbol::Named(v) if &**v == name => Some(value.clone()),
             Symbol::Indexed(family, index) if symbol.depends_on(name) => {
@@ -120,6 +128,7 @@ impl Fraction {
                     cosine.clone()
                 })
             }
+            Symbol::Exp(_) => powers.get(symbol).cloned(),
             _ => None,
         })
     }

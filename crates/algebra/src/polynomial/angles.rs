@@ -1,4 +1,4 @@
-//! One unit for all angles of a variable.
+//! One unit for all angles of a variable, and for all multiples of an exponent.
 //!
 //! The sines of x/2 and of x are not independent: `sin(x) = 2 sin(x/2) cos(x/2)`. Where both occur, so that a normal form
 //! is zero only for the zero function, everything is written in the finest part that makes all of them.
@@ -6,7 +6,7 @@
 use super::Polynomial;
 use super::trigonometry::{MAX_MULTIPLE, multiple_of};
 use crate::fraction::Fraction;
-use crate::symbol::{Angle, Symbol, Unit};
+use crate::symbol::{Angle, Exponent, Symbol, Unit};
 use num_integer::lcm;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -26,7 +26,29 @@ use std::sync::Arc;
 /// # Ok::<(), torse_algebra::ExactError>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Finest(BTreeMap<(Arc<str>, Unit), u16>);
+pub struct Finest(BTreeMap<Divided, u16>);
+
+/// What is divided into parts.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+enum Divided {
+    /// The angle of a variable.
+    Angle(Arc<str>, Unit),
+    /// A monomial under exponentials.
+    Exponent(Exponent),
+}
+
+impl Divided {
+    /// What is divided in this symbol, and into how many parts.
+    fn of(symbol: &Symbol) -> Option<(Self, u16)> {
+        match symbol {
+            Symbol::Sin(name, angle) | Symbol::Cos(name, angle) => {
+                Some((Self::Angle(Arc::clone(name), angle.unit), angle.parts))
+            }
+            Symbol::Exp(exponent) => Some((Self::Exponent(exponent.over(1)), exponent.parts())),
+            _ => None,
+        }
+    }
+}
 
 impl Finest {
     /// What these symbols need; nothing for a variable whose parts have no common part that is coarse enough to be
@@ -34,16 +56,13 @@ impl Finest {
     #[must_use]
     pub fn of<'s>(symbols: impl Iterator<Item = &'s Symbol>) -> Self {
         // The least common multiple, and whether it differs from any of the parts.
-        let mut all: BTreeMap<(Arc<str>, Unit), (u64, bool)> = BTreeMap::new();
-        for symbol in symbols {
-            if let Symbol::Sin(name, angle) | Symbol::Cos(name, angle) = symbol {
-                let parts = u64::from(angle.parts);
-                let slot = all.entry((Arc::clone(name), angle.unit));
-                let (finest, mixed) = slot.or_insert((parts, false));
-                *mixed |= *finest != parts;
-                if *finest <= MAX_MULTIPLE {
-                    *finest = lcm(*finest, parts);
-                }
+        let mut all: BTreeMap<Divided, (u64, bool)> = BTreeMap::new();
+        for (divided, parts) in symbols.filter_map(Divided::of) {
+            let parts = u64::from(parts);
+            let (finest, mixed) = all.entry(divided).or_insert((parts, false));
+            *mixed |= *finest != parts;
+            if *finest <= MAX_MULTIPLE {
+                *finest = lcm(*finest, parts);
             }
         }
         let needed = all.into_iter().filter(|(_, (_, mixed))| *mixed);
@@ -64,18 +83,23 @@ impl Finest {
     /// The value of a symbol in the finest parts, for one that stands in a coarser part.
     #[must_use]
     pub fn value(&self, symbol: &Symbol) -> Option<Polynomial> {
-        let (Symbol::Sin(name, angle) | Symbol::Cos(name, angle)) = symbol else {
-            return None;
-        };
-        let parts = *self.0.get(&(Arc::clone(name), angle.unit))?;
-        if parts == angle.parts || !parts.is_multiple_of(angle.parts) {
+        let (divided, own) = Divided::of(symbol)?;
+        let parts = *self.0.get(&divided)?;
+        if parts == own || !parts.is_multiple_of(own) {
             return None;
         }
-        let finest = Angle { parts, ..*angle };
-        let (sine, cosine) = multiple_of(name, finest, i64::from(parts / angle.parts));
+        let multiple = parts / own;
         Some(match symbol {
-            Symbol::Sin(..) => sine,
-            _ => cosine,
+            Symbol::Sin(name, angle) => {
+                multiple_of(name, Angle { parts, ..*angle }, i64::from(multiple)).0
+            }
+            Symbol::Cos(name, angle) => {
+                multiple_of(name, Angle { parts, ..*angle }, i64::from(multiple)).1
+            }
+            Symbol::Exp(exponent) => {
+                Polynomial::symbol(Symbol::Exp(exponent.over(parts))).power(u32::from(multiple))
+            }
+            _ => return None,
         })
     }
 

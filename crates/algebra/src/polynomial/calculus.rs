@@ -1,4 +1,4 @@
-//! Derivation: partial derivatives by a variable, with the chain rule for its sine and cosine.
+//! Derivation: partial derivatives by a variable, with the chain rule for its sine, cosine and exponentials.
 
 use super::Polynomial;
 use crate::planted::{Planted, planted};
@@ -52,6 +52,12 @@ impl Polynomial {
                 Symbol::Cos(name, angle) => {
                     let sign = if planted(Planted::CosineRate) { 1 } else { -1 };
                     (Symbol::Sin(Arc::clone(name), *angle), *angle, sign)
+                }
+                Symbol::Exp(exponent) => {
+                    let rate = exponent.polynomial().partial(&Symbol::named(name));
+                    let own = &rate * &Self::symbol(symbol.clone());
+                    total = &total + &(&self.partial(symbol) * &own);
+                    continue;
                 }
                 _ => continue,
             };

@@ -9,7 +9,7 @@
 //! **Theorem.** A polynomial is the zero function if and only if its normal form has no terms.
 //!
 //! One operation is one file: [`add`], [`multiply`], `reduce` (the relations), [`divide`], [`gcd`],
-//! [`calculus`], [`evaluate`], [`trigonometry`]; `cost` counts their work.
+//! [`calculus`], [`evaluate`], [`trigonometry`], [`exponential`]; `cost` counts their work.
 
 pub mod add;
 pub mod angles;
@@ -20,6 +20,7 @@ mod cost;
 mod dense;
 pub mod divide;
 pub mod evaluate;
+pub mod exponential;
 pub mod gcd;
 mod modular;
 pub mod multiply;

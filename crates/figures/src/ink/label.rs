@@ -88,7 +88,8 @@ pub(crate) const COMMANDS: &[(&str, char)] = &[
 
 /// Function names, set upright.
 const FUNCTIONS: &[&str] = &[
-    "sin", "cos", "tan", "log", "ln", "exp", "det", "max", "min", "lim", "arg",
+    "sin", "cos", "tan", "sinh", "cosh", "tanh", "log", "ln", "exp", "det", "max", "min", "lim",
+    "arg",
 ];
 
 const MEDIUM: f64 = 0.20;

@@ -180,6 +180,9 @@ pub struct Family {
     pub seeds: Vec<Term>,
     /// The two factors a and b of the step.
     pub step: (Term, Term),
+    /// The variables that stand in the step for the index i and the degree k of the function that is made, if the step
+    /// depends on them: `a` counts for i from 0 to k - 1 and `b` for i from 1 to k, and nowhere else have they to be defined.
+    pub counters: Option<(Variable, Variable)>,
     /// Whether no variable of an enclosing binder occurs in seeds and step.
     pub closed: bool,
 }
@@ -197,6 +200,8 @@ pub enum BuiltIn {
     Sine,
     /// `cos(a)`, in radians.
     Cosine,
+    /// `exp(a)`, the number e to this power.
+    Exponential,
     /// `dot(a, b)`.
     Dot,
     /// `cross(a, b)` of two vectors of 3.

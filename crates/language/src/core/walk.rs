@@ -115,6 +115,13 @@ impl Family {
         self.variables.first().map_or("", Variable::name)
     }
 
+    /// All variables that it binds: its own, and those that count in the step.
+    pub fn bound(&self) -> impl Iterator<Item = &Variable> {
+        let counters = self.counters.iter();
+        let counters = counters.flat_map(|(index, order)| [index, order]);
+        self.variables.iter().chain(counters)
+    }
+
     /// The names of the shape parameters.
     pub fn parameters(&self) -> impl Iterator<Item = &str> {
         self.variables.iter().skip(1).map(Variable::name)

@@ -113,6 +113,8 @@ pub struct Basis {
     pub seeds: Vec<Written>,
     /// The two factors a and b of the step.
     pub step: (Written, Written),
+    /// The names that stand in the step for i and k, if it depends on them.
+    pub counters: Option<(String, String)>,
 }
 
 /// Everything that names can mean in a claim.
@@ -427,8 +429,26 @@ fn basis(source: &Arc<Source>, name: &str, entry: &BasisEntry) -> Result<Basis, 
         let message = format!("degree {degree} needs {} seeds, found {found}", degree + 1);
         return Err(complaint(&at(entry.degree.span()), message));
     }
+    let counters = match (&entry.index, &entry.order) {
+        (None, None) => None,
+        (Some(index), Some(order)) => {
+            for name in [index, order] {
+                check_name(&Origin::of(source, name), name.get_ref())?;
+            }
+            if index.get_ref() == order.get_ref() {
+                let message = "`index` and `order` are two names".to_owned();
+                return Err(complaint(&Origin::of(source, order), message));
+            }
+            Some((index.get_ref().clone(), order.get_ref().clone()))
+        }
+        (Some(one), None) | (None, Some(one)) => {
+            let message = "a step that depends on index and degree needs both `index` and `order`";
+            return Err(complaint(&Origin::of(source, one), message.to_owned()));
+        }
+    };
     let seeds = entry.seeds.iter().map(|text| written(source, text));
     Ok(Basis {
+        counters,
         variable: entry.variable.get_ref().clone(),
         parameters: entry
             .parameters

@@ -11,9 +11,9 @@ const GREEK: [&str; 33] = [
 ];
 
 /// Functions that both Typst and LaTeX know and set upright.
-const FUNCTIONS: [&str; 14] = [
+const FUNCTIONS: [&str; 17] = [
     "sin", "cos", "tan", "cot", "sec", "arcsin", "arccos", "arctan", "exp", "log", "ln", "min",
-    "max", "det",
+    "max", "det", "sinh", "cosh", "tanh",
 ];
 
 /// A name taken apart.

@@ -67,7 +67,9 @@ pub fn unexpected(before: Option<&Token>, found: Option<&Token>) -> Option<Strin
 }
 
 /// Functions that are printed without brackets.
-const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "sqrt", "det"];
+const FUNCTIONS: [&str; 9] = [
+    "sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "sqrt", "det",
+];
 
 /// What a formula is, in words, if it can never be a function.
 pub fn no_function(node: &Node) -> Option<String> {
@@ -112,12 +114,12 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         "sec" => "`sec` is not in the language: write `1/cos(x)`",
         "csc" => "`csc` is not in the language: write `1/sin(x)`",
         "abs" => "`abs` is not in the language: write `sqrt(x^2)`",
-        "exp" | "ln" | "log" | "sinh" | "cosh" | "tanh" | "coth" | "arcsin" | "arccos"
-        | "arctan" | "asin" | "acos" | "atan" | "atan2" | "min" | "max" | "floor" | "ceil"
-        | "gamma" | "lim" | "int" | "integral" => {
-            "this function is not in the language: its functions are rational, sqrt, sin, cos and tan"
+        "coth" => "`coth` is not in the language: write `cosh(x)/sinh(x)`",
+        "ln" | "log" | "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan" | "atan2"
+        | "min" | "max" | "floor" | "ceil" | "gamma" | "lim" | "int" | "integral" => {
+            "this function is not in the language: its functions are rational, sqrt, sin, cos, tan, exp, sinh, cosh and tanh"
         }
-        "e" => "the base of logarithms is not in the language, nor is `exp`",
+        "e" => "the base of natural logarithms is written `exp(1)`",
         "inf" | "infinity" => "formulas have no infinity; `inf` is an end of an interval",
         "diff" | "d" => "a derivative is written `D(F, x)`",
         "prod" | "product" => "products over an index are not in the language",

@@ -155,11 +155,10 @@ impl Context<'_> {
         running: &[&str],
     ) -> Faulty<()> {
         let known = |symbol: &Symbol| match symbol {
-            Symbol::Pi | Symbol::Root(_) => true,
             Symbol::Indexed(..) => false,
-            Symbol::Named(name) | Symbol::Sin(name, _) | Symbol::Cos(name, _) => {
+            _ => symbol.names().all(|name| {
                 running.contains(&&**name) || self.free.iter().any(|free| **free == **name)
-            }
+            }),
         };
         match value.symbols().iter().find(|symbol| !known(symbol)) {
             None => Ok(()),

@@ -23,7 +23,7 @@ impl Constraint {
     #[must_use]
     pub fn bound_of(&self, symbol: &Symbol) -> Option<(Relation, Fraction)> {
         let value = self.value.as_polynomial()?;
-        let known = |s: &Symbol| s == symbol || matches!(s, Symbol::Pi | Symbol::Root(_));
+        let known = |s: &Symbol| s == symbol || s.is_number();
         if !value.symbols().contains(symbol) || !value.symbols().iter().all(known) {
             return None;
         }
@@ -33,7 +33,7 @@ impl Constraint {
             let mut number = Polynomial::constant(&term.coefficient);
             for (factor, exponent) in &term.powers {
                 match factor {
-                    Symbol::Pi | Symbol::Root(_) => {
+                    factor if factor.is_number() => {
                         let power =
                             Polynomial::symbol((*factor).clone()).power(u32::from(*exponent));
                         number = &number * &power;
@@ -147,6 +147,7 @@ impl Domain<'_> {
             }
             Symbol::Sin(name, angle) => self.range_of_turn(name, *angle, true),
             Symbol::Cos(name, angle) => self.range_of_turn(name, *angle, false),
+            Symbol::Exp(exponent) => self.range_of_power(exponent),
             Symbol::Indexed(..) | Symbol::Root(_) | Symbol::Pi => Interval::default(),
         }
     }

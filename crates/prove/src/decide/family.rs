@@ -57,8 +57,8 @@ pub fn nonnegative(
         .map(|p| (false, p))
         .chain(seeds.iter().map(|p| (true, p)));
     for (is_seed, part) in all {
-        if let Some(proved) = nonnegative_part(part, is_seed, domain) {
-            parts.push(proved);
+        if let Some(proved) = nonnegative_fraction(part, is_seed, domain) {
+            parts.extend(proved);
             continue;
         }
         let text = torse_language::notation::text(&crate::formula::expression(part));
@@ -83,6 +83,22 @@ pub fn nonnegative(
         });
     }
     Ok(Decision::Proven(Proof::Nonnegative(Nonnegative { parts })))
+}
+
+/// A function of a family that is nowhere negative where it is defined, with what shows it of its numerator and of the
+/// factors of its denominator that change the sign.
+fn nonnegative_fraction(
+    function: &Fraction,
+    is_seed: bool,
+    domain: &Domain<'_>,
+) -> Option<Vec<Part<Polynomial>>> {
+    let mut ordered = domain.clone();
+    ordered.order_exponentials(&function.symbols());
+    let odd = function.denominator_factors().filter(|(_, n)| n % 2 == 1);
+    let polynomials = std::iter::once(function.numerator()).chain(odd.map(|(factor, _)| factor));
+    polynomials
+        .map(|p| nonnegative_part(&p.clone().into(), is_seed, &ordered))
+        .collect()
 }
 
 /// A function of a family that is nowhere negative on the domain, with what shows it.

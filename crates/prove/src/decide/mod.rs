@@ -13,6 +13,7 @@ pub mod conditions;
 pub mod contradiction;
 pub mod domain;
 pub mod equality;
+pub mod exponential;
 pub mod family;
 pub mod instances;
 pub mod interval;

@@ -76,7 +76,7 @@ pub fn all(all: &[Bounded], domain: &Domain<'_>) -> Vec<Sharpness<Polynomial>> {
     // Without any bound a symbol stands for its square in the proof of sign: its values could not be told.
     let unbounded = |s: &Symbol| {
         let interval = domain.interval(s);
-        let number = matches!(s, Symbol::Pi | Symbol::Root(_));
+        let number = s.is_number();
         !number && interval.lower.is_none() && interval.upper.is_none()
     };
     if all
@@ -96,7 +96,7 @@ pub fn all(all: &[Bounded], domain: &Domain<'_>) -> Vec<Sharpness<Polynomial>> {
     // A variable under a turn has the range of its angle, which is no range of a parameter.
     let turns = |name: &str| {
         let mut symbols = all.iter().flat_map(|b| b.polynomial.symbols());
-        symbols.any(|s| matches!(s, Symbol::Sin(n, _) | Symbol::Cos(n, _) if **n == *name))
+        symbols.any(|s| !matches!(s, Symbol::Named(_)) && s.depends_on(name))
     };
     let mut found = vec![];
     for name in names.into_iter().filter(|name| !turns(name)) {
@@ -180,15 +180,15 @@ fn failure(
     let (moved, coordinates) = Coordinates::of(&[&polynomial], domain)?;
     let moved = moved.into_iter().next()?;
     let sides: Vec<&Symbol> = coordinates.sides.iter().map(|side| &side.symbol).collect();
-    // Only independent real coordinates lead back to a point: no integers, no sine beside its cosine, no
+    // Only independent real coordinates lead back to a point: no integers, no sine beside its cosine, no exponential, no
     // tangent of a half angle beside the angle itself.
     let torn = |side: &Symbol| {
-        let turn = matches!(side, Symbol::Sin(..) | Symbol::Cos(..));
+        let turn = matches!(side, Symbol::Sin(..) | Symbol::Cos(..) | Symbol::Exp(_));
         let mut angles = coordinates.tangents.iter();
         let inside = |(_, name, _): &_| *side == Symbol::Named(Arc::clone(name));
         turn || domain.is_integer(side) || angles.any(inside)
     };
-    let free = |s: &Symbol| !matches!(s, Symbol::Pi | Symbol::Root(_)) && !sides.contains(&s);
+    let free = |s: &Symbol| !s.is_number() && !sides.contains(&s);
     if sides.iter().any(|side| torn(side)) || moved.symbols().iter().any(free) {
         return None;
     }

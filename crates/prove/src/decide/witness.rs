@@ -55,10 +55,10 @@ pub fn free_symbols(values: &[&Fraction]) -> Vec<Symbol> {
                 .into_iter()
                 .chain(v.conditions().iter().flat_map(|p| p.symbols().to_vec()))
         })
-        .filter_map(|s| match s {
-            Symbol::Sin(name, _) | Symbol::Cos(name, _) => Some(Symbol::Named(name)),
-            Symbol::Pi | Symbol::Root(_) => None,
-            other => Some(other),
+        .flat_map(|s| match s {
+            Symbol::Indexed(..) => vec![s],
+            // A number has no names.
+            _ => s.names().cloned().map(Symbol::Named).collect(),
         })
         .collect();
     all.sort();
@@ -376,9 +376,8 @@ pub fn nonconstant(conditions: Vec<Polynomial>) -> Vec<Polynomial> {
     conditions
         .into_iter()
         .filter(|p| {
-            !p.symbols()
-                .iter()
-                .all(|s| matches!(s, Symbol::Pi | Symbol::Root(_)))
+            let number = p.symbols().iter().all(Symbol::is_number);
+            !number || truth(&p.clone().into(), Relation::Different) != Some(true)
         })
         .collect()
 }

@@ -1,4 +1,4 @@
-//! Two sides of a comparison with the angles of each variable in one unit.
+//! Two sides of a comparison with the angles of each variable in one unit, and the parts of each exponent.
 
 use super::quantity::Quantity;
 use super::series::Series;
@@ -7,7 +7,7 @@ use torse_algebra::{ExactError, Finest, Fraction, Symbol};
 use torse_language::fault::Fault;
 use torse_language::syntax::Place;
 
-/// Both sides in the finest parts of angles that occur in either, so that a difference is zero in its normal form if it
+/// Both sides in the finest parts of angles and exponents that occur in either, so that a difference is zero in its normal form if it
 /// is the zero function.
 ///
 /// # Errors
@@ -17,7 +17,9 @@ pub(super) fn in_finest(left: Value, right: Value, place: Place) -> Result<(Valu
     let mut look = |fraction: &Fraction| {
         let conditions = fraction.conditions().iter().flat_map(|p| p.symbols());
         let all = fraction.symbols().into_iter().chain(conditions.cloned());
-        angles.extend(all.filter(|s| matches!(s, Symbol::Sin(..) | Symbol::Cos(..))));
+        angles.extend(
+            all.filter(|s| matches!(s, Symbol::Sin(..) | Symbol::Cos(..) | Symbol::Exp(_))),
+        );
     };
     for quantity in left.entries().into_iter().chain(right.entries()) {
         look(&quantity.plain);

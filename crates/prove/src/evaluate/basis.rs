@@ -3,7 +3,7 @@
 use super::quantity::Quantity;
 use super::series::{Axis, Series, Target};
 use super::value::Value;
-use super::{Environment, Evaluator, wrong_type};
+use super::{Environment, Evaluator, counted, wrong_type};
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_algebra::planted::{Planted, planted};
@@ -75,7 +75,6 @@ impl Evaluator<'_> {
                 .and_then(|i| row.get(i).cloned());
             return Ok(entry.unwrap_or_else(Fraction::zero).into());
         }
-        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
         // The operator is a power: it says nothing below the degree of the seeds.
         if self.declarations.least(&power).is_none_or(|n| n < 0) {
             return Err(Fault::limit(
@@ -86,6 +85,7 @@ impl Evaluator<'_> {
                 ),
             ));
         }
+        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
         self.symbolic_degree.set(true);
         let series = Series::entry(Axis {
             operator,
@@ -117,22 +117,11 @@ impl Evaluator<'_> {
         place: Place,
         outside: &Environment,
     ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
-        let mut bound = match family.closed {
-            true => Environment::new(),
-            false => outside.clone(),
-        };
-        for (variable, value) in family.variables.iter().zip(values) {
-            bound.insert(variable.number(), value.clone().into());
+        let bound = self.arguments(family, values, outside);
+        let one = |term: &Term| self.factor(term, place, &bound);
+        if family.counters.is_some() {
+            return Err(counted::refused(family, place));
         }
-        let one = |term: &Term| -> Result<Fraction, Fault> {
-            match self.value(term, &bound)? {
-                Value::Scalar(q) => q
-                    .as_fraction()
-                    .cloned()
-                    .ok_or_else(|| super::symbolic_degree(place)),
-                other => Err(wrong_type(term.place, other.kind(), "a number")),
-            }
-        };
         let seeds = family
             .seeds
             .iter()
@@ -160,7 +149,31 @@ impl Evaluator<'_> {
         {
             return Ok(Rc::clone(row));
         }
-        let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
+        let row = match &family.counters {
+            Some(counters) => {
+                self.in_angle(|| self.counted(family, counters, &values, steps, (place, bound)))?
+            }
+            None => self.raised(family, &values, steps, (place, bound))?,
+        };
+        let row: Rc<[Fraction]> = row.into_iter().map(|f| self.at_sample(f)).collect();
+        if family.closed {
+            let mut members = self.members.borrow_mut();
+            members
+                .entry(key)
+                .or_default()
+                .push((values, Rc::clone(&row)));
+        }
+        Ok(row)
+    }
+    /// All functions after so many steps from the seeds.
+    fn raised(
+        &self,
+        family: &Family,
+        values: &[Fraction],
+        steps: usize,
+        (place, bound): (Place, &Environment),
+    ) -> Result<Vec<Fraction>, Fault> {
+        let (operator, seeds) = self.in_angle(|| self.seeds(family, values, place, bound))?;
         self.spend(ROW_WORK * (1 + steps as u64));
         let mut row = seeds;
         for _ in 0..steps {
@@ -173,14 +186,6 @@ impl Evaluator<'_> {
                 }
             }
             row = next;
-        }
-        let row: Rc<[Fraction]> = row.into_iter().map(|f| self.at_sample(f)).collect();
-        if family.closed {
-            let mut members = self.members.borrow_mut();
-            members
-                .entry(key)
-                .or_default()
-                .push((values, Rc::clone(&row)));
         }
         Ok(row)
     }

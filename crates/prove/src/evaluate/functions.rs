@@ -43,6 +43,12 @@ impl Evaluator<'_> {
                     })
                     .into())
             }
+            (BuiltIn::Exponential, [argument]) => {
+                let value = self.in_angle(|| self.number(argument, bound))?;
+                let power = value.exponential();
+                let power = power.map_err(|e| Fault::exact(argument.place, e))?;
+                Ok(self.at_sample(power).into())
+            }
             (BuiltIn::SquareRoot, [radicand]) => {
                 let value = self.number(radicand, bound)?;
                 square_root(&value, radicand.place).map(Value::from)

@@ -82,7 +82,7 @@ impl Memory {
                     inside(&mut all, part, &[]);
                 }
                 if let Node::Basis { family, .. } = &*term.node {
-                    let own: Vec<u32> = family.variables.iter().map(|v| v.number()).collect();
+                    let own: Vec<u32> = family.bound().map(|v| v.number()).collect();
                     let steps = [&family.step.0, &family.step.1];
                     for part in family.seeds.iter().chain(steps) {
                         inside(&mut all, part, &own);

@@ -7,6 +7,7 @@
 mod angles;
 mod arithmetic;
 pub mod basis;
+mod counted;
 mod functions;
 mod index;
 pub mod linear;

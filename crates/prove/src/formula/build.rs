@@ -3,7 +3,7 @@
 
 use num_traits::{One, Signed};
 use std::sync::Arc;
-use torse_algebra::{Affine, Angle, Rational, Symbol, Unit, rational};
+use torse_algebra::{Affine, Angle, Exponent, Rational, Symbol, Unit, rational};
 use torse_language::syntax::{Expr, Node, Operator};
 
 /// A summand with its sign apart.
@@ -106,10 +106,28 @@ pub(super) fn symbol(symbol: &Symbol) -> Expr {
         Symbol::Root(prime) => applied("sqrt", integer(i64::from(*prime))),
         Symbol::Sin(name, a) => applied("sin", angle(name, a)),
         Symbol::Cos(name, a) => applied("cos", angle(name, a)),
+        Symbol::Exp(exponent) => applied("exp", exponent_of(exponent)),
         Symbol::Indexed(name, index) => {
             let index = index.iter().map(affine).collect();
             Expr::made(Node::Index(Arc::new(Expr::name(name)), index))
         }
+    }
+}
+
+/// What stands under an exponential.
+fn exponent_of(exponent: &Exponent) -> Expr {
+    let power = |(name, power): &(Arc<str>, u16)| match power {
+        1 => Expr::name(name),
+        power => Expr::name(name).with(Operator::Power, integer(i64::from(*power))),
+    };
+    let factors: Vec<Expr> = exponent.powers().iter().map(power).collect();
+    let monomial = match factors.is_empty() {
+        true => integer(1),
+        false => product(factors),
+    };
+    match exponent.parts() {
+        1 => monomial,
+        parts => monomial.with(Operator::Divide, integer(i64::from(parts))),
     }
 }
 
@@ -141,7 +159,7 @@ pub(super) fn rank(symbol: &Symbol) -> u8 {
         Symbol::Root(_) => 0,
         Symbol::Pi => 1,
         Symbol::Named(_) => 2,
-        Symbol::Sin(..) | Symbol::Cos(..) => 3,
+        Symbol::Sin(..) | Symbol::Cos(..) | Symbol::Exp(_) => 3,
         Symbol::Indexed(..) => 4,
     }
 }

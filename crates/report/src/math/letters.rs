@@ -42,9 +42,9 @@ const GREEK: [(&str, &str); 34] = [
 ];
 
 /// Functions that typesetters know and set upright.
-const FUNCTIONS: [&str; 13] = [
+const FUNCTIONS: [&str; 16] = [
     "sin", "cos", "tan", "cot", "sec", "arcsin", "arccos", "arctan", "exp", "log", "ln", "min",
-    "max",
+    "max", "sinh", "cosh", "tanh",
 ];
 
 pub(super) fn greek(word: &str) -> Option<&'static str> {

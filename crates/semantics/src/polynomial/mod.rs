@@ -1,5 +1,6 @@
 //! Quotients of polynomials: the arithmetic in which a statement at fixed integers is an identity.
 
+mod exponential;
 mod sum;
 mod turn;
 
@@ -139,6 +140,10 @@ impl Arithmetic for Polynomials<'_> {
 
     fn sine_cosine(&self, a: &Quotient) -> Result<(Quotient, Quotient), Gap> {
         turn::sine_cosine(a, self.work)
+    }
+
+    fn exponential(&self, a: &Quotient) -> Result<Quotient, Gap> {
+        exponential::of(a, self.work)
     }
 
     fn is_zero(&self, a: &Quotient) -> Option<bool> {

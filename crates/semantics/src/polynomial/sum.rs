@@ -1,6 +1,7 @@
 //! Polynomials as plain maps from monomials to coefficients.
 //!
-//! The variables are the numbers of a point, pi, square roots of primes, and sines and cosines of variables. With
+//! The variables are the numbers of a point, pi, square roots of primes, sines and cosines of variables, and
+//! exponentials of products of them. With
 //! `sin^2 = 1 - cos^2` and `sqrt(p)^2 = p` applied to every monomial a polynomial without terms is zero as a function,
 //! and no other one is: the remaining monomials are independent over the rational numbers.
 
@@ -33,6 +34,8 @@ pub(crate) enum Variable {
     Sine(Name, Angle),
     /// Its cosine.
     Cosine(Name, Angle),
+    /// The exponential of a product of numbers of the point.
+    Power(BTreeMap<Name, u32>),
 }
 
 /// Variables with their exponents, all positive.
@@ -106,7 +109,7 @@ impl Sum {
                 self.enter(other, -coefficient.clone());
                 self.enter(monomial, coefficient);
             }
-            Variable::Named(_) | Variable::Pi | Variable::Cosine(..) => {}
+            Variable::Named(_) | Variable::Pi | Variable::Cosine(..) | Variable::Power(_) => {}
         }
     }
 

@@ -163,6 +163,14 @@ impl Arithmetic for Residues<'_> {
         Ok((Residue::Class(sine), Residue::Class(cosine)))
     }
 
+    /// Of zero alone.
+    fn exponential(&self, a: &Residue) -> Result<Residue, Gap> {
+        match a.class()? {
+            0 => Ok(Residue::Class(1)),
+            _ => Err(missing()),
+        }
+    }
+
     fn is_zero(&self, a: &Residue) -> Option<bool> {
         match a {
             Residue::Class(class) => Some(*class == 0),

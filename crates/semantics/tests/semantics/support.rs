@@ -54,6 +54,14 @@ degree = 2
 seeds = ['(1 - x)^2 + mu*x', '2*x*(1 - x)', 'x^2']
 step = ['1 - x', 'x']
 
+[basis.N]
+variable = "x"
+degree = 0
+seeds = ['1']
+index = "j"
+order = "k"
+step = ['(j + 1 - x)/(k - j)', '(x + k - j)/j']
+
 [basis.V]
 variable = "x"
 degree = 1

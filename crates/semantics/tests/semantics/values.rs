@@ -51,6 +51,34 @@ fn angles_are_in_radians() {
 }
 
 #[test]
+fn exponentials_are_powers_of_e() {
+    holds("exp(0) == 1 and 2.71828 < exp(1) < 2.71829", &[]);
+    holds("exp(a + b) == exp(a)*exp(b)", &[("a", "5/7"), ("b", "-9")]);
+    holds("cosh(a)^2 - sinh(a)^2 == 1", &[("a", "-5/7")]);
+    holds("tanh(a) == sinh(a)/cosh(a)", &[("a", "-5/7")]);
+    holds("sinh(a) < 0 and exp(a) > 0", &[("a", "-5/7")]);
+    fails("exp(2*a) == 2*exp(a)", &[("a", "5/7")]);
+    holds(
+        "D(exp(a*b), a, 3) == b^3*exp(a*b)",
+        &[("a", "5/7"), ("b", "-2/3")],
+    );
+    holds("D(exp(a^2), a, 2) == (2 + 4*a^2)*exp(a^2)", &[("a", "2/7")]);
+    is_undefined("1/(exp(a) - 1) == 0", &[("a", "0")]);
+}
+
+#[test]
+fn a_step_may_depend_on_index_and_degree_and_counts_where_there_is_a_function() {
+    // By hand: N[0,1] = 1 - x, N[1,1] = x; N[0,2] = (1 - x)^2/2, N[1,2] = (2 - x)x + (x + 1)(1 - x),
+    // N[2,2] = x^2/2. At index 0 the second factor, and at index k the first, would be divided by zero.
+    holds("N[0,1](x) == 2/3 and N[1,1](x) == 1/3", &[("x", "1/3")]);
+    holds("N[0,2](x) == 2/9 and N[2,2](x) == 1/18", &[("x", "1/3")]);
+    holds("N[1,2](x) == 13/9", &[("x", "1/3")]);
+    holds("D(N[2,2](x), x) == 1/3", &[("x", "1/3")]);
+    holds("N[3,2](x) == 0 and N[-1,2](x) == 0", &[("x", "1/3")]);
+    fails("N[1,2](x) == 1", &[("x", "1/3")]);
+}
+
+#[test]
 fn exact_angles_are_exactly_zero() {
     is_undefined("1/cos(pi/2*x) == 0", &[("x", "1")]);
 }

@@ -134,8 +134,8 @@ fn function(derivation: &Derivation) -> &'static str {
 }
 
 /// What a module may need of SymPy.
-const IMPORTED: [&str; 8] = [
-    "Ge", "Ne", "Rational", "cos", "pi", "sin", "sqrt", "sympify",
+const IMPORTED: [&str; 9] = [
+    "Ge", "Ne", "Rational", "cos", "exp", "pi", "sin", "sqrt", "sympify",
 ];
 
 /// A module that defines every symbol and computes the results symbolically.

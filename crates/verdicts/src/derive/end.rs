@@ -106,11 +106,10 @@ impl<'a> Family<'a> {
         let mut all = self.basis.parameters.clone();
         let ((a, b), seeds) = self.formulas(&self.basis.parameters)?;
         for symbol in [a, b].iter().chain(&seeds).flat_map(Fraction::symbols) {
-            if let Symbol::Named(name) | Symbol::Sin(name, _) | Symbol::Cos(name, _) = symbol
-                && *name != *self.basis.variable
-                && !all.contains(&name.to_string())
-            {
-                all.push(name.to_string());
+            for name in symbol.names() {
+                if **name != *self.basis.variable && !all.contains(&name.to_string()) {
+                    all.push(name.to_string());
+                }
             }
         }
         Ok(all)

@@ -139,11 +139,13 @@ pub(super) fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
                 result.push(Edit { expr: by, change });
             }
             result.extend(argument_pairs(head, arguments, alphabet).map(replaced));
-            // sin <-> cos, and a function in place of its variable.
+            // sin <-> cos, sinh <-> cosh, and a function in place of its variable.
             if let (Node::Name(name), [argument]) = (&head.node, arguments.as_slice()) {
                 let other = match name.as_str() {
                     "sin" => Some("cos"),
                     "cos" => Some("sin"),
+                    "sinh" => Some("cosh"),
+                    "cosh" => Some("sinh"),
                     _ => None,
                 };
                 if let Some(other) = other {

@@ -8,10 +8,14 @@ use torse_language::syntax::{Expr, Node};
 /// The most names of a formula that are exchanged or replaced.
 const MAX_NAMES: usize = 14;
 /// Names with a meaning of their own.
-const RESERVED: [&str; 12] = [
+const RESERVED: [&str; 16] = [
     "pi",
     "sin",
     "cos",
+    "exp",
+    "sinh",
+    "cosh",
+    "tanh",
     "sqrt",
     "sum",
     "binom",

@@ -98,6 +98,11 @@ fn number(symbol: &Symbol, point: u64) -> Option<u64> {
     };
     match symbol {
         Symbol::Root(_) => None,
+        // The whole is the square of the half.
+        Symbol::Exp(exponent) if exponent.parts() == 1 => {
+            let half = mixed(&Symbol::Exp(exponent.over(2)), point);
+            Some(times(half, half))
+        }
         Symbol::Sin(name, angle) => Some(circle(name, *angle)?.0),
         Symbol::Cos(name, angle) => Some(circle(name, *angle)?.1),
         other => Some(mixed(other, point)),

@@ -99,7 +99,7 @@ fn is_angle(expr: &Expr) -> bool {
 /// The variables in the angle of a sine or cosine.
 fn variables(call: &Expr) -> impl Iterator<Item = &str> {
     let names = call.names().into_iter();
-    names.filter(|n| !["sin", "cos", "pi"].contains(n))
+    names.filter(|n| !["sin", "cos", "exp", "pi"].contains(n))
 }
 
 fn with_part(expr: &Expr, old: &str, new: &Expr) -> Expr {

@@ -6,12 +6,14 @@ pub mod calculus;
 pub mod decimals;
 pub mod degree;
 pub mod division;
+pub mod exponentials;
 pub mod given;
 pub mod inequality;
 pub mod integers;
 pub mod logic;
 pub mod polynomial;
 pub mod properties;
+pub mod splines;
 pub mod vectors;
 
 use super::Kind;

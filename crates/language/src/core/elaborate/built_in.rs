@@ -9,7 +9,7 @@ use std::sync::Arc;
 use torse_numbers::{Rational, rational};
 
 /// The names of the built-in functions.
-pub(super) const NAMES: [&str; 22] = [
+pub(super) const NAMES: [&str; 26] = [
     "sum",
     "D",
     "at",
@@ -18,6 +18,10 @@ pub(super) const NAMES: [&str; 22] = [
     "sin",
     "cos",
     "tan",
+    "exp",
+    "cosh",
+    "sinh",
+    "tanh",
     "sqrt",
     "dot",
     "cross",
@@ -124,10 +128,15 @@ impl Elaborator<'_> {
                 let node = Node::Binary(Operator::Divide, sine, cosine);
                 return Ok(Meaning::Term(self.made(node, place)));
             }
+            ("cosh" | "sinh" | "tanh", [x]) => {
+                let x = self.term_in(x, scope)?;
+                return Ok(Meaning::Term(self.hyperbolic(name, &x, place)));
+            }
             ("binom", [_, _]) => BuiltIn::Binomial,
             ("factorial", [_]) => BuiltIn::Factorial,
             ("sin", [_]) => BuiltIn::Sine,
             ("cos", [_]) => BuiltIn::Cosine,
+            ("exp", [_]) => BuiltIn::Exponential,
             ("sqrt", [_]) => BuiltIn::SquareRoot,
             ("dot", [_, _]) => BuiltIn::Dot,
             ("cross", [_, _]) => BuiltIn::Cross,
@@ -204,6 +213,28 @@ impl Elaborator<'_> {
             })),
             Meaning::Statement(_) => Err(wrong(inner.place, "a statement", "a formula")),
         }
+    }
+
+    /// The hyperbolic functions are the halves of the sum and the difference of two exponentials, and their quotient.
+    fn hyperbolic(&self, name: &str, x: &Term, place: Place) -> Term {
+        let power = |x: Term| self.made(Node::Apply(BuiltIn::Exponential, vec![x]), place);
+        let (up, down) = (
+            power(x.clone()),
+            power(self.made(Node::Negative(x.clone()), place)),
+        );
+        let joined = |operator| {
+            let node = Node::Binary(operator, up.clone(), down.clone());
+            self.made(node, place)
+        };
+        let above = joined(match name {
+            "cosh" => Operator::Add,
+            _ => Operator::Subtract,
+        });
+        let below = match name {
+            "tanh" => joined(Operator::Add),
+            _ => self.made(Node::Number(rational::integer(2)), place),
+        };
+        self.made(Node::Binary(Operator::Divide, above, below), place)
     }
 
     /// The function that is the derivative of a function by one of its parameters.

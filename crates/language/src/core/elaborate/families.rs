@@ -137,9 +137,19 @@ impl Elaborator<'_> {
             .fold(outside.clone(), |scope, (name, variable)| {
                 scope.with_local(name, variable, Local::Continuous)
             });
-        let part = |written: &crate::derivation::Written| {
+        let counters = basis
+            .counters
+            .as_ref()
+            .map(|(index, order)| (self.fresh(index), self.fresh(order)));
+        let counted = counters
+            .iter()
+            .flat_map(|(index, order)| [index, order])
+            .fold(scope.clone(), |scope, counter| {
+                scope.with_local(counter.name(), counter, Local::Index)
+            });
+        let part = |written: &crate::derivation::Written, scope: &Scope| {
             let body = self
-                .term_in(&written.expr, &scope)
+                .term_in(&written.expr, scope)
                 .map_err(|f| f.within(&written.origin))?;
             let node = Node::Opened {
                 name: Arc::from(name),
@@ -153,8 +163,16 @@ impl Elaborator<'_> {
             name: Arc::from(name),
             variables,
             degree: basis.degree,
-            seeds: basis.seeds.iter().map(part).collect::<Outcome<_>>()?,
-            step: (part(&basis.step.0)?, part(&basis.step.1)?),
+            seeds: basis
+                .seeds
+                .iter()
+                .map(|seed| part(seed, &scope))
+                .collect::<Outcome<_>>()?,
+            step: (
+                part(&basis.step.0, &counted)?,
+                part(&basis.step.1, &counted)?,
+            ),
+            counters,
             closed,
         });
         if closed {

@@ -101,6 +101,10 @@ pub struct BasisEntry {
     pub seeds: Vec<Text>,
     /// The two factors of the step `g[i,k] = a*g[i,k-1] + b*g[i-1,k-1]`.
     pub step: Vec<Text>,
+    /// The name that stands in the step for the index i of the function that is made.
+    pub index: Option<Text>,
+    /// The name that stands in the step for its degree k.
+    pub order: Option<Text>,
 }
 
 /// One claim.

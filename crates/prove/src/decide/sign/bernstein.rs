@@ -11,7 +11,7 @@ use torse_algebra::bernstein::{BernsteinForm, Term};
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::positivity::RationalBox;
 use torse_algebra::rational::integer;
-use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
+use torse_algebra::{Fraction, Integer, Polynomial};
 
 /// The most Bernstein coefficients computed.
 const MAX_PIECES: usize = 20_000;
@@ -72,7 +72,7 @@ impl Spread {
                 let power = || Polynomial::symbol(symbol.clone()).power(u32::from(exponent));
                 if let Some(side) = sides.iter().position(|side| side.symbol == *symbol) {
                     *exponents.get_mut(side)? = u32::from(exponent);
-                } else if matches!(symbol, Symbol::Pi | Symbol::Root(_)) {
+                } else if symbol.is_number() {
                     number = &number * &power();
                 } else {
                     ray = &ray * &power();

@@ -346,7 +346,7 @@ fn coefficients(
                 let power = || Polynomial::symbol(symbol.clone()).power(u32::from(exponent));
                 if let Some(side) = sides().position(|s| s.symbol == *symbol) {
                     *exponents.get_mut(side)? = usize::from(exponent);
-                } else if matches!(symbol, Symbol::Pi | Symbol::Root(_)) {
+                } else if symbol.is_number() {
                     number = &number * &power();
                 } else {
                     ray = &ray * &power();

@@ -83,7 +83,7 @@ impl Coordinates {
             tangents.push((tangent, name.clone(), *angle));
         }
         for symbol in moved.iter().flat_map(|p| p.symbols().to_vec()) {
-            let number = matches!(symbol, Symbol::Pi | Symbol::Root(_));
+            let number = symbol.is_number();
             if !number && intervals.iter().all(|(known, _)| *known != symbol) {
                 let interval = domain.interval(&symbol);
                 intervals.push((symbol, interval));

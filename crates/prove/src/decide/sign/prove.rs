@@ -206,10 +206,7 @@ fn without_square(
     assumed: &[(Polynomial, bool)],
 ) -> Option<Certificate> {
     // A factor that is a number, such as a root, would be split off without end.
-    let variable = |p: &Polynomial| {
-        let number = |s: &Symbol| matches!(s, Symbol::Pi | Symbol::Root(_));
-        !p.symbols().iter().all(number)
-    };
+    let variable = |p: &Polynomial| !p.symbols().iter().all(Symbol::is_number);
     let mut squares = factors(polynomial).into_iter().filter(variable);
     let (root, rest) = squares
         .find_map(|root| Some((root.clone(), polynomial.exact_quotient(&root.power(2))?)))?;

@@ -30,6 +30,9 @@ impl Rounded {
                 match symbol {
                     Symbol::Pi => coefficient *= std::f64::consts::PI.powi(exponent),
                     Symbol::Root(n) => coefficient *= f64::from(*n).sqrt().powi(exponent),
+                    Symbol::Exp(e) if symbol.is_number() => {
+                        coefficient *= f64::from(e.parts()).recip().exp().powi(exponent);
+                    }
                     _ => powers.extend(
                         symbols
                             .binary_search(symbol)
