@@ -3,7 +3,6 @@
 use super::expand::{Expander, Scope};
 use super::gap::Beyond;
 use super::quotient::Quotient;
-use super::turn::sine_cosine;
 use super::value::{Value, determinant, dot, minor, transposed};
 use crate::polynomial::Polynomial;
 use crate::symbol::Symbol;
@@ -42,8 +41,8 @@ impl Expander<'_> {
                 Value::Number(Quotient::number((1..=n).map(integer).product()))
             }
             (BuiltIn::SquareRoot, [q]) => Value::Number(root(&number(q)?)?),
-            (BuiltIn::Sine, [angle]) => Value::Number(sine_cosine(&number(angle)?, work)?.0),
-            (BuiltIn::Cosine, [angle]) => Value::Number(sine_cosine(&number(angle)?, work)?.1),
+            (BuiltIn::Sine, [angle]) => Value::Number(number(angle)?.sine_cosine(work)?.0),
+            (BuiltIn::Cosine, [angle]) => Value::Number(number(angle)?.sine_cosine(work)?.1),
             (BuiltIn::Dot, [x, y]) => {
                 Value::Number(dot(&value(x)?.entries()?, &value(y)?.entries()?, work)?)
             }

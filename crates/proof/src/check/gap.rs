@@ -1,5 +1,6 @@
 //! Why a proof is not accepted: it is wrong, or the checker does not reach so far.
 
+use crate::polynomial::Polynomial;
 use std::cell::Cell;
 
 /// What the checker says of a proof that it does not accept.
@@ -127,5 +128,11 @@ impl Work {
         let left = self.0.get().checked_sub(products).ok_or(Beyond::Large)?;
         self.0.set(left);
         Ok(())
+    }
+
+    /// The product of two polynomials.
+    pub(crate) fn times(&self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Beyond> {
+        self.spend(a.len().saturating_mul(b.len()))?;
+        Ok(a.times(b))
     }
 }

@@ -1,6 +1,7 @@
 //! Quotients of polynomials: a numerator over powers of polynomials that were divided by, never cancelled.
 
 use super::gap::{Beyond, Work};
+use super::turn;
 use crate::polynomial::Polynomial;
 use crate::ratio::Ratio;
 use crate::symbol::{Symbol, Unit};
@@ -117,6 +118,15 @@ impl Quotient {
             *below.entry(factor.clone()).or_insert(0) += exponent;
         }
         Ok(Self { above, below })
+    }
+
+    /// Sine and cosine of an angle without a denominator.
+    pub fn sine_cosine(&self, work: &Work) -> Result<(Self, Self), Beyond> {
+        if !self.below.is_empty() {
+            return Err(turn::STRANGE);
+        }
+        let (sine, cosine) = turn::sine_cosine(&self.above, work)?;
+        Ok((sine.into(), cosine.into()))
     }
 
     /// One over it.
@@ -240,13 +250,6 @@ impl Quotient {
     }
 }
 
-impl Work {
-    pub(crate) fn times(&self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Beyond> {
-        self.spend(a.len().saturating_mul(b.len()))?;
-        Ok(a.times(b))
-    }
-}
-
 /// A symbol with its variable replaced.
 fn replaced(
     symbol: &Symbol,
@@ -260,7 +263,7 @@ fn replaced(
     let Some(new) = value(&Symbol::Named(name.clone())) else {
         return Ok(Polynomial::symbol(symbol.clone()).into());
     };
-    let (sine, cosine) = super::turn::sine_cosine(&new.times(&rate(*angle), work)?, work)?;
+    let (sine, cosine) = new.times(&rate(*angle), work)?.sine_cosine(work)?;
     Ok(match symbol {
         Symbol::Sine(..) => sine,
         _ => cosine,

@@ -1,25 +1,24 @@
 //! Sine and cosine of sums of angles, by the addition theorems and a table of twelfths of pi.
 
 use super::gap::{Beyond, Work};
-use super::quotient::Quotient;
 use crate::polynomial::{Polynomial, multiple};
 use crate::symbol::{Angle, Symbol, Unit};
 use torse_numbers::rational::integer;
 use torse_numbers::{Integer, Rational};
 
-type Pair = (Polynomial, Polynomial);
+/// A sine and a cosine.
+pub type Pair = (Polynomial, Polynomial);
+
+/// An angle of another kind.
+pub const STRANGE: Beyond = Beyond::Construct("the sine of this angle");
 
 /// The largest multiple of a part of an angle.
 const MOST: i64 = 24;
 
 /// `(sin, cos)` of an angle in radians: rational multiples of variables and of pi times them, and of pi/12.
-pub fn sine_cosine(angle: &Quotient, work: &Work) -> Result<(Quotient, Quotient), Beyond> {
-    let strange = || Beyond::Construct("the sine of this angle");
-    if !angle.below.is_empty() {
-        return Err(strange());
-    }
+pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Beyond> {
     let mut total: Pair = (Polynomial::zero(), Polynomial::one());
-    for (monomial, coefficient) in angle.above.terms() {
+    for (monomial, coefficient) in angle.terms() {
         let part = match monomial.as_slice() {
             [(Symbol::Pi, 1)] => twelfths(coefficient),
             [(Symbol::Named(name), 1)] => multiples(name, Unit::Radian, coefficient),
@@ -28,7 +27,7 @@ pub fn sine_cosine(angle: &Quotient, work: &Work) -> Result<(Quotient, Quotient)
             }
             _ => None,
         };
-        let (sine, cosine) = part.ok_or_else(strange)?;
+        let (sine, cosine) = part.ok_or(STRANGE)?;
         total = (
             work.times(&total.0, &cosine)?
                 .plus(&work.times(&total.1, &sine)?),
@@ -36,7 +35,7 @@ pub fn sine_cosine(angle: &Quotient, work: &Work) -> Result<(Quotient, Quotient)
                 .minus(&work.times(&total.0, &sine)?),
         );
     }
-    Ok((total.0.into(), total.1.into()))
+    Ok(total)
 }
 
 /// Sine and cosine of `n/d` times a variable: n times the d-th part of its angle.
