@@ -205,8 +205,9 @@ impl Coqc {
                 continue;
             };
             let parts = modules::split(text);
-            let accepted =
-                |module: &str| answers.get(&format!("{section}.{module}")) == Some(&Answer::Accepted);
+            let accepted = |module: &str| {
+                answers.get(&format!("{section}.{module}")) == Some(&Answer::Accepted)
+            };
             let kept: Vec<&str> = parts
                 .modules
                 .iter()

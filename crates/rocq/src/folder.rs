@@ -1,9 +1,9 @@
 //! The folder of proofs: a deterministic set of files, from what was found out about claims.
 
-use crate::{chapter, check};
 use crate::gap::Gap;
 use crate::name::camel;
 use crate::task::{Evidence, Finding, Goal, Role, goals};
+use crate::{chapter, check};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 

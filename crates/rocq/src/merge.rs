@@ -28,7 +28,11 @@ pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String
         }
         // What the run states anew has no old text, and neither has what it no longer states.
         let stated = fresh.files.get(&statements).map_or("", String::as_str);
-        let anew: BTreeSet<&str> = split(stated).modules.iter().map(|(name, _)| *name).collect();
+        let anew: BTreeSet<&str> = split(stated)
+            .modules
+            .iter()
+            .map(|(name, _)| *name)
+            .collect();
         let gone = gone(fresh, old.get(&statements).map_or("", String::as_str));
         let kept = split(text);
         let kept_bodies = kept
@@ -67,7 +71,9 @@ fn gone<'a>(fresh: &Folder, old: &'a str) -> BTreeSet<&'a str> {
     let of_claim = |body: &str| {
         let (_, about) = body.split_once("\n(* ").unwrap_or_default();
         let (id, _) = about.split_once(',').unwrap_or_default();
-        fresh.asked.contains(id.strip_suffix(" (corrected)").unwrap_or(id))
+        fresh
+            .asked
+            .contains(id.strip_suffix(" (corrected)").unwrap_or(id))
     };
     let asked = modules.into_iter().filter(|(_, body)| of_claim(body));
     asked.map(|(name, _)| name).collect()

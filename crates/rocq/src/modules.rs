@@ -45,7 +45,8 @@ mod tests {
 
     #[test]
     fn a_file_taken_apart_is_put_together_again() {
-        let text = "head\nOpen Scope R_scope.\n\nModule one.\nx\nEnd one.\n\nModule two.\nEnd two.\n";
+        let text =
+            "head\nOpen Scope R_scope.\n\nModule one.\nx\nEnd one.\n\nModule two.\nEnd two.\n";
         let parts = split(text);
         let names: Vec<&str> = parts.modules.iter().map(|(name, _)| *name).collect();
         assert_eq!(names, ["one", "two"]);

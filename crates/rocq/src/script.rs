@@ -97,7 +97,10 @@ fn staged(goal: &Goal) -> Option<String> {
         return None;
     }
     let stages = others.iter().map(|(name, _)| format!("stage {name}; "));
-    Some(format!("{}staged_goal {last}; ", stages.collect::<String>()))
+    Some(format!(
+        "{}staged_goal {last}; ",
+        stages.collect::<String>()
+    ))
 }
 
 /// The tactic that proves a statement; none for a refutation.
