@@ -76,14 +76,26 @@ Ltac reify f :=
       let a := reify a in let b := reify b in let c := reify c in constr:(Se a b c (k - 2) P)
   | (fun x => sum 0 ?k (fun i => basis (1 - x) x [@?a x] i ?k * @?P i)) =>
       let a := reify a in constr:(Se a (K 0) (K 0) k P)
+  | (fun x => sum 0 ?k (fun i => basis ?u ?v [@?a x; @?b x; @?c x] i ?k * @?P i)) =>
+      let a := reify a in let b := reify b in let c := reify c in constr:(Ss u v a b c (k - 2) P)
+  | (fun x => basis (1 - x) x [@?a x; @?b x; @?c x] ?i ?k) =>
+      let a := reify a in let b := reify b in let c := reify c in constr:(Se a b c (k - 2) (unit i))
+  | (fun x => basis ?u ?v [@?a x; @?b x; @?c x] ?i ?k) =>
+      let a := reify a in let b := reify b in let c := reify c in constr:(Ss u v a b c (k - 2) (unit i))
   end.
 (* sums of a basis times control values as the operator *)
 Ltac operators := repeat first
-  [ rewrite series3 by lia | rewrite curve1 by lia | rewrite unity3 by lia | rewrite unity1 by lia ].
+  [ rewrite series3 by lia | rewrite curve1 by lia | rewrite unity3 by lia | rewrite unity1 by lia
+  | rewrite one_of_three by lia ].
 Ltac opened t := eval cbv beta iota zeta delta
   [ev dxn dx occurs orb Z.of_nat Pos.of_succ_nat Pos.succ] in t.
 Ltac nonzero := idtac.
 Ltac reified := first [ intro; reflexivity | intro; cbv beta iota delta [ev]; operators; reflexivity ].
+(* orders are numbers *)
+Ltac orders := repeat match goal with
+  | |- context [Derive_n ?f (Z.to_nat ?n) ?p] => closed_integer n;
+      let k := eval vm_compute in (Z.to_nat n) in change (Z.to_nat n) with k
+  end.
 Ltac derivative :=
   match goal with
   | |- context [Derive_n ?f ?n ?p] =>
@@ -96,7 +108,7 @@ Ltac derivative :=
       erewrite (Derive_n_ext f _ n p);
       [|let y := fresh "y" in intro y; repeat derivative; reflexivity]
   end.
-Ltac derivatives := repeat derivative; cbv beta.
+Ltac derivatives := orders; repeat derivative; cbv beta.
 
 (* ---- angles ---- *)
 Ltac rat t := lazymatch t with
@@ -329,7 +341,17 @@ Ltac rewritten := repeat match goal with
 Ltac mirrored' :=
   repeat match goal with |- context [1 - (1 - ?x)] => replace (1 - (1 - x)) with x by ring end;
   first [ mirrored | symmetry; mirrored ].
-Ltac settle := corners; ends; special; tidied; maxes; members; rewritten; numbers; circles; roots; equal.
+(* members of a unit sequence *)
+Ltac units := repeat match goal with
+  | |- context [unit ?i ?j] => first [ rewrite (unit_one i j) by lia | rewrite (unit_zero i j) by lia ]
+  end.
+(* sums in sums come to light one after the other *)
+Ltac corner_sums := lazymatch goal with
+  | |- context [pw _ _ _ _] => ends; lazymatch goal with |- context [sum _ _ _] => progress operators; corner_sums | _ => idtac end
+  | _ => idtac end.
+(* series of the same step *)
+Ltac one_series := rewrite <- ?pw_scal, <- ?pw_plus, <- ?pw_minus; apply pw_ext; intro; unfold seed3; ring.
+Ltac settle := corners; ends; try corner_sums; special; tidied; maxes; units; members; rewritten; numbers; circles; roots; equal.
 Ltac signs := repeat match goal with
   | H : 0 <= ?x <= 1 |- context [sin (PI / 2 * ?x)] =>
       lazymatch goal with _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail | _ => pose proof (quarter_sine x H); pose proof (quarter_cosine x H) end
@@ -345,7 +367,7 @@ Ltac corner := first
     compute_goal; special; equal ].
 Ltac symbolic1 := lazymatch goal with
   | |- context [Derive_n _ _ _] => derivatives; operators; settle
-  | |- context [sum _ _ _] => first [ unities | operators; settle ]
+  | |- context [sum _ _ _] => first [ unities | operators; first [one_series | settle] ]
   | _ => first [ corner | recursion | mirrored | settle | mirrored' | nonnegative ]
   end.
 Ltac symbolic := computed; intros; equations; substituted; divisors; parts; closed_parts; symbolic1.

@@ -7,16 +7,18 @@ Open Scope R_scope.
 (* ---- expressions ---- *)
 Inductive ex :=
   | K (r : R) | X | Ad (e f : ex) | Sb (e f : ex) | Op (e : ex) | Ml (e f : ex) | Iv (e : ex) | Pw (e : ex) (n : nat)
-  | Si (e : ex) | Co (e : ex) | Se (a b c : ex) (m : Z) (P : Z -> R).
+  | Si (e : ex) | Co (e : ex) | Se (a b c : ex) (m : Z) (P : Z -> R) | Ss (u v : R) (a b c : ex) (m : Z) (P : Z -> R).
 Fixpoint ev (e : ex) (x : R) : R := match e with
   | K r => r | X => x | Ad e f => ev e x + ev f x | Sb e f => ev e x - ev f x | Op e => - ev e x
   | Ml e f => ev e x * ev f x | Iv e => / ev e x | Pw e n => ev e x ^ n
   | Si e => sin (ev e x) | Co e => cos (ev e x)
-  | Se a b c m P => pw (1 - x) x (Z.to_nat m) (seed3 (ev a x) (ev b x) (ev c x) P) end.
+  | Se a b c m P => pw (1 - x) x (Z.to_nat m) (seed3 (ev a x) (ev b x) (ev c x) P)
+  | Ss u v a b c m P => pw u v (Z.to_nat m) (seed3 (ev a x) (ev b x) (ev c x) P) end.
 (* whether the variable occurs *)
 Fixpoint occurs (e : ex) : bool := match e with
   | K _ => false | X => true | Ad e f | Sb e f | Ml e f => occurs e || occurs f
-  | Op e | Iv e | Pw e _ | Si e | Co e => occurs e | Se _ _ _ _ _ => true end.
+  | Op e | Iv e | Pw e _ | Si e | Co e => occurs e | Se _ _ _ _ _ => true
+  | Ss _ _ a b c _ _ => occurs a || occurs b || occurs c end.
 Fixpoint dx (e : ex) : ex :=
   if occurs e then match e with
   | K _ => K 0 | X => K 1
@@ -27,19 +29,22 @@ Fixpoint dx (e : ex) : ex :=
   | Iv e => Op (Ml (dx e) (Iv (Ml e e)))
   | Pw e n => match n with O => K 0 | S n => Ml (K (IZR (Z.of_nat (S n)))) (Ml (dx e) (Pw e n)) end
   | Si e => Ml (dx e) (Co e) | Co e => Op (Ml (dx e) (Si e))
-  | Se a b c m P => Ad (Ml (K (IZR (Z.max m 0))) (Se a b c (m - 1) (dl P))) (Se (dx a) (dx b) (dx c) m P) end
+  | Se a b c m P => Ad (Ml (K (IZR (Z.max m 0))) (Se a b c (m - 1) (dl P))) (Se (dx a) (dx b) (dx c) m P)
+  | Ss u v a b c m P => Ss u v (dx a) (dx b) (dx c) m P end
   else K 0.
 (* no divisor is zero *)
 Fixpoint ok (e : ex) (x : R) : Prop := match e with
   | K _ | X => True | Ad e f | Sb e f | Ml e f => ok e x /\ ok f x
   | Op e | Pw e _ | Si e | Co e => ok e x
   | Iv e => ok e x /\ ev e x <> 0
-  | Se a b c _ _ => ok a x /\ ok b x /\ ok c x end.
+  | Se a b c _ _ | Ss _ _ a b c _ _ => ok a x /\ ok b x /\ ok c x end.
 
 Lemma no_x e : occurs e = false -> forall x y, ev e x = ev e y.
 Proof.
   induction e; simpl; intros H x y; try discriminate; auto;
-    first [apply Bool.orb_false_elim in H as [H1 H2]; rewrite (IHe1 H1 x y), (IHe2 H2 x y); reflexivity
+    first [apply Bool.orb_false_elim in H as [H H3]; apply Bool.orb_false_elim in H as [H1 H2];
+           rewrite (IHe1 H1 x y), (IHe2 H2 x y), (IHe3 H3 x y); reflexivity
+          |apply Bool.orb_false_elim in H as [H1 H2]; rewrite (IHe1 H1 x y), (IHe2 H2 x y); reflexivity
           |rewrite (IHe H x y); reflexivity].
 Qed.
 Lemma flat e x : occurs e = false -> is_derive (ev e) x 0.
@@ -57,6 +62,27 @@ Lemma dmult (f g : R -> R) (x a b : R) :
 Proof. intros; apply (is_derive_mult f g x a b); auto. intros; apply Rmult_comm. Qed.
 Lemma dcomp (f g : R -> R) (x a b : R) : is_derive f (g x) a -> is_derive g x b -> is_derive (fun x => f (g x)) x (b * a).
 Proof. intros; apply (is_derive_comp f g x a b); auto. Qed.
+
+(* a series of fixed step in its seeds *)
+Lemma seeds_derive u v (a b c a' b' c' : R -> R) x :
+  is_derive a x (a' x) -> is_derive b x (b' x) -> is_derive c x (c' x) -> forall n P,
+  is_derive (fun x => pw u v n (seed3 (a x) (b x) (c x) P)) x (pw u v n (seed3 (a' x) (b' x) (c' x) P)).
+Proof.
+  intros Ha Hb Hc n. induction n as [|n IH]; intro P.
+  - unfold seed3. cbn [pw].
+    apply (dplus (fun x => a x * P 0%Z + b x * P (0 + 1)%Z) (fun x => c x * P (0 + 2)%Z));
+      [apply (dplus (fun x => a x * P 0%Z) (fun x => b x * P (0 + 1)%Z))|]; apply derive_times; assumption.
+  - assert (S : forall r s t, pw u v (S n) (seed3 r s t P) =
+      u * pw u v n (seed3 r s t P) + v * pw u v n (seed3 r s t (fun i => P (i + 1)%Z))).
+    { intros. cbn [pw]. f_equal. f_equal. apply pw_ext. intro i. unfold seed3.
+      replace (i + 1 + 1)%Z with (i + 2)%Z by lia. replace (i + 1 + 2)%Z with (i + 2 + 1)%Z by lia. reflexivity. }
+    rewrite S. apply is_derive_ext with (fun x => u * pw u v n (seed3 (a x) (b x) (c x) P) +
+      v * pw u v n (seed3 (a x) (b x) (c x) (fun i => P (i + 1)%Z))); [intro; rewrite S; reflexivity|].
+    apply (dplus (fun x => u * pw u v n (seed3 (a x) (b x) (c x) P))
+      (fun x => v * pw u v n (seed3 (a x) (b x) (c x) (fun i => P (i + 1)%Z)))).
+    + exact (is_derive_scal (fun x => pw u v n (seed3 (a x) (b x) (c x) P)) x u _ (IH P)).
+    + exact (is_derive_scal (fun x => pw u v n (seed3 (a x) (b x) (c x) (fun i => P (i + 1)%Z))) x v _ (IH _)).
+Qed.
 
 Lemma evK r x : ev (K r) x = r. Proof. reflexivity. Qed.
 Lemma evAd e f x : ev (Ad e f) x = ev e x + ev f x. Proof. reflexivity. Qed.
@@ -114,6 +140,10 @@ Proof.
   - destruct H as [H1 [H2 H3]]. cbn [dx occurs]. evs.
     rewrite <- INR_IZR_INZ_max. cbn [ev]. rewrite to_nat_pred.
     exact (F_derive (ev e1) (ev e2) (ev e3) (ev (dx e1)) (ev (dx e2)) (ev (dx e3)) x (IHe1 H1) (IHe2 H2) (IHe3 H3) (Z.to_nat m) P).
+  - destruct H as [H1 [H2 H3]]. cbn [dx]. destruct (occurs _) eqn:O.
+    + cbn [ev]. exact (seeds_derive u v (ev e1) (ev e2) (ev e3) (ev (dx e1)) (ev (dx e2)) (ev (dx e3)) x
+        (IHe1 H1) (IHe2 H2) (IHe3 H3) (Z.to_nat m) P).
+    + apply (flat (Ss u v e1 e2 e3 m P)). exact O.
 Qed.
 
 Lemma ok_dx e x : ok e x -> ok (dx e) x.
@@ -135,6 +165,7 @@ Proof.
     apply (C (fun y => y <> 0)). destruct (Rdichotomy _ _ H2) as [L|L].
     + apply (filter_imp (fun y => y < 0)); [intros; lra|]. apply (open_lt 0), L.
     + apply (filter_imp (fun y => 0 < y)); [intros; lra|]. apply (open_gt 0), L.
+  - destruct H as [H1 [H2 H3]]. apply filter_and; [auto|apply filter_and; auto].
   - destruct H as [H1 [H2 H3]]. apply filter_and; [auto|apply filter_and; auto].
 Qed.
 
@@ -170,6 +201,37 @@ Lemma solved (F : R -> R) x n d : F x = 0 -> F x = n + x * d -> d <> 0 -> x = - 
 Proof.
   intros H1 H2 H3. rewrite H1 in H2. apply (Rmult_eq_reg_r d); [|exact H3].
   unfold Rdiv. rewrite Rmult_assoc, Rinv_l by exact H3. lra.
+Qed.
+
+(* ---- one function of a basis ---- *)
+Definition unit (i j : Z) : R := if (j =? i)%Z then 1 else 0.
+Lemma unit_one i j : j = i -> unit i j = 1.
+Proof. intros ->. unfold unit. rewrite Z.eqb_refl. reflexivity. Qed.
+Lemma unit_zero i j : j <> i -> unit i j = 0.
+Proof. intro H. unfold unit. destruct (Z.eqb_spec j i); [contradiction|reflexivity]. Qed.
+Lemma unit_sum i f l h : sum l h (fun j => f j * unit i j) = if ((l <=? i) && (i <=? h))%bool%Z then f i else 0.
+Proof.
+  unfold sum, range. set (n := Z.to_nat (h - l + 1)).
+  assert (E : ((l <=? i) && (i <=? h))%bool%Z = ((l <=? i) && (i <? l + Z.of_nat n))%bool%Z).
+  { subst n. destruct (Z.leb_spec l i), (Z.leb_spec i h), (Z.ltb_spec i (l + Z.of_nat (Z.to_nat (h - l + 1)))); cbn; try reflexivity; lia. }
+  rewrite E. clear E. generalize n. clear n h. intro n. induction n as [|n IH].
+  - cbn. destruct (Z.leb_spec l i), (Z.ltb_spec i (l + 0)); cbn; try reflexivity; lia.
+  - rewrite seq_S, !map_app, fold_app, IH. cbn [map fold_right Nat.add]. rewrite Rplus_0_r.
+    destruct (Z.eq_dec (l + Z.of_nat n) i) as [<-|N].
+    + rewrite unit_one by reflexivity.
+      destruct (Z.leb_spec l (l + Z.of_nat n)), (Z.ltb_spec (l + Z.of_nat n) (l + Z.of_nat n)),
+        (Z.ltb_spec (l + Z.of_nat n) (l + Z.of_nat (S n))); cbn [andb]; try lia; ring.
+    + rewrite unit_zero by exact N.
+      destruct (Z.leb_spec l i), (Z.ltb_spec i (l + Z.of_nat n)), (Z.ltb_spec i (l + Z.of_nat (S n))); cbn [andb]; try lia; ring.
+Qed.
+Lemma one_of_three a b s t u i k : (2 <= k)%Z ->
+  basis a b [s; t; u] i k = pw a b (Z.to_nat (k - 2)) (seed3 s t u (unit i)).
+Proof.
+  intro H. rewrite <- series3 by exact H. rewrite (unit_sum i (fun i => basis a b [s; t; u] i k)).
+  destruct (Z.leb_spec 0 i), (Z.leb_spec i k); cbn [andb]; try reflexivity.
+  - apply basis_above; cbn [length]; lia.
+  - apply basis_below. lia.
+  - apply basis_below. lia.
 Qed.
 
 (* ---- special angles ---- *)

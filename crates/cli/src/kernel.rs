@@ -3,10 +3,10 @@
 use crate::prove::findings;
 use crate::run::Run;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use torse_language::derivation::Paper;
 use torse_rocq::coqc::Accepted;
-use torse_rocq::folder::{Folder, UNPROVED};
+use torse_rocq::folder::{Folder, unproved};
 
 /// The option that names the folder of the kernel's proofs.
 #[derive(Debug, clap::Args)]
@@ -24,7 +24,9 @@ impl Kernel {
         let Some(accepted) = Accepted::read(&self.folder) else {
             return BTreeSet::new();
         };
-        let folder = Folder::new(&findings(papers, run), &unproved(&self.folder));
+        // A list that cannot be read says of no theorem that it has no proof: what was accepted is known by its digest.
+        let unproved = unproved(&self.folder).unwrap_or_default();
+        let folder = Folder::new(&findings(papers, run), &unproved);
         let fingerprints = accepted.fingerprints();
         let mut fresh: BTreeMap<&str, bool> = BTreeMap::new();
         for theorem in &folder.theorems {
@@ -37,10 +39,4 @@ impl Kernel {
         let accepted = fresh.into_iter().filter(|(_, fits)| *fits);
         accepted.map(|(id, _)| id.to_owned()).collect()
     }
-}
-
-/// The theorems that have no proof, with the reasons; none where the list cannot be read.
-fn unproved(folder: &Path) -> BTreeMap<String, String> {
-    let text = std::fs::read_to_string(folder.join(UNPROVED)).unwrap_or_default();
-    serde_json::from_str(&text).unwrap_or_default()
 }

@@ -14,7 +14,8 @@ use torse_language::derivation::{Claim, Paper};
 use torse_prove::evidence;
 use torse_report::{ReportError, write_file};
 use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Fingerprints, Limits};
-use torse_rocq::folder::{ACCEPTED, Folder, Theorem, UNPROVED};
+use torse_rocq::folder::{self, ACCEPTED, Folder, Theorem, UNPROVED};
+use torse_rocq::merge;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
 use torse_verdicts::outcome::Outcome;
@@ -73,13 +74,17 @@ impl Prove {
         let run = Run::of(&papers, self.budget, &mut mistakes);
         guard::finished();
         let findings = findings(&papers, &run);
-        let mut unproved = self.unproved()?;
+        let unread = |reason| Failure::ReadProofs {
+            path: self.out.join(UNPROVED),
+            reason,
+        };
+        let mut unproved = folder::unproved(&self.out).map_err(unread)?;
         if let (Some(_), Some(coqc)) = (self.attempt, &coqc) {
             unproved = self.tried(coqc, &findings, &unproved)?;
             self.write(UNPROVED, &json(&unproved))?;
         }
         let folder = Folder::new(&findings, &unproved);
-        for (path, text) in &folder.files {
+        for (path, text) in &self.files(&folder) {
             self.write(path, text)?;
         }
         let mut exit = Exit::AsExpected;
@@ -110,17 +115,15 @@ impl Prove {
         Ok(write_file(&path, text.as_bytes())?)
     }
 
-    /// The theorems whose scripts are known to fail, and why.
-    fn unproved(&self) -> Result<BTreeMap<String, String>, Failure> {
-        let path = self.out.join(UNPROVED);
-        let Ok(text) = std::fs::read_to_string(&path) else {
-            return Ok(BTreeMap::new());
-        };
-        let read = serde_json::from_str(&text);
-        read.map_err(|error| Failure::ReadProofs {
-            path,
-            reason: error.to_string(),
-        })
+    /// What is written: all, or where claims were named, what the folder has of the others besides.
+    fn files(&self, folder: &Folder) -> BTreeMap<String, String> {
+        match self.names.is_empty() {
+            true => folder.files.clone(),
+            false => {
+                let read = |path: &str| std::fs::read_to_string(self.out.join(path)).ok();
+                merge::merged(folder, &merge::ours(&read))
+            }
+        }
     }
 
     /// The theorems whose scripts fail, found out anew for those of this run.

@@ -139,7 +139,7 @@ impl Polynomial {
                 self.enter(product(&monomial, &square), -coefficient.clone());
                 self.enter(monomial, coefficient);
             }
-            Symbol::Named(_) | Symbol::Pi | Symbol::Cosine(..) => {}
+            Symbol::Named(_) | Symbol::Pi | Symbol::Cosine(..) | Symbol::Exponential(_) => {}
         }
     }
 

@@ -39,6 +39,8 @@ pub enum Symbol {
     Sine(Arc<str>, Angle),
     /// The cosine of an angle made from the variable.
     Cosine(Arc<str>, Angle),
+    /// A power of e, as it is written: the checker goes no further than to its formula.
+    Exponential(Arc<str>),
 }
 
 impl Symbol {
@@ -59,7 +61,7 @@ impl Symbol {
     pub fn variable(&self) -> Option<&str> {
         match self {
             Self::Named(name) | Self::Sine(name, _) | Self::Cosine(name, _) => Some(name),
-            Self::Root(_) | Self::Pi => None,
+            Self::Root(_) | Self::Pi | Self::Exponential(_) => None,
         }
     }
 }
@@ -78,7 +80,7 @@ impl fmt::Display for Angle {
 impl fmt::Display for Symbol {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Named(name) => f.write_str(name),
+            Self::Named(name) | Self::Exponential(name) => f.write_str(name),
             Self::Root(prime) => write!(f, "sqrt({prime})"),
             Self::Pi => f.write_str("pi"),
             Self::Sine(name, angle) => write!(f, "sin({angle}{name})"),

@@ -332,10 +332,29 @@ impl<'a> Ground<'a> {
         if coefficient.as_constant().is_none() {
             match implied {
                 true => self.differ_from_zero(&[coefficient]),
-                false => self.domain.pivots.push(coefficient),
+                false => {
+                    self.domain.pivots.push(coefficient.clone());
+                    self.domain.unsettled.push(coefficient);
+                }
             }
         }
         Ok(())
+    }
+
+    /// Whether something is known of a symbol that is no equation: a bound, a constraint.
+    fn is_bounded(&self, symbol: &Symbol) -> bool {
+        let declared = match symbol {
+            Symbol::Named(name) => match self.domain.declarations.symbol(name) {
+                Some(SymbolKind::Real(interval)) => {
+                    interval.lower.is_some() || interval.upper.is_some()
+                }
+                Some(SymbolKind::Integer { least, most }) => least.is_some() || most.is_some(),
+                _ => false,
+            },
+            _ => false,
+        };
+        let mut constraints = self.domain.constraints.iter();
+        declared || constraints.any(|constraint| mentions(&constraint.value, symbol))
     }
 
     /// Whether a divisor is known to vanish nowhere on the domain; long ones are not examined.
@@ -379,7 +398,10 @@ impl<'a> Ground<'a> {
         for (_, solved) in &mut self.domain.solved {
             *solved = put(solved)?;
         }
-        for pivot in &mut self.domain.pivots {
+        let Domain {
+            pivots, unsettled, ..
+        } = &mut self.domain;
+        for pivot in pivots.iter_mut().chain(unsettled) {
             *pivot = put(&pivot.clone().into())?.numerator().clone();
         }
         self.keep_range(symbol, &value);
@@ -459,6 +481,16 @@ impl<'a> Ground<'a> {
         let symbols = self.unknowns(claim)?;
         let within = |f: Fault| f.within(&first.origin);
         let solution = solve_for(forms, &symbols, NOWHERE).map_err(within)?;
+        // Where a divisor vanishes, an unknown may be what its value does not say.
+        let divisors = solution.values.values().flat_map(Fraction::conditions);
+        let mut open: Vec<Polynomial> = divisors.cloned().collect();
+        open.sort();
+        open.dedup();
+        open.retain(|divisor| !self.never_zero(divisor));
+        if solution.values.keys().any(|symbol| self.is_bounded(symbol)) {
+            self.domain.pivots.extend(open.iter().cloned());
+        }
+        self.domain.unsettled.extend(open);
         let mut values = vec![];
         for (symbol, value) in &solution.values {
             let value = self.eliminate(symbol, value).map_err(within)?;

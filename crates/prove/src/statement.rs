@@ -611,9 +611,13 @@ fn divisors(statement: &Statement) -> Vec<Polynomial> {
 
 /// The conditions that neither the hypotheses state nor the domain implies.
 fn open_conditions(conditions: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
+    let unsettled = conditions::separated(&ground.domain.unsettled);
+    let settled = |p: &Polynomial| {
+        !unsettled.contains(p)
+            && (ground.domain.assumes_nonzero(p) || sign::never_zero(p, &ground.domain))
+    };
     conditions::separated(conditions)
         .into_iter()
-        .filter(|_| !planted(Planted::ConditionDropped))
-        .filter(|p| !ground.domain.assumes_nonzero(p) && !sign::never_zero(p, &ground.domain))
+        .filter(|p| !planted(Planted::ConditionDropped) && !settled(p))
         .collect()
 }

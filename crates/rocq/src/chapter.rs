@@ -3,6 +3,7 @@
 //! The statements are for reading: they contain no proof and import nothing but `Torse.Defs`, so that no proof can change
 //! what a statement means.
 
+use crate::folder::LIBRARY;
 use crate::name::camel;
 use crate::script;
 use crate::task::{Goal, Role};
@@ -89,12 +90,24 @@ pub fn statement(goal: &Goal) -> String {
     text
 }
 
+/// The line by which files of proofs use the library.
+#[must_use]
+pub fn imports() -> String {
+    let names = LIBRARY.iter().filter_map(|(path, _)| {
+        let (_, file) = path.split_once('/')?;
+        file.strip_suffix(".v")
+    });
+    let names: Vec<&str> = names.collect();
+    format!("From Torse Require Import {}.\n", names.join(" "))
+}
+
 /// The file of proofs of these goals.
 #[must_use]
 pub fn proofs(folder: &str, section: &str, goals: &[&Goal]) -> String {
     let mut text = format!(
-        "{}\nFrom Torse Require Import Defs Series Theory Bounds Tactics.\nFrom {folder} Require {section}.\nOpen Scope R_scope.\n",
-        comment("Proofs: nothing here has to be read.")
+        "{}\n{}From {folder} Require {section}.\nOpen Scope R_scope.\n",
+        comment("Proofs: nothing here has to be read."),
+        imports()
     );
     for goal in goals {
         text.push_str(&script::module(folder, section, goal));

@@ -1,11 +1,13 @@
 //! Running `coqc`, with limits of time and memory, on a scratch copy of a folder of proofs.
 
+use crate::check::{self, PROOFS};
 use crate::digest::Digest;
-use crate::folder::{ACCEPTED, Folder, LIBRARY, Theorem};
+use crate::folder::{ACCEPTED, CHECK, Folder, LIBRARY, Theorem};
+use crate::modules;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{self, Read};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -169,14 +171,16 @@ impl Coqc {
         let of_section = |section: &str| self.section(folder, section, scratch, limits);
         let found = each_section(folder, limits.at_once, done, &of_section)?;
         let mut answers: BTreeMap<String, Answer> = found.into_iter().flatten().collect();
+        self.without_the_rejected(folder, &answers, scratch, limits)?;
         let mut axioms = vec![];
-        if answers.values().all(|answer| *answer == Answer::Accepted) {
-            let run = self.run(scratch, "Check.v", limits)?;
+        if answers.values().any(|answer| *answer == Answer::Accepted) {
+            let run = self.run(scratch, CHECK, limits)?;
             match run.status.success() {
                 true => axioms = assumptions(&run.text),
                 false => {
                     let reason = first_lines(&run.text);
-                    for answer in answers.values_mut() {
+                    let accepted = answers.values_mut().filter(|a| **a == Answer::Accepted);
+                    for answer in accepted {
                         *answer = Answer::Rejected(format!("Check.v: {reason}"));
                     }
                 }
@@ -184,6 +188,44 @@ impl Coqc {
         }
         done();
         Ok((answers, axioms))
+    }
+
+    /// Leaves in the scratch folder what was accepted, and has the files compiled again that lose something by that: the
+    /// axioms of the accepted theorems are asked for whatever became of the others.
+    fn without_the_rejected(
+        &self,
+        folder: &Folder,
+        answers: &BTreeMap<String, Answer>,
+        scratch: &Path,
+        limits: Limits,
+    ) -> Result<(), CheckError> {
+        let mut left = BTreeMap::new();
+        for (path, text) in &folder.files {
+            let Some(section) = path.strip_suffix(PROOFS) else {
+                continue;
+            };
+            let parts = modules::split(text);
+            let accepted = |module: &str| {
+                answers.get(&format!("{section}.{module}")) == Some(&Answer::Accepted)
+            };
+            let kept: Vec<&str> = parts
+                .modules
+                .iter()
+                .filter(|(module, _)| accepted(module))
+                .map(|(_, body)| *body)
+                .collect();
+            if kept.is_empty() {
+                continue;
+            }
+            let changed = kept.len() < parts.modules.len();
+            let kept = modules::join(parts.head, kept);
+            if changed {
+                write(&scratch.join(path), &kept)?;
+                self.run(scratch, path, limits)?;
+            }
+            left.insert(path.clone(), kept);
+        }
+        write(&scratch.join(CHECK), &check::referee(&left))
     }
 
     /// Lays out a folder and compiles the library. `done` is called once a file of the library.
@@ -375,17 +417,20 @@ fn wait(child: &mut Child, limit: Duration) -> io::Result<(ExitStatus, bool)> {
 /// [`CheckError::System`].
 pub fn lay_out(folder: &Folder, below: &Path) -> Result<(), CheckError> {
     for (path, text) in &folder.files {
-        let path: PathBuf = below.join(path);
-        let system = |source| CheckError::System {
-            what: format!("cannot write {}", path.display()),
-            source,
-        };
-        if let Some(parent) = path.parent() {
-            std::fs::create_dir_all(parent).map_err(system)?;
-        }
-        std::fs::write(&path, text).map_err(system)?;
+        write(&below.join(path), text)?;
     }
     Ok(())
+}
+
+fn write(path: &Path, text: &str) -> Result<(), CheckError> {
+    let system = |source| CheckError::System {
+        what: format!("cannot write {}", path.display()),
+        source,
+    };
+    if let Some(parent) = path.parent() {
+        std::fs::create_dir_all(parent).map_err(system)?;
+    }
+    std::fs::write(path, text).map_err(system)
 }
 
 /// The folders of a scratch folder, each a prefix of its own.

@@ -1,13 +1,14 @@
 //! The folder of proofs: a deterministic set of files, from what was found out about claims.
 
-use crate::chapter;
 use crate::gap::Gap;
 use crate::name::camel;
 use crate::task::{Evidence, Finding, Goal, Role, goals};
+use crate::{chapter, check};
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 5] = [
+pub const LIBRARY: [(&str, &str); 7] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -25,6 +26,11 @@ pub const LIBRARY: [(&str, &str); 5] = [
         "Torse/Tactics.v",
         include_str!("../../../proofs/Torse/Tactics.v"),
     ),
+    ("Torse/Sums.v", include_str!("../../../proofs/Torse/Sums.v")),
+    (
+        "Torse/Stages.v",
+        include_str!("../../../proofs/Torse/Stages.v"),
+    ),
 ];
 
 /// The page that says how to check and what to trust.
@@ -33,11 +39,28 @@ pub const README: &str = include_str!("../../../proofs/README.md");
 /// The file with the theorems whose proof script is known not to find a proof, and why.
 pub const UNPROVED: &str = "unproved.json";
 
+/// The theorems of a folder whose scripts are known to fail, and why; none where there is no list.
+///
+/// # Errors
+/// The words of the parser, where the list cannot be read.
+pub fn unproved(folder: &Path) -> Result<BTreeMap<String, String>, String> {
+    match std::fs::read_to_string(folder.join(UNPROVED)) {
+        Ok(text) => serde_json::from_str(&text).map_err(|error| error.to_string()),
+        Err(_) => Ok(BTreeMap::new()),
+    }
+}
+
 /// The file with the theorems that the kernel accepted.
 pub const ACCEPTED: &str = "accepted.json";
 
 /// The file with the claims that have no statement, and why.
 pub const NOT_STATED: &str = "not-stated.json";
+
+/// The file whose output is the referee's list.
+pub const CHECK: &str = "Check.v";
+
+/// The file that lists the files for `coq_makefile`.
+pub const PROJECT: &str = "_CoqProject";
 
 /// A theorem of the folder.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -88,6 +111,8 @@ pub struct Folder {
     pub missing: Vec<Missing>,
     /// The claims that have no statement, and why.
     pub not_stated: BTreeMap<String, String>,
+    /// The ids of all claims it was made for.
+    pub asked: BTreeSet<String>,
 }
 
 impl Folder {
@@ -101,15 +126,13 @@ impl Folder {
         folder
             .files
             .insert("README.md".to_owned(), README.to_owned());
-        let mut prefixes = vec!["Torse".to_owned()];
         for (slug, findings) in papers {
             let prefix = camel(slug);
             folder.paper(slug, &prefix, findings, unproved);
-            if !prefixes.contains(&prefix) {
-                prefixes.push(prefix);
-            }
         }
-        folder.files.insert("Check.v".to_owned(), folder.check());
+        folder
+            .files
+            .insert(CHECK.to_owned(), check::referee(&folder.files));
         let reasons = serde_json::to_string_pretty(&folder.not_stated);
         folder.files.insert(
             NOT_STATED.to_owned(),
@@ -117,7 +140,7 @@ impl Folder {
         );
         folder
             .files
-            .insert("_CoqProject".to_owned(), folder.project(&prefixes));
+            .insert(PROJECT.to_owned(), check::project(&folder.files));
         folder
     }
 
@@ -145,6 +168,7 @@ impl Folder {
     ) {
         let mut sections: BTreeMap<String, Vec<Goal>> = BTreeMap::new();
         for finding in findings {
+            self.asked.insert(finding.id.clone());
             match goals(finding) {
                 Ok(found) => {
                     for goal in found {
@@ -210,69 +234,5 @@ impl Folder {
             evidence,
             reason: gap.to_string(),
         });
-    }
-
-    /// The file whose output is the referee's list: every theorem with the statement it has, and the axioms of all.
-    fn check(&self) -> String {
-        let mut text = chapter::comment(
-            "The kernel's word: each theorem has the type of its statement, and what all of them assume.",
-        );
-        text.push('\n');
-        for section in self.sections() {
-            if let Some((prefix, section)) = section.split_once('/') {
-                text.push_str(&format!(
-                    "From {prefix} Require {section} {section}_proofs.\n"
-                ));
-            }
-        }
-        let mut parts = vec![];
-        for theorem in &self.theorems {
-            let path = theorem.section.replace('/', ".");
-            let module = &theorem.module;
-            let (proof, says) = match theorem.role {
-                Role::Refuted => ("refuted", format!("~ {path}.{module}.statement")),
-                Role::Holds | Role::Corrected => ("proved", format!("{path}.{module}.statement")),
-            };
-            let proof = format!("{path}_proofs.{module}.{proof}");
-            text.push_str(&format!("Check ({proof} : {says}).\n"));
-            parts.push(proof);
-            if theorem.has_instance() {
-                let instance = format!("{path}_proofs.{module}.met");
-                text.push_str(&format!("Check ({instance} : {path}.{module}.instance).\n"));
-                parts.push(instance);
-            }
-        }
-        for (place, part) in parts.iter().enumerate() {
-            text.push_str(&format!("Definition theorem_{place} := {part}.\n"));
-        }
-        // One walk over all proofs: a nest of pairs.
-        let mut all = "I".to_owned();
-        for place in 0..parts.len() {
-            all = format!("conj theorem_{place} ({all})");
-        }
-        text.push_str(&format!(
-            "Definition all_theorems := {all}.\nPrint Assumptions all_theorems.\n"
-        ));
-        text
-    }
-
-    fn project(&self, prefixes: &[String]) -> String {
-        let mut text = String::new();
-        for prefix in prefixes {
-            text.push_str(&format!("-Q {prefix} {prefix}\n"));
-        }
-        text.push_str("-arg -w -arg none\n");
-        for path in self.files.keys().filter(|path| path.ends_with(".v")) {
-            text.push_str(&format!("{path}\n"));
-        }
-        text
-    }
-}
-
-impl Theorem {
-    /// Whether its premises are shown to be met.
-    #[must_use]
-    pub fn has_instance(&self) -> bool {
-        self.proof.contains("Theorem met :")
     }
 }

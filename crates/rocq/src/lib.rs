@@ -13,6 +13,7 @@
 )]
 
 pub mod chapter;
+pub mod check;
 pub mod code;
 pub mod context;
 pub mod coqc;
@@ -21,6 +22,8 @@ pub mod digest;
 pub mod folder;
 pub mod gap;
 pub mod integer;
+pub mod merge;
+mod modules;
 pub mod name;
 pub mod script;
 pub mod shape;

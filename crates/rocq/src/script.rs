@@ -2,7 +2,7 @@
 //!
 //! | verdict rests on | emitter | what the tactic does |
 //! |---|---|---|
-//! | identity | `identity` | computes sums, bases and matrices, derivatives and special angles; then `field`, modulo s^2 + c^2 = 1 |
+//! | identity | `stage`, `identity` | computes sums, bases and matrices, derivatives and special angles; then `field`, modulo s^2 + c^2 = 1 |
 //! | `given` equations | `prepared`, `unknown` | the same in the equations, which are solved for the unknowns one after the other |
 //! | induction | `symbolic` | reads a curve of symbolic degree as ((1 - x) + x E)^n of its seeds: end values, recursion, unity |
 //! | inequality, enclosure | `ordered` | enclosures of closed numbers by rational arithmetic; linear and polynomial arithmetic |
@@ -55,7 +55,10 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
         .iter()
         .map(|unknown| format!("unknown {unknown}; "));
     let tactics = match goal.given {
-        0 => format!("{}; {tactic}", open("statement")),
+        0 => match staged(goal).filter(|_| tactic == "identity") {
+            Some(stages) => format!("cbv beta zeta delta [statement]; {stages}{tactic}"),
+            None => format!("{}; {tactic}", open("statement")),
+        },
         _ => format!(
             "{}; prepared; {}finished",
             open("statement"),
@@ -80,6 +83,24 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
         });
     }
     scripts
+}
+
+/// What is costly to compute as often as a definition occurs.
+const COSTLY: [&str; 3] = ["Derive", "inverse ", "solve "];
+
+/// The definitions computed one after the other, and the last one where it stands; none where nothing in them is costly.
+fn staged(goal: &Goal) -> Option<String> {
+    let definitions = &goal.proposition.definitions;
+    let costly = |(_, text): &(String, String)| COSTLY.iter().any(|word| text.contains(word));
+    let ((last, _), others) = definitions.split_last()?;
+    if others.is_empty() || !definitions.iter().any(costly) {
+        return None;
+    }
+    let stages = others.iter().map(|(name, _)| format!("stage {name}; "));
+    Some(format!(
+        "{}staged_goal {last}; ",
+        stages.collect::<String>()
+    ))
 }
 
 /// The tactic that proves a statement; none for a refutation.

@@ -60,7 +60,8 @@ fn section_failing(
         return Ok(all().collect());
     };
     let mut text = format!(
-        "From Torse Require Import Defs Series Theory Bounds Tactics.\nFrom {prefix} Require {file}.\nOpen Scope R_scope.\n"
+        "{}From {prefix} Require {file}.\nOpen Scope R_scope.\n",
+        crate::chapter::imports()
     );
     for (place, theorem) in theorems.iter().enumerate() {
         text.push_str(&format!(

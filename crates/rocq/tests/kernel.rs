@@ -161,6 +161,19 @@ fn a_rejected_proof_is_told_with_the_words_of_the_kernel() {
 }
 
 #[test]
+fn the_axioms_of_what_is_accepted_are_told_beside_a_rejected_proof() {
+    let Some(coqc) = coqc() else { return };
+    let claims = claims(&["x + 1 == 1 + x", "x + 1 == x"]);
+    let folder = folder(&claims, |_| Evidence::Identity);
+    let scratch = tempfile::tempdir().unwrap();
+    let (answers, axioms) = coqc.check(&folder, scratch.path(), LIMITS, &|| ()).unwrap();
+    assert_eq!(answers.get("P/Section_1.c0"), Some(&Answer::Accepted));
+    let bad = answers.get("P/Section_1.c1");
+    assert!(matches!(bad, Some(Answer::Rejected(_))), "{bad:?}");
+    assert!(!axioms.is_empty());
+}
+
+#[test]
 fn divisors_are_premises_and_can_be_met() {
     let claims = claims(&["x/(x*y) == 1/y"]);
     let folder = folder(&claims, |_| Evidence::Identity);

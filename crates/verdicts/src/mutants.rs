@@ -82,6 +82,29 @@ pub fn survivors(claim: &Claim, most: usize) -> (Vec<Survivor>, usize) {
     (survivors, decided)
 }
 
+/// At most `most` claims that say something else by one change and that are refuted, spread evenly over all changes of
+/// a claim, with the changes in words.
+pub fn refuted(claim: &Claim, most: usize) -> impl Iterator<Item = (Claim, String)> {
+    let statement = claim.statement.iter();
+    let all = statement.flat_map(move |statement| {
+        let mutants = mutants(claim, &statement.expr);
+        let step = mutants.len().div_ceil(most.max(1)).max(1);
+        mutants.into_iter().step_by(step).map(move |mutant| {
+            let expr = mutant.statement;
+            let origin = statement.origin.clone();
+            (Written { expr, origin }, mutant.change)
+        })
+    });
+    all.filter_map(move |(written, change)| {
+        let decision = decide_statement(claim, &written).ok()?;
+        matches!(decision, Decision::Refuted(_)).then(|| {
+            let mut changed = claim.clone();
+            changed.statement = Some(written);
+            (changed, change)
+        })
+    })
+}
+
 /// A statement with one change, and the side that was changed.
 struct Mutant {
     statement: Expr,

@@ -134,6 +134,33 @@ fn a_stale_list_of_accepted_theorems_is_told_and_written_anew() {
     assert!(said.contains("accepted.json agrees"), "{said}");
 }
 
+#[test]
+fn a_run_for_one_claim_keeps_what_the_folder_has_of_the_others() {
+    let two = claim("a", "(x + 1)^2 == x^2 + 2*x + 1", "") + &claim("b", "x + x == 2*x", "");
+    let (derivations, out) = (mini(&two), tempfile::tempdir().unwrap());
+    let folder = out.path().to_str().unwrap();
+    let written = || {
+        let paths = ["Check.v", "_CoqProject", "not-stated.json"].map(|path| out.path().join(path));
+        let sections = fs::read_dir(out.path().join("Mini")).unwrap().flatten();
+        let mut paths: Vec<_> = paths
+            .into_iter()
+            .chain(sections.map(|e| e.path()))
+            .collect();
+        paths.sort();
+        let text = |path: &std::path::PathBuf| fs::read_to_string(path).unwrap();
+        paths
+            .iter()
+            .map(|path| (path.clone(), text(path)))
+            .collect::<Vec<_>>()
+    };
+    let (code, _, err) = prove(&derivations, folder, None, &[]);
+    assert_eq!(code, Some(0), "{err}");
+    let all = written();
+    let (code, _, err) = prove(&derivations, folder, None, &["mini/b"]);
+    assert_eq!(code, Some(0), "{err}");
+    assert_eq!(written(), all);
+}
+
 /// Runs `torse verify --format json` with this folder of proofs.
 fn verified(derivations: &tempfile::TempDir, proofs: &str) -> String {
     let path = derivations.path().to_str().unwrap();

@@ -26,9 +26,11 @@ use crate::polynomial::Polynomial;
 use crate::proof::refutation::Refuted;
 use crate::proof::{Emptiness, Instance, Proof};
 use crate::sign::Sign;
+use crate::symbol::Symbol;
 use ground::Domain;
 use point::At;
 use sign::Signs;
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_language::core::{Claim, Hypothesis, Set, Source, Statement};
 use torse_language::derivation::Origin;
@@ -50,6 +52,9 @@ pub fn proves(
     proof: &Proof<Polynomial>,
     work: &Work,
 ) -> Result<(), Unchecked> {
+    let exponential = Cell::new(conditions.iter().any(has_exponential));
+    proof.map(&|p| exponential.set(exponential.get() || has_exponential(p)));
+    without(&exponential)?;
     let check = Check {
         origin,
         conditions,
@@ -68,12 +73,27 @@ pub fn refutes(
     refuted: &Refuted<Polynomial>,
     work: &Work,
 ) -> Result<(), Unchecked> {
+    let exponential = Cell::new(false);
+    refuted.map(&|p| exponential.set(exponential.get() || has_exponential(p)));
+    without(&exponential)?;
     let check = Check {
         origin,
         conditions: &[],
         work,
     };
     check.refutation(claim, refuted, &BTreeMap::new())
+}
+
+fn has_exponential(p: &Polynomial) -> bool {
+    p.symbols().any(|s| matches!(s, Symbol::Exponential(_)))
+}
+
+/// Of exponentials the checker knows neither ranges nor order.
+fn without(exponential: &Cell<bool>) -> Result<(), Unchecked> {
+    match exponential.get() {
+        true => Err(Beyond::Construct("an exponential").into()),
+        false => Ok(()),
+    }
 }
 
 struct Check<'a> {

@@ -117,7 +117,7 @@ impl Ranges {
                 return lower.is_none_or(|end| self.turns(name, *angle, 0, end))
                     && upper.is_none_or(|end| self.turns(name, *angle, 2, &negative(end)));
             }
-            Symbol::Named(_) | Symbol::Pi | Symbol::Root(_) => {}
+            Symbol::Named(_) | Symbol::Pi | Symbol::Root(_) | Symbol::Exponential(_) => {}
         }
         let known = self.bounds.get(symbol);
         let beyond = |end: &End<Polynomial>, own: &End<Polynomial>, inward: Ordering| {

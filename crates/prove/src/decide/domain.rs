@@ -66,8 +66,11 @@ pub struct Domain<'a> {
     pub constraints: Vec<Constraint>,
     /// The eliminated symbols with their values.
     pub solved: Vec<(Symbol, Fraction)>,
-    /// Divisors of the elimination that may vanish: proofs from constraints say nothing where one does.
+    /// Divisors of eliminations that may vanish: proofs from constraints say nothing where one does.
     pub pivots: Vec<Polynomial>,
+    /// Divisors of eliminations that may vanish as far as was known before them. What a constraint says of them after the
+    /// elimination it says only where they do not: it is no reason that they do not.
+    pub unsettled: Vec<Polynomial>,
     /// Divisors of the statement: it says nothing where one vanishes, so no point there refutes it.
     pub divisors: Vec<Polynomial>,
     /// The part of the domain that is looked at, see [`Domain::parts`].
@@ -83,6 +86,7 @@ impl<'a> Domain<'a> {
             constraints: vec![],
             solved: vec![],
             pivots: vec![],
+            unsettled: vec![],
             divisors: vec![],
             part: vec![],
         }
@@ -96,6 +100,7 @@ impl<'a> Domain<'a> {
             constraints: self.constraints.clone(),
             solved: self.solved.clone(),
             pivots: self.pivots.clone(),
+            unsettled: self.unsettled.clone(),
             divisors: self.divisors.clone(),
             part: self.part.clone(),
         }

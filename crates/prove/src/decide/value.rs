@@ -32,8 +32,8 @@ pub(crate) fn plain_symbol(symbol: &Symbol) -> Plain {
         Symbol::Named(name) => Plain::Named(name.clone()),
         // A vector with one generic coordinate.
         Symbol::Indexed(name, index) if index.is_empty() => Plain::Named(name.clone()),
-        // An exponential is written as it is read: the checker goes no further than to its formula.
-        Symbol::Indexed(..) | Symbol::Exp(_) => Plain::named(&symbol.to_string()),
+        Symbol::Indexed(..) => Plain::named(&symbol.to_string()),
+        Symbol::Exp(_) => Plain::Exponential(symbol.to_string().into()),
     }
 }
 

@@ -1,0 +1,86 @@
+//! A folder that is there, with what a run for some claims says anew: nothing of the other claims is lost.
+
+use crate::check::{self, PROOFS};
+use crate::folder::{CHECK, Folder, NOT_STATED, PROJECT};
+use crate::modules::{join, split};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The files of `old` that are ours, by its list of files. `read` gives a file of it, if it is there.
+pub fn ours(read: &dyn Fn(&str) -> Option<String>) -> BTreeMap<String, String> {
+    let project = read(PROJECT).unwrap_or_default();
+    let named = check::listed(&project).chain([NOT_STATED]);
+    named
+        .filter_map(|path| Some((path.to_owned(), read(path)?)))
+        .collect()
+}
+
+/// The files of a folder for some claims, and of the other claims what `old` has of them.
+#[must_use]
+pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String, String> {
+    let mut files = fresh.files.clone();
+    for (path, text) in old.iter().filter(|(path, _)| path.contains('/')) {
+        let statements = match path.strip_suffix(PROOFS) {
+            Some(section) => format!("{section}.v"),
+            None => path.clone(),
+        };
+        if statements.starts_with("Torse/") {
+            continue;
+        }
+        // What the run states anew has no old text, and neither has what it no longer states.
+        let stated = fresh.files.get(&statements).map_or("", String::as_str);
+        let anew: BTreeSet<&str> = split(stated)
+            .modules
+            .iter()
+            .map(|(name, _)| *name)
+            .collect();
+        let gone = gone(fresh, old.get(&statements).map_or("", String::as_str));
+        let kept = split(text);
+        let kept_bodies = kept
+            .modules
+            .iter()
+            .filter(|(name, _)| !anew.contains(name) && !gone.contains(name))
+            .map(|(_, body)| *body);
+        let own = files.get(path).cloned();
+        let own = own.as_deref().map(split);
+        let head = own.as_ref().map_or(kept.head, |own| own.head);
+        let own_bodies = own
+            .iter()
+            .flat_map(|own| own.modules.iter().map(|(_, body)| *body));
+        let bodies: Vec<&str> = kept_bodies.chain(own_bodies).collect();
+        match bodies.is_empty() {
+            true => files.remove(path),
+            false => files.insert(path.clone(), join(head, bodies)),
+        };
+    }
+    let mut not_stated = not_stated(old);
+    not_stated.retain(|id, _| !fresh.asked.contains(id));
+    not_stated.extend(fresh.not_stated.clone());
+    let reasons = serde_json::to_string_pretty(&not_stated);
+    files.insert(
+        NOT_STATED.to_owned(),
+        reasons.map_or_else(|_| String::new(), |text| text + "\n"),
+    );
+    files.insert(CHECK.to_owned(), check::referee(&files));
+    files.insert(PROJECT.to_owned(), check::project(&files));
+    files
+}
+
+/// The modules of an old file of statements whose claims the run asked for.
+fn gone<'a>(fresh: &Folder, old: &'a str) -> BTreeSet<&'a str> {
+    let modules = split(old).modules;
+    let of_claim = |body: &str| {
+        let (_, about) = body.split_once("\n(* ").unwrap_or_default();
+        let (id, _) = about.split_once(',').unwrap_or_default();
+        fresh
+            .asked
+            .contains(id.strip_suffix(" (corrected)").unwrap_or(id))
+    };
+    let asked = modules.into_iter().filter(|(_, body)| of_claim(body));
+    asked.map(|(name, _)| name).collect()
+}
+
+/// The claims that an old folder says have no statement; none where its list cannot be read.
+fn not_stated(old: &BTreeMap<String, String>) -> BTreeMap<String, String> {
+    let text = old.get(NOT_STATED).map_or("", String::as_str);
+    serde_json::from_str(text).unwrap_or_default()
+}
