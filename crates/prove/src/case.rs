@@ -6,6 +6,7 @@
 //! divisor of its value. Since derivatives are taken by variables of their own, putting values in for symbols changes
 //! the meaning of nothing.
 
+use crate::decide::conditions;
 use crate::decide::domain::{Constraint, Domain};
 use crate::decide::exponential;
 use crate::decide::interval::Interval;
@@ -324,6 +325,7 @@ impl<'a> Ground<'a> {
             || coefficient.symbols().iter().all(is_number)
             || self.domain.assumes_nonzero(&coefficient);
         let implied = plainly || self.never_zero(&coefficient);
+        let open = self.unsettled(std::slice::from_ref(&coefficient));
         let value = self.eliminate(&symbol, &solution)?;
         let by = Determining::Assumed {
             plainly: plainly || !implied,
@@ -333,12 +335,19 @@ impl<'a> Ground<'a> {
             match implied {
                 true => self.differ_from_zero(&[coefficient]),
                 false => {
-                    self.domain.pivots.push(coefficient.clone());
-                    self.domain.unsettled.push(coefficient);
+                    self.domain.pivots.push(coefficient);
+                    self.domain.unsettled.extend(open);
                 }
             }
         }
         Ok(())
+    }
+
+    /// The factors of divisors of an elimination that may vanish as far as is known now.
+    fn unsettled(&self, divisors: &[Polynomial]) -> Vec<Polynomial> {
+        let mut open = conditions::separated(divisors);
+        open.retain(|divisor| !self.never_zero(divisor));
+        open
     }
 
     /// Whether something is known of a symbol that is no equation: a bound, a constraint.
@@ -483,10 +492,7 @@ impl<'a> Ground<'a> {
         let solution = solve_for(forms, &symbols, NOWHERE).map_err(within)?;
         // Where a divisor vanishes, an unknown may be what its value does not say.
         let divisors = solution.values.values().flat_map(Fraction::conditions);
-        let mut open: Vec<Polynomial> = divisors.cloned().collect();
-        open.sort();
-        open.dedup();
-        open.retain(|divisor| !self.never_zero(divisor));
+        let open = self.unsettled(&divisors.cloned().collect::<Vec<_>>());
         if solution.values.keys().any(|symbol| self.is_bounded(symbol)) {
             self.domain.pivots.extend(open.iter().cloned());
         }

@@ -17,7 +17,7 @@ use torse_prove::sample;
 
 /// The work one search may do, in units of a visited node of a formula or a term of its value: where sines and cosines stay
 /// symbols, a value has hundreds.
-const MAX_WORK: u64 = 1_200_000;
+const MAX_WORK: u64 = 800_000;
 
 /// The side that is not edited, at a few instances of the integers, at the sample point.
 pub struct Target<'a> {
