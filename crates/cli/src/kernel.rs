@@ -14,18 +14,18 @@ pub struct Kernel {
     /// The folder of the proofs for the Rocq kernel; what its accepted.json says counts while statements, proofs and library
     /// are the same
     #[arg(long = "kernel", value_name = "DIR", default_value = "proofs")]
-    folder: PathBuf,
+    kernel: PathBuf,
 }
 
 impl Kernel {
     /// The ids of the claims of a run all of whose theorems were accepted as they are written now. A claim with one theorem
     /// that has no proof is not among them.
     pub fn accepted(&self, papers: &[Paper], run: &Run) -> BTreeSet<String> {
-        let Some(accepted) = Accepted::read(&self.folder) else {
+        let Some(accepted) = Accepted::read(&self.kernel) else {
             return BTreeSet::new();
         };
         // A list that cannot be read says of no theorem that it has no proof: what was accepted is known by its digest.
-        let unproved = unproved(&self.folder).unwrap_or_default();
+        let unproved = unproved(&self.kernel).unwrap_or_default();
         let folder = Folder::new(&findings(papers, run), &unproved);
         let fingerprints = accepted.fingerprints();
         let mut fresh: BTreeMap<&str, bool> = BTreeMap::new();

@@ -343,10 +343,15 @@ impl<'a> Ground<'a> {
         Ok(())
     }
 
-    /// The factors of divisors of an elimination that may vanish as far as is known now.
+    /// The factors of divisors of an elimination that may vanish as far as is known now; long divisors as they are.
     fn unsettled(&self, divisors: &[Polynomial]) -> Vec<Polynomial> {
-        let mut open = conditions::separated(divisors);
+        let (short, long): (Vec<Polynomial>, Vec<Polynomial>) = divisors
+            .iter()
+            .cloned()
+            .partition(|divisor| divisor.len() <= MAX_EXAMINED);
+        let mut open = conditions::separated(&short);
         open.retain(|divisor| !self.never_zero(divisor));
+        open.extend(long);
         open
     }
 

@@ -609,12 +609,19 @@ fn divisors(statement: &Statement) -> Vec<Polynomial> {
     all
 }
 
+/// Whether a condition is a factor of a divisor.
+fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
+    condition == divisor
+        || condition.len() < divisor.len() && divisor.exact_quotient(condition).is_some()
+}
+
 /// The conditions that neither the hypotheses state nor the domain implies.
 fn open_conditions(conditions: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
-    let unsettled = conditions::separated(&ground.domain.unsettled);
-    let settled = |p: &Polynomial| {
-        !unsettled.contains(p)
-            && (ground.domain.assumes_nonzero(p) || sign::never_zero(p, &ground.domain))
+    let domain = &ground.domain;
+    let declared = Domain::new(domain.declarations);
+    let settled = |p: &Polynomial| match domain.unsettled.iter().any(|u| divides(p, u)) {
+        true => sign::never_zero(p, &declared),
+        false => domain.assumes_nonzero(p) || sign::never_zero(p, domain),
     };
     conditions::separated(conditions)
         .into_iter()
