@@ -350,7 +350,11 @@ impl<'a> Ground<'a> {
             .cloned()
             .partition(|divisor| divisor.len() <= MAX_EXAMINED);
         let mut open = conditions::separated(&short);
-        open.retain(|divisor| !self.never_zero(divisor));
+        open.retain(|divisor| {
+            let mut ordered = self.domain.clone();
+            ordered.order_exponentials(&divisor.symbols().to_vec());
+            !ordered.assumes_nonzero(divisor) && !sign::never_zero(divisor, &ordered)
+        });
         open.extend(long);
         open
     }

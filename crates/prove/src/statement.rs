@@ -618,9 +618,13 @@ fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
 /// The conditions that neither the hypotheses state nor the domain implies.
 fn open_conditions(conditions: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
     let domain = &ground.domain;
-    let declared = Domain::new(domain.declarations);
+    let by_declaration = |p: &Polynomial| {
+        let mut declared = Domain::new(domain.declarations);
+        declared.order_exponentials(p.symbols());
+        sign::never_zero(p, &declared)
+    };
     let settled = |p: &Polynomial| match domain.unsettled.iter().any(|u| divides(p, u)) {
-        true => sign::never_zero(p, &declared),
+        true => by_declaration(p),
         false => domain.assumes_nonzero(p) || sign::never_zero(p, domain),
     };
     conditions::separated(conditions)

@@ -3,7 +3,7 @@
 //! The statements are for reading: they contain no proof and import nothing but `Torse.Defs`, so that no proof can change
 //! what a statement means.
 
-use crate::folder::LIBRARY;
+use crate::library::LIBRARY;
 use crate::name::camel;
 use crate::script;
 use crate::task::{Goal, Role};

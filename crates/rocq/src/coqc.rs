@@ -2,7 +2,8 @@
 
 use crate::check::{self, PROOFS};
 use crate::digest::Digest;
-use crate::folder::{ACCEPTED, CHECK, Folder, LIBRARY, Theorem};
+use crate::folder::{ACCEPTED, CHECK, Folder, Theorem};
+use crate::library::LIBRARY;
 use crate::modules;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

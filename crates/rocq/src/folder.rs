@@ -1,37 +1,12 @@
 //! The folder of proofs: a deterministic set of files, from what was found out about claims.
 
 use crate::gap::Gap;
+use crate::library::LIBRARY;
 use crate::name::camel;
 use crate::task::{Evidence, Finding, Goal, Role, goals};
 use crate::{chapter, check};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-
-/// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 7] = [
-    ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
-    (
-        "Torse/Series.v",
-        include_str!("../../../proofs/Torse/Series.v"),
-    ),
-    (
-        "Torse/Theory.v",
-        include_str!("../../../proofs/Torse/Theory.v"),
-    ),
-    (
-        "Torse/Bounds.v",
-        include_str!("../../../proofs/Torse/Bounds.v"),
-    ),
-    (
-        "Torse/Tactics.v",
-        include_str!("../../../proofs/Torse/Tactics.v"),
-    ),
-    ("Torse/Sums.v", include_str!("../../../proofs/Torse/Sums.v")),
-    (
-        "Torse/Stages.v",
-        include_str!("../../../proofs/Torse/Stages.v"),
-    ),
-];
 
 /// The page that says how to check and what to trust.
 pub const README: &str = include_str!("../../../proofs/README.md");

@@ -22,6 +22,7 @@ pub mod digest;
 pub mod folder;
 pub mod gap;
 pub mod integer;
+pub mod library;
 pub mod merge;
 mod modules;
 pub mod name;

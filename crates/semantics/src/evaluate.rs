@@ -5,11 +5,10 @@
 //! undefined.
 
 use crate::arithmetic::Arithmetic;
-use crate::functions::Turned;
 use crate::gap::{Gap, Undefined, Unknown};
 use crate::name::Name;
 use crate::scope::{Expansion, Memory, Scope};
-use crate::series::Series;
+use crate::series::{Series, Turned};
 use crate::value::Value;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;

@@ -4,7 +4,7 @@ use crate::arithmetic::Arithmetic;
 use crate::evaluate::{Evaluator, Outcome, Sc};
 use crate::gap::{Gap, Undefined, Unknown};
 use crate::linear;
-use crate::series::Series;
+use crate::series::{Series, Turned};
 use crate::value::{Value, dot, transposed};
 use torse_language::core::{BuiltIn, Term};
 use torse_numbers::rational::integer;
@@ -15,9 +15,6 @@ const MAX_FACTORIAL: i64 = 400;
 const MAX_TURNED: usize = 8;
 /// The largest unit matrix.
 const MAX_IDENTITY: i64 = 16;
-
-/// A sine and a cosine.
-pub(crate) type Turned<N> = (Series<N>, Series<N>);
 
 impl<A: Arithmetic> Evaluator<'_, A> {
     pub(crate) fn apply(

@@ -12,6 +12,7 @@ use crate::sign::{Certificate, Coordinate, Factor, Piece, Shown, Sign};
 use crate::symbol::Symbol;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
+use torse_language::core::Set;
 use torse_language::syntax::Relation;
 use torse_numbers::rational::integer;
 
@@ -227,6 +228,20 @@ impl<'a> Signs<'a> {
         Ok(positive)
     }
 
+    /// A symbol leaves its coordinate, as far as its bounds tell: of an integer between others they do not tell all.
+    fn left(&self, symbol: &Symbol) -> Unchecked {
+        let set = match symbol {
+            Symbol::Named(name) => self.domain.claim.symbols.get(name),
+            _ => None,
+        };
+        let dependent = matches!(set, Some(Set::Integer { least, most })
+            if least.iter().chain(most).any(|end| end.as_number().is_none()));
+        match dependent {
+            true => Beyond::Construct("an integer between others").into(),
+            false => Wrong::Coordinate(symbol.to_string()).into(),
+        }
+    }
+
     /// Puts the coordinates into the polynomials, each multiplied with what is positive, and checks that they enclose the
     /// ranges of their symbols.
     fn coordinates(
@@ -310,7 +325,7 @@ impl<'a> Signs<'a> {
                         None => self.ranges.side(symbol, Some(lower), Some(upper)),
                     };
                     if !enclosed {
-                        return Err(Wrong::Coordinate(symbol.to_string()).into());
+                        return Err(self.left(symbol));
                     }
                     let (a, b) = (
                         Quotient::of(&lower.value, work)?,
@@ -329,7 +344,7 @@ impl<'a> Signs<'a> {
                         false => self.ranges.side(symbol, None, Some(end)),
                     };
                     if !enclosed || tangents.contains_key(symbol) {
-                        return Err(Wrong::Coordinate(symbol.to_string()).into());
+                        return Err(self.left(symbol));
                     }
                     let t = match up {
                         true => own(symbol),

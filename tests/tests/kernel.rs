@@ -1,5 +1,5 @@
 //! The kernel judges the engine: changed statements that the engine refutes, with the proofs of the statements that they
-//! were, are rejected. Some minutes: `cargo test -p torse-rocq --test mutants -- --ignored --nocapture`.
+//! were, are rejected. Some minutes: `cargo test -p torse-tests --test kernel -- --ignored --nocapture`.
 
 #![allow(clippy::unwrap_used, clippy::print_stderr, reason = "tests")]
 
@@ -52,7 +52,7 @@ fn the_proofs_of_true_statements_do_not_prove_what_the_engine_refutes() {
         eprintln!("notice: coqc is not installed, the kernel was not asked");
         return;
     };
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let accepted = Accepted::read(&root.join("proofs")).unwrap().theorems;
     let mut changed: Vec<(String, Claim, Evidence)> = vec![];
     for paper in load(&root.join("derivations")).unwrap() {

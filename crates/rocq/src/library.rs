@@ -1,0 +1,27 @@
+//! The library that is written by hand.
+
+/// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
+pub const LIBRARY: [(&str, &str); 7] = [
+    ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
+    (
+        "Torse/Series.v",
+        include_str!("../../../proofs/Torse/Series.v"),
+    ),
+    (
+        "Torse/Theory.v",
+        include_str!("../../../proofs/Torse/Theory.v"),
+    ),
+    (
+        "Torse/Bounds.v",
+        include_str!("../../../proofs/Torse/Bounds.v"),
+    ),
+    (
+        "Torse/Tactics.v",
+        include_str!("../../../proofs/Torse/Tactics.v"),
+    ),
+    ("Torse/Sums.v", include_str!("../../../proofs/Torse/Sums.v")),
+    (
+        "Torse/Stages.v",
+        include_str!("../../../proofs/Torse/Stages.v"),
+    ),
+];
