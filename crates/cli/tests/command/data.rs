@@ -134,7 +134,7 @@ fn what_people_type_is_answered_with_what_to_write() {
         ("x = 1", "`==`"),
         ("\u{3c0} == 3", "`pi`"),
         ("P[0,2] == 1", "`P[i][2]`"),
-        ("arsinh(x) == 1", "not in the language"),
+        ("coth(x) == 1", "not in the language"),
         ("sin == 1", "`sin(x)`"),
     ] {
         let folder = mini(&claim("a", typed, ""));
