@@ -352,7 +352,7 @@ impl<'a> Ground<'a> {
         let mut open = conditions::separated(&short);
         open.retain(|divisor| {
             let mut ordered = self.domain.clone();
-            ordered.order_exponentials(&divisor.symbols().to_vec());
+            ordered.order_exponentials(divisor.symbols());
             !ordered.assumes_nonzero(divisor) && !sign::never_zero(divisor, &ordered)
         });
         open.extend(long);

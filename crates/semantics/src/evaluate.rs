@@ -35,6 +35,9 @@ struct Row<N> {
     functions: Rc<[Series<N>]>,
 }
 
+/// An angle with its sine and cosine.
+type Angle<N> = (Series<N>, Turned<N>);
+
 /// Evaluates terms at one point.
 pub struct Evaluator<'a, A: Arithmetic> {
     pub(crate) arithmetic: &'a A,
@@ -44,7 +47,7 @@ pub struct Evaluator<'a, A: Arithmetic> {
     memory: Memory<A::Number>,
     rows: RefCell<Vec<Row<A::Number>>>,
     /// Angles with their sine and cosine.
-    pub(crate) turned: RefCell<Vec<(Series<A::Number>, Turned<A::Number>)>>,
+    pub(crate) turned: RefCell<Vec<Angle<A::Number>>>,
     /// How many terms enclose the one that is evaluated.
     depth: Cell<usize>,
 }

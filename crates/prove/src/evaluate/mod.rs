@@ -39,6 +39,9 @@ const MAX_NODES: u64 = 400_000;
 /// Values of the variables of enclosing binders, by their numbers.
 pub type Environment = BTreeMap<u32, Value>;
 
+/// A family at a degree, and whether in an angle.
+type Degree = (Arc<str>, usize, bool);
+
 /// Arguments of a family and its functions there.
 type Row = (Vec<Fraction>, Rc<[Fraction]>);
 
@@ -65,7 +68,7 @@ pub struct Evaluator<'a> {
     /// The sums of symbolic length that are being evaluated: the symbol of the index, its first and last value.
     sums: RefCell<Vec<(String, Affine, Affine)>>,
     /// The functions of families, by name, steps of the recursion and whether they stand in an angle.
-    members: RefCell<BTreeMap<(Arc<str>, usize, bool), Vec<Row>>>,
+    members: RefCell<BTreeMap<Degree, Vec<Row>>>,
     /// How many derivatives enclose the term that is evaluated.
     derivatives: Cell<u32>,
     memory: Memory,
