@@ -80,3 +80,23 @@ forall (x : R),
   0 <= x <= 1 ->
   dot (arc x) (arc x) = 1.
 End circle_exact_slip.
+
+Module reach_definite.
+(* bezier/reach.definite, The whole line
+   printed: y² + y z + z² >= 0 and y^4 + 1 > 0
+   stated: y^2 + y*z + z^2 >= 0 and y^4 + 1 > 0 *)
+Definition statement : Prop :=
+forall (y : R) (z : R),
+  y ^ 2 + y * z + z ^ 2 >= 0 /\ y ^ 4 + 1 > 0.
+End reach_definite.
+
+Module reach_cauchy.
+(* bezier/reach.cauchy, The whole line
+   printed: (p·q)² <= (p·p)(q·q)
+   stated: dot(p, q)^2 <= dot(p, p)*dot(q, q) *)
+Definition statement : Prop :=
+forall (p'1 p'2 p'3 : R) (q'1 q'2 q'3 : R),
+  let p := [p'1; p'2; p'3] in
+  let q := [q'1; q'2; q'3] in
+  dot p q ^ 2 <= dot p p * dot q q.
+End reach_cauchy.

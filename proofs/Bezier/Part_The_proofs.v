@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From Bezier Require Part_The.
 Open Scope R_scope.
 
@@ -34,3 +34,9 @@ Import Bezier.Part_The.circle_exact_slip.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement B kappa arc] in no; refuting (no (1/3)). Qed.
 End circle_exact_slip.
+
+Module reach_definite.
+Import Bezier.Part_The.reach_definite.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; ordered. Qed.
+End reach_definite.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtDevelopable Require Section_2_1.
 Open Scope R_scope.
 
@@ -88,7 +88,7 @@ End thm_1_1_degeneration.
 Module thm_1_1_degeneration_only.
 Import GbtDevelopable.Section_2_1.thm_1_1_degeneration_only.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g at0 at1 middle]; identity. Qed.
+Proof. cbv beta zeta delta [statement]; stage g; stage at0; stage at1; staged_goal middle; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g at0 at1 middle]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_1_degeneration_only.

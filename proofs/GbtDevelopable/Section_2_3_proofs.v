@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtDevelopable Require Section_2_3.
 Open Scope R_scope.
 
@@ -17,6 +17,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H1 H2]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End sec_2_3_local_part_of_a_composite.
 
+Module sec_2_3_linear.
+Import GbtDevelopable.Section_2_3.sec_2_3_linear.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g G G_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g G G_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End sec_2_3_linear.
+
 Module eq_2_3.
 Import GbtDevelopable.Section_2_3.eq_2_3.
 Theorem refuted : ~ statement.
@@ -32,7 +40,7 @@ End eq_2_4.
 Module sec_2_3_dir_mu_single.
 Import GbtDevelopable.Section_2_3.sec_2_3_dir_mu_single.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g quadratic quadratic_ cubic change]; identity. Qed.
+Proof. cbv beta zeta delta [statement]; stage g; stage quadratic; stage quadratic_; stage cubic; staged_goal change; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g quadratic quadratic_ cubic change]; first [(exists (fun _ => 2), (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End sec_2_3_dir_mu_single.

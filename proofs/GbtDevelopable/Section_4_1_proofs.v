@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtDevelopable Require Section_4_1.
 Open Scope R_scope.
 
@@ -59,23 +59,11 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance g E1_0 E1_1 E1_2 E1_3 E1 E1_ normal direction length2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_1_lengths.
 
-Module ex_4_1_c1_c.
-Import GbtDevelopable.Section_4_1.ex_4_1_c1_c.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g E1_0 E1_1 E1_2 E1_3 E1 E1_ normal direction length2] in no; refuting (no ((-1) / 3) (1)). Qed.
-End ex_4_1_c1_c.
-
 Module ex_4_1_c1_f_there_and_nowhere_else.
 Import GbtDevelopable.Section_4_1.ex_4_1_c1_f_there_and_nowhere_else.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g E1_0 E1_1 E1_2 E1_3 E1 E1_ E1__ E1___ normal direction length2 len len_] in no; refuting (no (1) ((-1) / 3)). Qed.
 End ex_4_1_c1_f_there_and_nowhere_else.
-
-Module ex_4_1_c2_d.
-Import GbtDevelopable.Section_4_1.ex_4_1_c2_d.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g E1_0 E1_1 E1_2 E1_3 E1 E1_ normal direction length2] in no; refuting (no ((-1) / 3) ((-1) / 3)). Qed.
-End ex_4_1_c2_d.
 
 Module ex_4_1_c2_e_there_and_nowhere_else.
 Import GbtDevelopable.Section_4_1.ex_4_1_c2_e_there_and_nowhere_else.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtDevelopable Require Section_5_1.
 Open Scope R_scope.
 
@@ -46,3 +46,93 @@ Import GbtDevelopable.Section_5_1.eq_5_4_nec_suf_curves_in_space.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement point velocity] in no; refuting (no 0 0 0 0 (1) (1) (0) (0) (1) (2) (0)). Qed.
 End eq_5_4_nec_suf_curves_in_space.
+
+Module sec_5_1_G0_families.
+Import GbtDevelopable.Section_5_1.sec_5_1_G0_families.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1]; prepared; unknown (P2 0%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End sec_5_1_G0_families.
+
+Module sec_5_1_G0_surfaces.
+Import GbtDevelopable.Section_5_1.sec_5_1_G0_surfaces.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement normal direction] in no; refuting (no (1) (0) (0) (0) (2) (0) (1) (0) (0) (0) (1) (0) (1) (0) (1) (0) (1) (1) (1) (2)). Qed.
+End sec_5_1_G0_surfaces.
+
+Module thm_2_a.
+Import GbtDevelopable.Section_5_1.thm_2_a.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1]; prepared; unknown (P2 0%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_a.
+
+Module thm_2_b.
+Import GbtDevelopable.Section_5_1.thm_2_b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_b.
+
+Module eq_5_7_equivalence.
+Import GbtDevelopable.Section_5_1.eq_5_7_equivalence.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no (0) (1) (0) (0) (1) (0) (0) (0) (1) (0) (0) (1) (0) (0) (0) (1) (0)). Qed.
+End eq_5_7_equivalence.
+
+Module eq_5_8_a.
+Import GbtDevelopable.Section_5_1.eq_5_8_a.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H1]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H1]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_5_8_a.
+
+Module eq_5_8_b.
+Import GbtDevelopable.Section_5_1.eq_5_8_b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_5_8_b.
+
+Module eq_5_9.
+Import GbtDevelopable.Section_5_1.eq_5_9.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H1 H2]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H1 H2]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_5_9.
+
+Module eq_5_10.
+Import GbtDevelopable.Section_5_1.eq_5_10.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_5_10.
+
+Module thm_2_necessary_families.
+Import GbtDevelopable.Section_5_1.thm_2_necessary_families.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_necessary_families.
+
+Module thm_2_necessary_surfaces.
+Import GbtDevelopable.Section_5_1.thm_2_necessary_surfaces.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then ((1 + 4*PI)/PI) else 0) (1) ((-1) / 3) (1) (1) ((-1) / 3) (2) (1)). Qed.
+End thm_2_necessary_surfaces.
+
+Module thm_2_true_generator.
+Import GbtDevelopable.Section_5_1.thm_2_true_generator.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement normal hh d0 hd direction n alpha omega moment foot]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal hh d0 hd direction n alpha omega moment foot]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
+End thm_2_true_generator.

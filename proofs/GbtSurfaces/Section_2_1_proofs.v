@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtSurfaces Require Section_2_1.
 Open Scope R_scope.
 
@@ -71,6 +71,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_4.
 
+Module thm_1_5_d1_0_values.
+Import GbtSurfaces.Section_2_1.thm_1_5_d1_0_values.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f start]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f start]; first [(exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_1_5_d1_0_values.
+
 Module thm_1_5_d1_1_values.
 Import GbtSurfaces.Section_2_1.thm_1_5_d1_1_values.
 Theorem proved : statement.
@@ -78,3 +86,19 @@ Proof. cbv beta zeta delta [statement f F]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f F]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_d1_1_values.
+
+Module thm_1_5_d2_1_values.
+Import GbtSurfaces.Section_2_1.thm_1_5_d2_1_values.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F second1 r0 r2]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F second1 r0 r2]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_1_5_d2_1_values.
+
+Module thm_1_5_d3_1_values.
+Import GbtSurfaces.Section_2_1.thm_1_5_d3_1_values.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F third1 r0 r2]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F third1 r0 r2]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_1_5_d3_1_values.

@@ -1,7 +1,47 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtSurfaces Require Section_3_1.
 Open Scope R_scope.
+
+Module sec_3_1_i.
+Import GbtSurfaces.Section_3_1.sec_3_1_i.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f T F T_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f T F T_]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End sec_3_1_i.
+
+Module eq_8_1.
+Import GbtSurfaces.Section_3_1.eq_8_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f T F]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f T F]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_8_1.
+
+Module eq_8_2.
+Import GbtSurfaces.Section_3_1.eq_8_2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_8_2.
+
+Module prop_3_1.
+Import GbtSurfaces.Section_3_1.prop_3_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f T F T_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f T F T_]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End prop_3_1.
+
+Module sec_3_1_translating.
+Import GbtSurfaces.Section_3_1.sec_3_1_translating.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f T F F_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f T F F_]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End sec_3_1_translating.
 
 Module eq_10.
 Import GbtSurfaces.Section_3_1.eq_10.
@@ -33,17 +73,73 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f T net printed_] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (1) (1) (1) (1) (1/2) (1/2)). Qed.
 End eq_11.
 
+Module eq_11_corrected.
+Import GbtSurfaces.Section_3_1.eq_11_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f T b net]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f T b net]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_11_corrected.
+
 Module eq_11_points.
 Import GbtSurfaces.Section_3_1.eq_11_points.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f b] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (2) (1) (1) (1/2) (1)). Qed.
 End eq_11_points.
 
+Module eq_11_points_corrected.
+Import GbtSurfaces.Section_3_1.eq_11_points_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f b]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f b]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_11_points_corrected.
+
 Module eq_12_1.
 Import GbtSurfaces.Section_3_1.eq_12_1.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f F] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (2) (1) (1) (1/2) (1)). Qed.
 End eq_12_1.
+
+Module eq_12_1_corrected.
+Import GbtSurfaces.Section_3_1.eq_12_1_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_12_1_corrected.
+
+Module eq_12_2.
+Import GbtSurfaces.Section_3_1.eq_12_2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f net]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f net]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_12_2.
+
+Module eq_12_3.
+Import GbtSurfaces.Section_3_1.eq_12_3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement net f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance net f]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_12_3.
+
+Module eq_12_4.
+Import GbtSurfaces.Section_3_1.eq_12_4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement net f b tensor]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance net f b tensor]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_12_4.
+
+Module thm_3.
+Import GbtSurfaces.Section_3_1.thm_3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f T net b tensor]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f T net b tensor]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End thm_3.
 
 Module sec_3_1_any_shape_literal.
 Import GbtSurfaces.Section_3_1.sec_3_1_any_shape_literal.
@@ -68,3 +164,11 @@ Import GbtSurfaces.Section_3_1.ex_3_1_mesh_count.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 End ex_3_1_mesh_count.
+
+Module sec_3_1_effect.
+Import GbtSurfaces.Section_3_1.sec_3_1_effect.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f T F T_ F_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f T F T_ F_]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End sec_3_1_effect.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtSurfaces Require Section_3_2.
 Open Scope R_scope.
 
@@ -66,6 +66,14 @@ Proof. cbv beta zeta delta [statement b product product_ N0 N1 bilinear]; prepar
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance b product product_ N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), 5, 6, 7, 8, (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), 0, 0, 0, 0, (1 / 3), (1 / 3); met)]. Qed.
 End sec_3_2_fixed.
+
+Module alg_2_2.
+Import GbtSurfaces.Section_3_2.alg_2_2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement point f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance point f]; first [(exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 6, 7, 8, 9, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 0, 0, 0, 0, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End alg_2_2.
 
 Module ex_3_2_division_z_lines.
 Import GbtSurfaces.Section_3_2.ex_3_2_division_z_lines.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtSurfaces Require Section_3_3.
 Open Scope R_scope.
 
@@ -26,6 +26,14 @@ Proof. cbv beta zeta delta [statement f L1 L1_]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f L1 L1_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_17_1.
+
+Module sec_3_3_condition_1.
+Import GbtSurfaces.Section_3_3.sec_3_3_condition_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f printed_ with_own]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f printed_ with_own]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End sec_3_3_condition_1.
 
 Module sec_3_3_condition_2_as_printed.
 Import GbtSurfaces.Section_3_3.sec_3_3_condition_2_as_printed.
@@ -55,6 +63,22 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f L0 L1 S_]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_18_corrected.
 
+Module eq_18_true.
+Import GbtSurfaces.Section_3_3.eq_18_true.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f with_own L0 L1 with_own_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f with_own L0 L1 with_own_]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_18_true.
+
+Module eq_18_sufficient.
+Import GbtSurfaces.Section_3_3.eq_18_sufficient.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f printed_ L0 L1 printed__]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f printed_ L0 L1 printed__]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_18_sufficient.
+
 Module eq_18_necessary.
 Import GbtSurfaces.Section_3_3.eq_18_necessary.
 Theorem proved : statement.
@@ -62,6 +86,14 @@ Proof. cbv beta zeta delta [statement b f printed_ L1]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f printed_ L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End eq_18_necessary.
+
+Module eq_18_tensor_as_printed.
+Import GbtSurfaces.Section_3_3.eq_18_tensor_as_printed.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f printed_ tensor]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f printed_ tensor]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_18_tensor_as_printed.
 
 Module eq_18_tensor_with_f_l.
 Import GbtSurfaces.Section_3_3.eq_18_tensor_with_f_l.
@@ -76,6 +108,14 @@ Proof. cbv beta zeta delta [statement f L0 L1 S_ S__]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f L0 L1 S_ S__]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End prop_3_3_a.
+
+Module prop_3_4_a_as_printed.
+Import GbtSurfaces.Section_3_3.prop_3_4_a_as_printed.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b f printed_ tensor]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b f printed_ tensor]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End prop_3_4_a_as_printed.
 
 Module prop_3_4_a_with_f_l.
 Import GbtSurfaces.Section_3_3.prop_3_4_a_with_f_l.

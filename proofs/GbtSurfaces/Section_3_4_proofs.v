@@ -1,7 +1,15 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtSurfaces Require Section_3_4.
 Open Scope R_scope.
+
+Module eq_20_profile.
+Import GbtSurfaces.Section_3_4.eq_20_profile.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FX FZ]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FX FZ]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_20_profile.
 
 Module eq_20_trajectory.
 Import GbtSurfaces.Section_3_4.eq_20_trajectory.
@@ -24,6 +32,14 @@ Proof. cbv beta zeta delta [statement f FX FZ FU FV]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f FX FZ FU FV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_21.
+
+Module eq_22.
+Import GbtSurfaces.Section_3_4.eq_22.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FX FZ FU FV profile trajectory swung]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV profile trajectory swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_22.
 
 Module prop_3_5.
 Import GbtSurfaces.Section_3_4.prop_3_5.
@@ -49,6 +65,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (1), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met)]. Qed.
 End prop_3_6_2.
 
+Module eq_23.
+Import GbtSurfaces.Section_3_4.eq_23.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FX FZ FU FV net swung]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV net swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_23.
+
 Module thm_4_elements.
 Import GbtSurfaces.Section_3_4.thm_4_elements.
 Theorem refuted : ~ statement.
@@ -63,6 +87,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance net]; first [(exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 6), (fun _ => 7), (fun _ => 8), (fun _ => 9), (1); met) | (exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1); met)]. Qed.
 End thm_4_elements_corrected.
 
+Module eq_24.
+Import GbtSurfaces.Section_3_4.eq_24.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FX FZ FU FV]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_24.
+
 Module thm_4_unity.
 Import GbtSurfaces.Section_3_4.thm_4_unity.
 Theorem proved : statement.
@@ -71,11 +103,27 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_4_unity.
 
+Module eq_25_1.
+Import GbtSurfaces.Section_3_4.eq_25_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FU FV FX FZ]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FU FV FX FZ]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_25_1.
+
 Module eq_25_2_a.
 Import GbtSurfaces.Section_3_4.eq_25_2_a.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (1) (1/2)). Qed.
 End eq_25_2_a.
+
+Module eq_25_2_a_corrected.
+Import GbtSurfaces.Section_3_4.eq_25_2_a_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (1), ((-1) / 3), ((-1) / 3), (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), (0), (1 / 3); met)]. Qed.
+End eq_25_2_a_corrected.
 
 Module eq_25_2_b.
 Import GbtSurfaces.Section_3_4.eq_25_2_b.
@@ -83,11 +131,43 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (1) (1/2)). Qed.
 End eq_25_2_b.
 
+Module eq_25_2_b_corrected.
+Import GbtSurfaces.Section_3_4.eq_25_2_b_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (1), ((-1) / 3), ((-1) / 3), (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), (0), (1 / 3); met)]. Qed.
+End eq_25_2_b_corrected.
+
+Module eq_25_2_c.
+Import GbtSurfaces.Section_3_4.eq_25_2_c.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_25_2_c.
+
+Module eq_25_3.
+Import GbtSurfaces.Section_3_4.eq_25_3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FX FZ]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FX FZ]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_25_3.
+
 Module eq_25_4_a.
 Import GbtSurfaces.Section_3_4.eq_25_4_a.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (1) (1) (1/2) (1/2)). Qed.
 End eq_25_4_a.
+
+Module eq_25_4_a_corrected.
+Import GbtSurfaces.Section_3_4.eq_25_4_a_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_25_4_a_corrected.
 
 Module eq_25_4_b.
 Import GbtSurfaces.Section_3_4.eq_25_4_b.
@@ -102,6 +182,14 @@ Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_25_4_b_corrected.
+
+Module eq_25_4_c.
+Import GbtSurfaces.Section_3_4.eq_25_4_c.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FX FZ FU FV swung]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_25_4_c.
 
 Module sec_3_4_revolution.
 Import GbtSurfaces.Section_3_4.sec_3_4_revolution.
@@ -118,6 +206,14 @@ Proof. cbv beta zeta delta [statement f swung]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f swung]; first [(exists (1), (3), (4), (1 / 3); met) | (exists (1), (0), (0), (1 / 3); met)]. Qed.
 End sec_3_4_revolution_not_tensor_quarter.
+
+Module alg_4_a.
+Import GbtSurfaces.Section_3_4.alg_4_a.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FX FZ FU FV net swung]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV net swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End alg_4_a.
 
 Module alg_4_b_by_the_printed_conditions.
 Import GbtSurfaces.Section_3_4.alg_4_b_by_the_printed_conditions.

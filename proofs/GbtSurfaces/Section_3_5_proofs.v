@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtSurfaces Require Section_3_5.
 Open Scope R_scope.
 
@@ -24,6 +24,54 @@ Proof. cbv beta zeta delta [statement f]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End sec_3_5_not_expressible_sine.
+
+Module eq_29.
+Import GbtSurfaces.Section_3_5.eq_29.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f moved]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f moved]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (fun _ => 8), (fun _ => 9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_29.
+
+Module eq_30.
+Import GbtSurfaces.Section_3_5.eq_30.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f trajectory section T]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f trajectory section T]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_30.
+
+Module eq_31_2.
+Import GbtSurfaces.Section_3_5.eq_31_2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f trajectory section T]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f trajectory section T]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_31_2.
+
+Module eq_31_3.
+Import GbtSurfaces.Section_3_5.eq_31_3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_31_3.
+
+Module eq_31_4.
+Import GbtSurfaces.Section_3_5.eq_31_4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_31_4.
+
+Module alg_5_a.
+Import GbtSurfaces.Section_3_5.alg_5_a.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f trajectory section T]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f trajectory section T]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End alg_5_a.
 
 Module alg_5_b_by_the_printed_conditions.
 Import GbtSurfaces.Section_3_5.alg_5_b_by_the_printed_conditions.

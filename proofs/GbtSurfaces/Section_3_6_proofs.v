@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
 From GbtSurfaces Require Section_3_6.
 Open Scope R_scope.
 
@@ -16,6 +16,14 @@ Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; first [(exists (1); met) | (exists (1); met)]. Qed.
 End eq_32_matrix_corrected.
+
+Module eq_32_components.
+Import GbtSurfaces.Section_3_6.eq_32_components.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement printed_ f FX FZ]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance printed_ f FX FZ]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1), (8), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1), (0), (1 / 3); met)]. Qed.
+End eq_32_components.
 
 Module sec_3_6_rounding_rational.
 Import GbtSurfaces.Section_3_6.sec_3_6_rounding_rational.
@@ -62,6 +70,14 @@ Import GbtSurfaces.Section_3_6.prop_3_9_a_one_segment.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f FX] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else 0) ((-1) / 3) ((-1) / 3)). Qed.
 End prop_3_9_a_one_segment.
+
+Module prop_3_9_b.
+Import GbtSurfaces.Section_3_6.prop_3_9_b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement A f FX FZ]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance A f FX FZ]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (5), (6), (7), (8), (9), (10), (11), (12), (13), (14), ((-1) / 3), ((-1) / 3), 17, 18, 19, (20), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), ((-1) / 3), ((-1) / 3), 0, 0, 0, (0), (1 / 3); met)]. Qed.
+End prop_3_9_b.
 
 Module eq_35.
 Import GbtSurfaces.Section_3_6.eq_35.

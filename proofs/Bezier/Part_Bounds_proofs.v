@@ -1,0 +1,28 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From Bezier Require Part_Bounds.
+Open Scope R_scope.
+
+Module reach_surd.
+Import Bezier.Part_Bounds.reach_surd.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; ordered. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met)]. Qed.
+End reach_surd.
+
+Module reach_simplex.
+Import Bezier.Part_Bounds.reach_simplex.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; ordered. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (1), (1), (1), (1 / 3), (1 / 3); met) | (exists (0), (0), (0), (1 / 3), (1 / 3); met)]. Qed.
+End reach_simplex.
+
+Module reach_between.
+Import Bezier.Part_Bounds.reach_between.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; ordered. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (2), (3), (4), (5); met) | (exists (0), (0), (0), (0); met)]. Qed.
+End reach_between.

@@ -1,0 +1,46 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From GbtDevelopable Require Section_5_2.
+Open Scope R_scope.
+
+Module sec_5_2_index.
+Import GbtDevelopable.Section_5_2.sec_5_2_index.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g H1] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (1/2)). Qed.
+End sec_5_2_index.
+
+Module thm_3_consts.
+Import GbtDevelopable.Section_5_2.thm_3_consts.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement c ck cl]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance c ck cl]; first [(exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_3_consts.
+
+Module thm_3_a.
+Import GbtDevelopable.Section_5_2.thm_3_a.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1]; prepared; unknown (P2 0%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_3_a.
+
+Module thm_3_necessary_surfaces.
+Import GbtDevelopable.Section_5_2.thm_3_necessary_surfaces.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_ cl c ck farin_boehm] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then (4) else if (Z.eqb i0 (2))%bool then (12) else 0) (1) (1) (1) (0) (2)). Qed.
+End thm_3_necessary_surfaces.
+
+Module eq_5_13.
+Import GbtDevelopable.Section_5_2.eq_5_13.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_5_13.
+
+Module thm_3_proofref_as_numbered.
+Import GbtDevelopable.Section_5_2.thm_3_proofref_as_numbered.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement cl c ck farin_boehm] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else 0) ((-1) / 3) (1) (1) (0)). Qed.
+End thm_3_proofref_as_numbered.

@@ -1,0 +1,52 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From HermiteDevelopable Require Section_3_2.
+Open Scope R_scope.
+
+Module eq_3_6_A_r1.
+Import HermiteDevelopable.Section_3_2.eq_3_6_A_r1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
+End eq_3_6_A_r1.
+
+Module eq_3_6_C_r1.
+Import HermiteDevelopable.Section_3_2.eq_3_6_C_r1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance A36 quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
+End eq_3_6_C_r1.
+
+Module eq_3_6_det.
+Import HermiteDevelopable.Section_3_2.eq_3_6_det.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement A36] in no; refuting (no (2)). Qed.
+End eq_3_6_det.
+
+Module eq_3_6_det_corrected.
+Import HermiteDevelopable.Section_3_2.eq_3_6_det_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement A36]; identity. Qed.
+End eq_3_6_det_corrected.
+
+Module eq_3_6_det_slip.
+Import HermiteDevelopable.Section_3_2.eq_3_6_det_slip.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement slip]; identity. Qed.
+End eq_3_6_det_slip.
+
+Module eq_3_6_det_factored.
+Import HermiteDevelopable.Section_3_2.eq_3_6_det_factored.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+End eq_3_6_det_factored.
+
+Module eq_3_6_system.
+Import HermiteDevelopable.Section_3_2.eq_3_6_system.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement A36 right_]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance A36 right_]; first [(exists (2), (3), (4), (5), (6), (7), (8); met) | (exists (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
+End eq_3_6_system.
