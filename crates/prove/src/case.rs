@@ -343,19 +343,15 @@ impl<'a> Ground<'a> {
         Ok(())
     }
 
-    /// The factors of divisors of an elimination that may vanish as far as is known now; long divisors as they are.
+    /// The factors of divisors of an elimination that may vanish as far as is known now.
     fn unsettled(&self, divisors: &[Polynomial]) -> Vec<Polynomial> {
-        let (short, long): (Vec<Polynomial>, Vec<Polynomial>) = divisors
-            .iter()
-            .cloned()
-            .partition(|divisor| divisor.len() <= MAX_EXAMINED);
-        let mut open = conditions::separated(&short);
+        let mut open = conditions::separated(divisors);
         open.retain(|divisor| {
             let mut ordered = self.domain.clone();
             ordered.order_exponentials(divisor.symbols());
-            !ordered.assumes_nonzero(divisor) && !sign::never_zero(divisor, &ordered)
+            divisor.len() > MAX_EXAMINED
+                || !ordered.assumes_nonzero(divisor) && !sign::never_zero(divisor, &ordered)
         });
-        open.extend(long);
         open
     }
 
