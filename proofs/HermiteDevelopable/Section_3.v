@@ -1096,7 +1096,6 @@ forall (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (x'1 x'2 x'3 : R),
   dot (cone_normal dx x) (cone_normal dx x) <> 0 ->
   dot (cross (cone_gap dlam dx k lam x) x) (cone_normal dx x) = 0 ->
   dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0 ->
-  entry dx 1 ^ 2 * entry x 2 ^ 2 + entry dx 1 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 1 * entry dx 2 * entry x 1 * entry x 2 - 2 * entry dx 1 * entry dx 3 * entry x 1 * entry x 3 + entry dx 2 ^ 2 * entry x 1 ^ 2 + entry dx 2 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 2 * entry dx 3 * entry x 2 * entry x 3 + entry dx 3 ^ 2 * entry x 1 ^ 2 + entry dx 3 ^ 2 * entry x 2 ^ 2 <> 0 ->
   vscale lam x = vscale k x /\ vadd (vscale dlam x) (vscale lam dx) = vscale k dx.
 Definition instance : Prop :=
 exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (x'1 x'2 x'3 : R),
@@ -1104,8 +1103,7 @@ exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (x'1 x'2 x'3 : R),
   let x := [x'1; x'2; x'3] in
   dot (cone_normal dx x) (cone_normal dx x) <> 0 /\
   dot (cross (cone_gap dlam dx k lam x) x) (cone_normal dx x) = 0 /\
-  dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0 /\
-  entry dx 1 ^ 2 * entry x 2 ^ 2 + entry dx 1 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 1 * entry dx 2 * entry x 1 * entry x 2 - 2 * entry dx 1 * entry dx 3 * entry x 1 * entry x 3 + entry dx 2 ^ 2 * entry x 1 ^ 2 + entry dx 2 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 2 * entry dx 3 * entry x 2 * entry x 3 + entry dx 3 ^ 2 * entry x 1 ^ 2 + entry dx 3 ^ 2 * entry x 2 ^ 2 <> 0.
+  dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0.
 End eq_3_3_multiples_cone.
 
 Module eq_3_3_multiples_Hermite.
@@ -1238,7 +1236,6 @@ forall (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 
   dot x x > 0 ->
   dot (cross (cone_gap dlam dx k lam x) x) (cone_normal dx x) = 0 ->
   dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0 ->
-  entry dx 1 ^ 2 * entry x 2 ^ 2 + entry dx 1 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 1 * entry dx 2 * entry x 1 * entry x 2 - 2 * entry dx 1 * entry dx 3 * entry x 1 * entry x 3 + entry dx 2 ^ 2 * entry x 1 ^ 2 + entry dx 2 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 2 * entry dx 3 * entry x 2 * entry x 3 + entry dx 3 ^ 2 * entry x 1 ^ 2 + entry dx 3 ^ 2 * entry x 2 ^ 2 <> 0 ->
   cross (vsub o (Q lam o x)) (vsub (P o x) (Q lam o x)) = zeros 3 /\ dot (vsub o (Q lam o x)) (vsub (P o x) (Q lam o x)) < 0.
 Definition instance : Prop :=
 exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 x'2 x'3 : R),
@@ -1249,8 +1246,7 @@ exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 
   dot (cone_normal dx x) (cone_normal dx x) <> 0 /\
   dot x x > 0 /\
   dot (cross (cone_gap dlam dx k lam x) x) (cone_normal dx x) = 0 /\
-  dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0 /\
-  entry dx 1 ^ 2 * entry x 2 ^ 2 + entry dx 1 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 1 * entry dx 2 * entry x 1 * entry x 2 - 2 * entry dx 1 * entry dx 3 * entry x 1 * entry x 3 + entry dx 2 ^ 2 * entry x 1 ^ 2 + entry dx 2 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 2 * entry dx 3 * entry x 2 * entry x 3 + entry dx 3 ^ 2 * entry x 1 ^ 2 + entry dx 3 ^ 2 * entry x 2 ^ 2 <> 0.
+  dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0.
 End eq_3_3_k_below_1.
 
 Module eq_3_3_k_equal_1.
@@ -1276,7 +1272,6 @@ forall (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 
   k = 1 ->
   dot (cross (cone_gap dlam dx k lam x) x) (cone_normal dx x) = 0 ->
   dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0 ->
-  entry dx 1 ^ 2 * entry x 2 ^ 2 + entry dx 1 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 1 * entry dx 2 * entry x 1 * entry x 2 - 2 * entry dx 1 * entry dx 3 * entry x 1 * entry x 3 + entry dx 2 ^ 2 * entry x 1 ^ 2 + entry dx 2 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 2 * entry dx 3 * entry x 2 * entry x 3 + entry dx 3 ^ 2 * entry x 1 ^ 2 + entry dx 3 ^ 2 * entry x 2 ^ 2 <> 0 ->
   Q lam o x = P o x.
 Definition instance : Prop :=
 exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 x'2 x'3 : R),
@@ -1287,8 +1282,7 @@ exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 
   dot x x > 0 /\
   k = 1 /\
   dot (cross (cone_gap dlam dx k lam x) x) (cone_normal dx x) = 0 /\
-  dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0 /\
-  entry dx 1 ^ 2 * entry x 2 ^ 2 + entry dx 1 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 1 * entry dx 2 * entry x 1 * entry x 2 - 2 * entry dx 1 * entry dx 3 * entry x 1 * entry x 3 + entry dx 2 ^ 2 * entry x 1 ^ 2 + entry dx 2 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 2 * entry dx 3 * entry x 2 * entry x 3 + entry dx 3 ^ 2 * entry x 1 ^ 2 + entry dx 3 ^ 2 * entry x 2 ^ 2 <> 0.
+  dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0.
 End eq_3_3_k_equal_1.
 
 Module eq_3_3_k_above_1.
@@ -1314,7 +1308,6 @@ forall (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 
   dot x x > 0 ->
   dot (cross (cone_gap dlam dx k lam x) x) (cone_normal dx x) = 0 ->
   dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0 ->
-  entry dx 1 ^ 2 * entry x 2 ^ 2 + entry dx 1 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 1 * entry dx 2 * entry x 1 * entry x 2 - 2 * entry dx 1 * entry dx 3 * entry x 1 * entry x 3 + entry dx 2 ^ 2 * entry x 1 ^ 2 + entry dx 2 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 2 * entry dx 3 * entry x 2 * entry x 3 + entry dx 3 ^ 2 * entry x 1 ^ 2 + entry dx 3 ^ 2 * entry x 2 ^ 2 <> 0 ->
   cross (vsub o (P o x)) (vsub (Q lam o x) (P o x)) = zeros 3 /\ dot (vsub o (P o x)) (vsub (Q lam o x) (P o x)) < 0.
 Definition instance : Prop :=
 exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 x'2 x'3 : R),
@@ -1325,8 +1318,7 @@ exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 
   dot (cone_normal dx x) (cone_normal dx x) <> 0 /\
   dot x x > 0 /\
   dot (cross (cone_gap dlam dx k lam x) x) (cone_normal dx x) = 0 /\
-  dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0 /\
-  entry dx 1 ^ 2 * entry x 2 ^ 2 + entry dx 1 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 1 * entry dx 2 * entry x 1 * entry x 2 - 2 * entry dx 1 * entry dx 3 * entry x 1 * entry x 3 + entry dx 2 ^ 2 * entry x 1 ^ 2 + entry dx 2 ^ 2 * entry x 3 ^ 2 - 2 * entry dx 2 * entry dx 3 * entry x 2 * entry x 3 + entry dx 3 ^ 2 * entry x 1 ^ 2 + entry dx 3 ^ 2 * entry x 2 ^ 2 <> 0.
+  dot (cross (cone_gap dlam dx k lam x) dx) (cone_normal dx x) = 0.
 End eq_3_3_k_above_1.
 
 Module sec_3_summit_outside.
