@@ -289,7 +289,9 @@ impl<'a> Ground<'a> {
         if value.is_zero() {
             return Ok(());
         }
-        if value.numerator().as_constant().is_some() || value.symbols().iter().all(is_number) {
+        if value.numerator().as_constant().is_some()
+            || value.symbols().iter().all(Symbol::is_number)
+        {
             self.constrain(value, Relation::Equal);
             return Ok(());
         }
@@ -305,7 +307,7 @@ impl<'a> Ground<'a> {
             .collect();
         // A coefficient that vanishes nowhere first: then the equation and its solution say the same.
         let constant = |(_, coefficient, _): &&(Symbol, Polynomial, Fraction)| {
-            coefficient.symbols().iter().all(is_number)
+            coefficient.symbols().iter().all(Symbol::is_number)
         };
         let chosen = candidates
             .iter()
@@ -322,10 +324,14 @@ impl<'a> Ground<'a> {
         let plainly = rest
             .as_constant()
             .is_some_and(|c| c != Polynomial::zero().leading_coefficient())
-            || coefficient.symbols().iter().all(is_number)
+            || coefficient.symbols().iter().all(Symbol::is_number)
             || self.domain.assumes_nonzero(&coefficient);
         let implied = plainly || self.never_zero(&coefficient);
-        let open = self.unsettled(std::slice::from_ref(&coefficient));
+        // What the elimination rewrites says nothing of its divisor afterwards.
+        let open = match implied {
+            true => vec![],
+            false => self.unsettled(std::slice::from_ref(&coefficient)),
+        };
         let value = self.eliminate(&symbol, &solution)?;
         let by = Determining::Assumed {
             plainly: plainly || !implied,
@@ -347,8 +353,7 @@ impl<'a> Ground<'a> {
     fn unsettled(&self, divisors: &[Polynomial]) -> Vec<Polynomial> {
         let mut open = conditions::separated(divisors);
         open.retain(|divisor| {
-            let mut ordered = self.domain.clone();
-            ordered.order_exponentials(divisor.symbols());
+            let ordered = self.domain.with_ordered_exponentials(divisor.symbols());
             divisor.len() > MAX_EXAMINED
                 || !ordered.assumes_nonzero(divisor) && !sign::never_zero(divisor, &ordered)
         });
@@ -357,14 +362,8 @@ impl<'a> Ground<'a> {
 
     /// Whether something is known of a symbol that is no equation: a bound, a constraint.
     fn is_bounded(&self, symbol: &Symbol) -> bool {
-        let declared = match symbol {
-            Symbol::Named(name) => match self.domain.declarations.symbol(name) {
-                Some(SymbolKind::Real(interval)) => {
-                    interval.lower.is_some() || interval.upper.is_some()
-                }
-                Some(SymbolKind::Integer { least, most }) => least.is_some() || most.is_some(),
-                _ => false,
-            },
+        let declared = match (symbol, self.domain.interval(symbol)) {
+            (Symbol::Named(_), interval) => interval.lower.is_some() || interval.upper.is_some(),
             _ => false,
         };
         let mut constraints = self.domain.constraints.iter();
@@ -530,10 +529,6 @@ fn plain(value: &Value) -> Option<Fraction> {
         Value::Scalar(q) => q.as_fraction().cloned(),
         _ => None,
     }
-}
-
-fn is_number(symbol: &Symbol) -> bool {
-    symbol.is_number()
 }
 
 /// Whether a symbol occurs in a value: as itself, under a sine or cosine, in an index or in a divisor.

@@ -433,7 +433,7 @@ impl Decider<'_> {
         };
         let conditions: Vec<Polynomial> =
             divisors.chain(of(&differences)).chain(of(&forms)).collect();
-        let open = open_conditions(&conditions, &ground);
+        let open = open_conditions(conditions::separated(&conditions), &ground);
         let combination = Combination {
             of: Equations::Given,
             equations: forms.iter().map(|f| f.numerator().clone()).collect(),
@@ -501,12 +501,12 @@ impl Decider<'_> {
             }
             other => return Ok(other),
         };
-        let mut conditions: Vec<Polynomial> = proof.conditions().into_iter().cloned().collect();
+        let mut met: Vec<Polynomial> = proof.conditions().into_iter().cloned().collect();
         if !is_equality(&value) {
-            conditions.extend(ground.domain.pivots.iter().cloned());
+            met.extend(ground.domain.pivots.iter().cloned());
         }
-        let met = conditions;
-        let conditions = open_conditions(&met, &ground);
+        let met = conditions::separated(&met);
+        let conditions = open_conditions(met.clone(), &ground);
         if !conditions.is_empty()
             && let Some((unsolved, combination, weaker)) =
                 self.unsolved(statement, instance, equality::vanishing(&ground.evaluator))
@@ -515,12 +515,12 @@ impl Decider<'_> {
                 .all(|condition| conditions.contains(condition))
             && weaker.len() < conditions.len()
         {
-            let nonzero = nonzero(&met, &weaker, &unsolved.domain);
+            let nonzero = nonzero(met, &weaker, &unsolved.domain);
             let combination = Proof::Combination(combination);
             return Ok(proved(unsolved, combination, (weaker, nonzero), vec![]));
         }
         let ranges = decide::ranges(&value, &ground.domain, &ground.evaluator)?;
-        let nonzero = nonzero(&met, &conditions, &ground.domain);
+        let nonzero = nonzero(met, &conditions, &ground.domain);
         Ok(proved(ground, proof, (conditions, nonzero), ranges))
     }
 }
@@ -551,11 +551,11 @@ fn proved(
 /// far as was seen under all assumptions.
 type Nonzero = (Vec<Sign<Polynomial>>, Vec<Polynomial>);
 
-/// Those of the divisors that were met, and are no conditions.
-fn nonzero(met: &[Polynomial], conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
+/// Those of the factors of divisors that were met, and are no conditions.
+fn nonzero(met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
     let declared = Domain::new(domain.declarations);
     let (mut signs, mut seen) = (vec![], vec![]);
-    for divisor in conditions::separated(met) {
+    for divisor in met {
         if conditions.contains(&divisor) {
             continue;
         }
@@ -615,20 +615,17 @@ fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
         || condition.len() < divisor.len() && divisor.exact_quotient(condition).is_some()
 }
 
-/// The conditions that neither the hypotheses state nor the domain implies.
-fn open_conditions(conditions: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
+/// The conditions, factor by factor, that neither the hypotheses state nor the domain implies.
+fn open_conditions(mut conditions: Vec<Polynomial>, ground: &Ground<'_>) -> Vec<Polynomial> {
     let domain = &ground.domain;
     let by_declaration = |p: &Polynomial| {
-        let mut declared = Domain::new(domain.declarations);
-        declared.order_exponentials(p.symbols());
-        sign::never_zero(p, &declared)
+        let declared = Domain::new(domain.declarations);
+        sign::never_zero(p, &declared.with_ordered_exponentials(p.symbols()))
     };
     let settled = |p: &Polynomial| match domain.unsettled.iter().any(|u| divides(p, u)) {
         true => by_declaration(p),
         false => domain.assumes_nonzero(p) || sign::never_zero(p, domain),
     };
-    conditions::separated(conditions)
-        .into_iter()
-        .filter(|p| !planted(Planted::ConditionDropped) && !settled(p))
-        .collect()
+    conditions.retain(|p| !planted(Planted::ConditionDropped) && !settled(p));
+    conditions
 }

@@ -7,7 +7,7 @@
 
 use crate::repair::alphabet::alphabet;
 use crate::repair::canonical::canonical;
-use crate::repair::edit::placed;
+use crate::repair::edit::{Change, placed};
 use crate::repair::edits::single;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -75,7 +75,7 @@ pub fn survivors(claim: &Claim, most: usize) -> (Vec<Survivor>, usize) {
         decided += 1;
         survivors.extend(survival.map(|survival| Survivor {
             statement: notation::text(&mutant.statement),
-            change: mutant.change.clone(),
+            change: mutant.change.to_string(),
             survival,
         }));
     }
@@ -92,7 +92,7 @@ pub fn refuted(claim: &Claim, most: usize) -> impl Iterator<Item = (Claim, Strin
         mutants.into_iter().step_by(step).map(move |mutant| {
             let expr = mutant.statement;
             let origin = statement.origin.clone();
-            (Written { expr, origin }, mutant.change)
+            (Written { expr, origin }, mutant.change.to_string())
         })
     });
     all.filter_map(move |(written, change)| {
@@ -110,7 +110,7 @@ struct Mutant {
     statement: Expr,
     printed: Expr,
     changed: Expr,
-    change: String,
+    change: Change,
 }
 
 impl Mutant {

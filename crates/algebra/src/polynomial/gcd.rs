@@ -45,9 +45,10 @@ impl Polynomial {
             .iter()
             .filter(|s| other.body.symbols.binary_search(s).is_ok())
             .collect();
-        let bounds: Vec<(u16, &Symbol)> = shared
+        let bounds = modular::gcd_degree_bounds(self, other, &shared);
+        let bounds: Vec<(u16, &Symbol)> = bounds
             .into_iter()
-            .map(|s| (modular::gcd_degree_bound(self, other, s), s))
+            .zip(shared)
             .filter(|(bound, _)| *bound > 0)
             .collect();
         let Some((_, main)) = bounds.iter().min() else {

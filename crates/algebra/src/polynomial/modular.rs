@@ -54,39 +54,66 @@ fn number(n: usize) -> u64 {
     (z ^ (z >> 31)) % PRIME
 }
 
-/// The polynomial in `main` alone, ascending, with the other symbols replaced by fixed numbers (the
+/// The polynomial in each of the `mains` alone, ascending, with the other symbols replaced by fixed numbers (the
 /// same for every polynomial: `all` lists the symbols that get numbers). Denominators are units and
 /// left out.
-fn image(p: &Polynomial, main: &Symbol, all: &[Symbol]) -> Vec<u64> {
-    // The powers of the number of each symbol, up to its degree; none for `main`.
-    let powers = |symbol: &Symbol| {
-        let value = match all.binary_search(symbol) {
-            Ok(position) if symbol != main => number(position),
-            _ => return vec![],
-        };
-        let degree = usize::from(p.degree_in(symbol));
-        let next = |power: &u64| Some(times(*power, value));
-        std::iter::successors(Some(1), next)
-            .take(degree + 1)
-            .collect()
-    };
-    let values: Vec<Vec<u64>> = p.symbols().iter().map(powers).collect();
-    let mut result = vec![0; usize::from(p.degree_in(main)) + 1];
+///
+/// Each term is multiplied out once, with the numbers of all symbols; the power of one of them is taken out again, which
+/// is possible because none is zero.
+fn images(p: &Polynomial, mains: &[&Symbol], all: &[Symbol]) -> Vec<Vec<u64>> {
+    let degrees = degrees(p);
+    let values = p
+        .symbols()
+        .iter()
+        .map(|symbol| all.binary_search(symbol).map_or(1, number));
+    let values: Vec<u64> = values.collect();
+    let powers = |(value, degree): (&u64, &u16)| powers_up_to(*value, *degree);
+    let forth: Vec<Vec<u64>> = values.iter().zip(&degrees).map(powers).collect();
+    let mut images = vec![];
+    for main in mains {
+        // A symbol that does not occur has no column: the image is a constant.
+        let column = p.symbols().binary_search(main).ok();
+        let own = column.and_then(|c| Some((*values.get(c)?, *degrees.get(c)?)));
+        let (value, degree) = own.unwrap_or((1, 0));
+        let back = powers_up_to(power(value, PRIME - 2), degree);
+        images.push((column, back, vec![0; usize::from(degree) + 1]));
+    }
     for (row, coefficient) in p.rows().zip(&p.body.coefficients) {
         let mut term = residue(coefficient);
-        let mut degree = 0;
-        for (exponent, powers) in row.iter().zip(&values) {
-            match powers.get(usize::from(*exponent)) {
-                None => degree = usize::from(*exponent),
-                Some(1) => {}
-                Some(power) => term = times(term, *power),
+        for (exponent, powers) in row.iter().zip(&forth) {
+            if *exponent > 0
+                && let Some(power) = powers.get(usize::from(*exponent))
+            {
+                term = times(term, *power);
             }
         }
-        if let Some(slot) = result.get_mut(degree) {
-            *slot = folded(*slot + term);
+        for (column, back, image) in &mut images {
+            let exponent = column.and_then(|c| row.get(c)).copied().unwrap_or(0);
+            let exponent = usize::from(exponent);
+            if let (Some(power), Some(slot)) = (back.get(exponent), image.get_mut(exponent)) {
+                *slot = folded(*slot + times(term, *power));
+            }
         }
     }
-    result
+    images.into_iter().map(|(_, _, image)| image).collect()
+}
+
+/// The degree in each symbol, in their order.
+fn degrees(p: &Polynomial) -> Vec<u16> {
+    let mut degrees = vec![0; p.symbols().len()];
+    for row in p.rows() {
+        for (degree, exponent) in degrees.iter_mut().zip(row) {
+            *degree = (*degree).max(*exponent);
+        }
+    }
+    degrees
+}
+
+/// The powers of a residue from 1 on.
+fn powers_up_to(value: u64, degree: u16) -> Vec<u64> {
+    let next = |power: &u64| Some(times(*power, value));
+    let powers = std::iter::successors(Some(1), next);
+    powers.take(usize::from(degree) + 1).collect()
 }
 
 fn trim(p: &mut Vec<u64>) {
@@ -115,18 +142,22 @@ fn gcd_degree(mut a: Vec<u64>, mut b: Vec<u64>) -> usize {
     a.len().saturating_sub(1)
 }
 
-/// An upper bound for the degree in `main` of the gcd of two nonzero polynomials.
-pub(super) fn gcd_degree_bound(a: &Polynomial, b: &Polynomial, main: &Symbol) -> u16 {
+/// Upper bounds for the degrees in `mains` of the gcd of two nonzero polynomials.
+pub(super) fn gcd_degree_bounds(a: &Polynomial, b: &Polynomial, mains: &[&Symbol]) -> Vec<u16> {
     let all = super::add::common_symbols(a, b);
-    let (image_a, image_b) = (image(a, main, &all), image(b, main, &all));
-    let trivial = a.degree_in(main).min(b.degree_in(main));
-    // The bound needs one leading coefficient that does not vanish in the image.
-    if image_a.last() == Some(&0) && image_b.last() == Some(&0) {
-        return trivial;
-    }
-    u16::try_from(gcd_degree(image_a, image_b))
-        .unwrap_or(trivial)
-        .min(trivial)
+    let (of_a, of_b) = (images(a, mains, &all), images(b, mains, &all));
+    let bound = |(image_a, image_b): (Vec<u64>, Vec<u64>)| {
+        let trivial = u16::try_from(image_a.len().min(image_b.len()).saturating_sub(1));
+        let trivial = trivial.unwrap_or(u16::MAX);
+        // The bound needs one leading coefficient that does not vanish in the image.
+        if image_a.last() == Some(&0) && image_b.last() == Some(&0) {
+            return trivial;
+        }
+        u16::try_from(gcd_degree(image_a, image_b))
+            .unwrap_or(trivial)
+            .min(trivial)
+    };
+    of_a.into_iter().zip(of_b).map(bound).collect()
 }
 
 #[cfg(test)]
@@ -142,6 +173,36 @@ mod tests {
             prop_assert_eq!(u128::from(times(a, b)), remainder_of(u128::from(a) * u128::from(b)));
             let far = Integer::from(z) + Integer::from(PRIME) * Integer::from(PRIME);
             prop_assert_eq!(residue(&Integer::from(z)), residue(&far));
+        }
+
+        #[test]
+        fn an_image_is_the_value_at_the_numbers_of_all_other_symbols(
+            terms in proptest::collection::vec((-9..10_i64, 0..4_u32, 0..4_u32, 0..4_u32), 1..6),
+        ) {
+            let symbol = |name| Polynomial::named(name);
+            let monomial = |&(c, i, j, k): &(i64, u32, u32, u32)| {
+                let xy = &symbol("x").power(i) * &symbol("y").power(j);
+                &(&Polynomial::integer(c) * &xy) * &symbol("z").power(k)
+            };
+            let p = terms.iter().map(monomial).fold(Polynomial::zero(), |sum, t| &sum + &t);
+            prop_assume!(!p.is_zero());
+            let all = ["x", "y", "z"].map(Symbol::named);
+            let mains: Vec<&Symbol> = all.iter().collect();
+            for (place, image) in images(&p, &mains, &all).into_iter().enumerate() {
+                let mut naive = vec![0; image.len()];
+                for &(c, i, j, k) in &terms {
+                    let exponents = [i, j, k];
+                    let others = (0..3).filter(|n| *n != place);
+                    let values = others.map(|n| power(number(n), exponents[n].into()));
+                    let term = values.fold(residue(&Integer::from(c)), times);
+                    // A power that cancels leaves no term of its degree.
+                    match naive.get_mut(exponents[place] as usize) {
+                        Some(slot) => *slot = folded(*slot + term),
+                        None => prop_assert!(terms.len() > 1),
+                    }
+                }
+                prop_assert_eq!(image, naive);
+            }
         }
     }
 }

@@ -265,11 +265,17 @@ impl Expr {
         Some(whole)
     }
 
-    /// The formula with every direct part changed.
+    /// The formula with every direct part changed; parts that stay as they are are shared.
     #[must_use]
     pub fn with_parts(&self, change: impl Fn(&Self) -> Self) -> Self {
         let each = |items: &[Self]| items.iter().map(&change).collect();
-        let one = |part: &Arc<Self>| Arc::new(change(part));
+        let one = |part: &Arc<Self>| {
+            let changed = change(part);
+            match changed.is_copy_of(part) {
+                true => Arc::clone(part),
+                false => Arc::new(changed),
+            }
+        };
         let node = match &self.node {
             leaf @ (Node::Number { .. } | Node::Name(_)) => leaf.clone(),
             Node::Call(head, rest) => Node::Call(one(head), each(rest)),
@@ -288,6 +294,37 @@ impl Expr {
             node,
             place: self.place,
         }
+    }
+
+    /// Whether this is a copy of a formula, with the very same parts; equal formulas need not be copies.
+    fn is_copy_of(&self, other: &Self) -> bool {
+        let same = Arc::ptr_eq;
+        let copies = |xs: &[Self], ys: &[Self]| {
+            xs.len() == ys.len() && xs.iter().zip(ys).all(|(x, y)| x.is_copy_of(y))
+        };
+        self.place == other.place
+            && match (&self.node, &other.node) {
+                (Node::Number { .. }, Node::Number { .. }) | (Node::Name(_), Node::Name(_)) => {
+                    self.node == other.node
+                }
+                (Node::Call(f, xs), Node::Call(g, ys))
+                | (Node::Index(f, xs), Node::Index(g, ys)) => same(f, g) && copies(xs, ys),
+                (Node::Negative(x), Node::Negative(y)) | (Node::Not(x), Node::Not(y)) => same(x, y),
+                (Node::Binary(one, a, b), Node::Binary(other, c, d)) => {
+                    one == other && same(a, c) && same(b, d)
+                }
+                (Node::Join(one, a, b), Node::Join(other, c, d)) => {
+                    one == other && same(a, c) && same(b, d)
+                }
+                (Node::List(xs), Node::List(ys)) => copies(xs, ys),
+                (Node::Compare(a, rest), Node::Compare(b, others)) => {
+                    let mut links = rest.iter().zip(others);
+                    same(a, b)
+                        && rest.len() == others.len()
+                        && links.all(|((one, x), (other, y))| one == other && x.is_copy_of(y))
+                }
+                _ => false,
+            }
     }
 
     /// The same formula with every place forgotten: equal formulas are equal then, wherever they were written.

@@ -8,7 +8,7 @@ use crate::symbol::Symbol;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_language::core::{Family, Node, Points, Term};
+use torse_language::core::{BuiltIn, Family, Node, Points, Term};
 use torse_language::syntax::Operator;
 use torse_numbers::Affine;
 use torse_numbers::planted::{Planted, planted};
@@ -77,6 +77,14 @@ impl<'s> Scope<'s> {
             false => Ok(Self { depth, ..self }),
         }
     }
+}
+
+/// Whether a function is expanded by minors, which grow fast.
+fn is_costly(function: BuiltIn) -> bool {
+    matches!(
+        function,
+        BuiltIn::Inverse | BuiltIn::Solve | BuiltIn::Determinant
+    )
 }
 
 impl<'a> Expander<'a> {
@@ -206,19 +214,33 @@ impl<'a> Expander<'a> {
                 let at = self.number(at, scope)?;
                 self.derivative(variable.number(), order, body, &at, scope)
             }
-            Node::Apply(function, arguments) => self.apply(*function, arguments, scope),
-            Node::Opened { closed, body, .. } => {
-                let key = Arc::as_ptr(&body.node).addr();
-                if *closed && let Some(known) = self.opened.borrow().get(&key) {
-                    return Ok(known.clone());
+            Node::Apply(function, arguments) => {
+                let apply = || self.apply(*function, arguments, scope);
+                match is_costly(*function) && term.is_closed() {
+                    true => self.once(term, apply),
+                    false => apply(),
                 }
-                let value = self.term(body, scope)?;
-                if *closed {
-                    self.opened.borrow_mut().insert(key, value.clone());
-                }
-                Ok(value)
             }
+            Node::Opened { closed, body, .. } => match closed {
+                true => self.once(body, || self.term(body, scope)),
+                false => self.term(body, scope),
+            },
         }
+    }
+
+    /// The value of a closed term, expanded when it is met first.
+    fn once(
+        &self,
+        term: &Term,
+        expand: impl FnOnce() -> Result<Value, Beyond>,
+    ) -> Result<Value, Beyond> {
+        let key = Arc::as_ptr(&term.node).addr();
+        if let Some(known) = self.opened.borrow().get(&key) {
+            return Ok(known.clone());
+        }
+        let value = expand()?;
+        self.opened.borrow_mut().insert(key, value.clone());
+        Ok(value)
     }
 
     /// A chain of operators to the left, without recursion.

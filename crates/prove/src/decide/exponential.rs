@@ -12,6 +12,7 @@ use super::order::{enclosure, truth};
 use super::sign::{self, Sign};
 use crate::evaluate::value::Statement;
 use num_integer::lcm;
+use std::borrow::Cow;
 use std::sync::Arc;
 use torse_algebra::{Exponent, Finest, Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_language::syntax::Relation;
@@ -106,6 +107,20 @@ impl Domain<'_> {
     pub fn order_exponentials(&mut self, symbols: &[Symbol]) {
         let ordered = self.ordered_exponentials(symbols);
         self.constraints.extend(ordered);
+    }
+
+    /// The domain with the constraints that order the exponentials among these symbols.
+    #[must_use]
+    pub fn with_ordered_exponentials(&self, symbols: &[Symbol]) -> Cow<'_, Self> {
+        let ordered = self.ordered_exponentials(symbols);
+        match ordered.is_empty() {
+            true => Cow::Borrowed(self),
+            false => {
+                let mut domain = self.clone();
+                domain.constraints.extend(ordered);
+                Cow::Owned(domain)
+            }
+        }
     }
 
     /// What bounds exponentials by the symbols of their exponents, where these stand outside as well.

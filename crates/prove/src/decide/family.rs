@@ -92,8 +92,7 @@ fn nonnegative_fraction(
     is_seed: bool,
     domain: &Domain<'_>,
 ) -> Option<Vec<Part<Polynomial>>> {
-    let mut ordered = domain.clone();
-    ordered.order_exponentials(&function.symbols());
+    let ordered = domain.with_ordered_exponentials(&function.symbols());
     let odd = function.denominator_factors().filter(|(_, n)| n % 2 == 1);
     let polynomials = std::iter::once(function.numerator()).chain(odd.map(|(factor, _)| factor));
     polynomials

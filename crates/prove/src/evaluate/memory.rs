@@ -19,18 +19,22 @@ const MAX_KEPT: usize = 24;
 type Free = (Term, Rc<BTreeSet<u32>>);
 /// The value of a term where its free variables have these values.
 type Remembered = (Vec<Fraction>, Value);
+/// The value of a part that many formulas share, and the work it took.
+type Part = (Value, u64);
 
 /// Free variables by the address of a term, values by that and by whether it stands in an angle.
 #[derive(Default)]
 pub(super) struct Memory {
     free: RefCell<BTreeMap<usize, Free>>,
     values: RefCell<BTreeMap<(usize, bool), Vec<Remembered>>>,
+    parts: RefCell<BTreeMap<(usize, bool), Part>>,
 }
 
 impl Memory {
     /// Forgets all values: symbols mean something else from here on.
     pub(super) fn forget(&self) {
         self.values.borrow_mut().clear();
+        self.parts.borrow_mut().clear();
     }
 
     /// The numbers of the variables that a term takes from outside.
@@ -132,6 +136,26 @@ impl Evaluator<'_> {
         if kept.len() < MAX_KEPT {
             kept.push((values, value.clone()));
         }
+        Ok(value)
+    }
+
+    /// The value of a part that many formulas share. It is charged each time, so that how far a search gets does not hang on
+    /// what was asked before.
+    pub(super) fn shared(
+        &self,
+        term: &Term,
+        evaluate: impl FnOnce() -> Outcome<Value>,
+    ) -> Outcome<Value> {
+        let key = (Arc::as_ptr(&term.node).addr(), self.in_angle.get());
+        if let Some((value, work)) = self.memory.parts.borrow().get(&key) {
+            self.spend(*work);
+            return Ok(value.clone());
+        }
+        let before = self.work();
+        let value = evaluate()?;
+        let work = self.work().saturating_sub(before);
+        let kept = (value.clone(), work);
+        self.memory.parts.borrow_mut().insert(key, kept);
         Ok(value)
     }
 }

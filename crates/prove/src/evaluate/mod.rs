@@ -269,6 +269,13 @@ impl<'a> Evaluator<'a> {
     }
 
     fn value(&self, term: &Term, bound: &Environment) -> Outcome<Value> {
+        match self.sampled && self.elaborator.is_kept(term) {
+            true => self.shared(term, || self.visit(term, bound)),
+            false => self.visit(term, bound),
+        }
+    }
+
+    fn visit(&self, term: &Term, bound: &Environment) -> Outcome<Value> {
         self.nodes.set(self.nodes.get() + 1);
         self.spend(1);
         work::spend(NODE_WORK);

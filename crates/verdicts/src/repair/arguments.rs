@@ -2,7 +2,7 @@
 //! taken for another, and a square where two factors differ by a name.
 
 use super::alphabet::Alphabet;
-use super::edit::{Edit, parts, placed, text, with_name};
+use super::edit::{Change, Edit, parts, placed, with_name};
 use torse_algebra::rational::integer;
 use torse_language::syntax::{Expr, Node, Operator};
 
@@ -26,7 +26,7 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
             _ => continue,
         };
         result.extend(found.into_iter().filter(|by| by != part).map(|by| Edit {
-            change: format!("`{}` replaced by `{}`", text(part), text(&by)),
+            change: Change::replaced(part, &by),
             expr: placed(expr, &path, by),
         }));
     }

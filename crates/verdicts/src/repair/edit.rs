@@ -1,14 +1,64 @@
 //! One edit of a formula.
 
+use std::borrow::Cow;
+use std::fmt;
 use torse_language::syntax::{Expr, Node};
 
-/// A changed formula and what was changed, in words.
+/// A changed formula and what was changed.
 #[derive(Debug, Clone)]
 pub struct Edit {
     /// The formula after the edit.
     pub expr: Expr,
-    /// The change in words.
-    pub change: String,
+    /// The change.
+    pub change: Change,
+}
+
+/// A change in words. Of thousands that are tried a few are told: the formulas become text where that is asked for.
+#[derive(Debug, Clone)]
+pub struct Change {
+    /// The words around the formulas: before each, and after the last.
+    words: Vec<Cow<'static, str>>,
+    formulas: Vec<Expr>,
+}
+
+impl Change {
+    /// A sentence in which `_` stands for each of the formulas: "the sign of _ changed".
+    #[must_use]
+    pub fn new<const N: usize>(sentence: &'static str, formulas: [&Expr; N]) -> Self {
+        Self {
+            words: sentence.split('_').map(Cow::Borrowed).collect(),
+            formulas: formulas.map(Expr::clone).to_vec(),
+        }
+    }
+
+    /// "old replaced by new".
+    #[must_use]
+    pub fn replaced(old: &Expr, new: &Expr) -> Self {
+        Self::new("_ replaced by _", [old, new])
+    }
+
+    /// The change, and where it is made.
+    #[must_use]
+    pub fn at(mut self, place: &str) -> Self {
+        match self.words.last_mut() {
+            Some(last) => last.to_mut().push_str(place),
+            None => self.words.push(place.to_owned().into()),
+        }
+        self
+    }
+}
+
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut formulas = self.formulas.iter();
+        for words in &self.words {
+            f.write_str(words)?;
+            if let Some(formula) = formulas.next() {
+                write!(f, "`{}`", text(formula))?;
+            }
+        }
+        Ok(())
+    }
 }
 
 /// The formula with the part at `path` replaced.

@@ -4,7 +4,7 @@
 //! factor or term, a prime more or less, a bracket moved.
 
 use super::alphabet::Alphabet;
-use super::edit::{Edit, text};
+use super::edit::{Change, Edit, text};
 use super::throughout;
 use std::sync::Arc;
 use torse_algebra::Rational;
@@ -62,7 +62,7 @@ fn inside(expr: &Expr, alphabet: &Alphabet, into: &mut Vec<Edit>) {
 /// Edits at the top of a formula.
 pub(super) fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let replaced = |by: Expr| {
-        let change = format!("`{}` replaced by `{}`", text(expr), text(&by));
+        let change = Change::replaced(expr, &by);
         Edit { expr: by, change }
     };
     let mut result = vec![];
@@ -95,7 +95,7 @@ pub(super) fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
         Node::Negative(inner) => {
             result.push(Edit {
                 expr: (**inner).clone(),
-                change: format!("the sign of `{}` changed", text(inner)),
+                change: Change::new("the sign of _ changed", [inner]),
             });
         }
         Node::Binary(operator, a, b) => binary(expr, *operator, a, b, &mut result),
@@ -107,14 +107,17 @@ pub(super) fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
                 result.push(replaced(Expr::made(Node::Index(head.clone(), exchanged))));
             }
             for (position, index) in indices.iter().enumerate() {
-                for (operator, word) in [(Operator::Add, "up"), (Operator::Subtract, "down")] {
+                for (operator, sentence) in [
+                    (Operator::Add, "the index of _ shifted up by one"),
+                    (Operator::Subtract, "the index of _ shifted down by one"),
+                ] {
                     let mut moved = indices.clone();
                     if let Some(slot) = moved.get_mut(position) {
                         *slot = index.clone().with(operator, Expr::number(&integer(1)));
                         let by = Expr::made(Node::Index(head.clone(), moved));
                         result.push(Edit {
                             expr: by,
-                            change: format!("the index of `{}` shifted {word} by one", text(expr)),
+                            change: Change::new(sentence, [expr]),
                         });
                     }
                 }
@@ -130,12 +133,7 @@ pub(super) fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
                 let mut swapped = arguments.clone();
                 swapped.swap(position, position + 1);
                 let by = Expr::made(Node::Call(head.clone(), swapped));
-                let change = format!(
-                    "`{}` and `{}` exchanged in `{}`",
-                    text(a),
-                    text(b),
-                    text(expr)
-                );
+                let change = Change::new("_ and _ exchanged in _", [a, b, expr]);
                 result.push(Edit { expr: by, change });
             }
             result.extend(argument_pairs(head, arguments, alphabet).map(replaced));
@@ -196,7 +194,7 @@ fn argument_pairs<'e>(
 }
 
 fn binary(expr: &Expr, operator: Operator, a: &Expr, b: &Expr, result: &mut Vec<Edit>) {
-    let mut push = |expr: Expr, change: String| result.push(Edit { expr, change });
+    let mut push = |expr: Expr, change: Change| result.push(Edit { expr, change });
     match operator {
         Operator::Add | Operator::Subtract => {
             let flipped = if operator == Operator::Add {
@@ -206,59 +204,56 @@ fn binary(expr: &Expr, operator: Operator, a: &Expr, b: &Expr, result: &mut Vec<
             };
             push(
                 a.clone().with(flipped, b.clone()),
-                format!("the sign of `{}` changed", text(b)),
+                Change::new("the sign of _ changed", [b]),
             );
-            push(a.clone(), format!("the term `{}` removed", text(b)));
+            push(a.clone(), Change::new("the term _ removed", [b]));
             let rest = if operator == Operator::Add {
                 b.clone()
             } else {
                 Expr::made(Node::Negative(Arc::new(b.clone())))
             };
-            push(rest, format!("the term `{}` removed", text(a)));
+            push(rest, Change::new("the term _ removed", [a]));
             // a*b + c -> a*(b + c)
             if let Node::Binary(Operator::Multiply, x, y) = &a.node {
                 let inner = (**y).clone().with(operator, b.clone());
                 push(
                     (**x).clone().with(Operator::Multiply, inner),
-                    format!("the bracket moved to include `{}`", text(b)),
+                    Change::new("the bracket moved to include _", [b]),
                 );
             }
         }
         Operator::Multiply => {
-            push(a.clone(), format!("the factor `{}` removed", text(b)));
-            push(b.clone(), format!("the factor `{}` removed", text(a)));
+            push(a.clone(), Change::new("the factor _ removed", [b]));
+            push(b.clone(), Change::new("the factor _ removed", [a]));
             // (a + b)*c -> a + b*c, a*(b + c) -> a*b + c
             if let Node::Binary(plus @ (Operator::Add | Operator::Subtract), x, y) = &a.node {
                 let last = (**y).clone().with(Operator::Multiply, b.clone());
                 push(
                     (**x).clone().with(*plus, last),
-                    format!("the bracket around `{}` removed", text(a)),
+                    Change::new("the bracket around _ removed", [a]),
                 );
             }
             if let Node::Binary(plus @ (Operator::Add | Operator::Subtract), x, y) = &b.node {
                 let first = a.clone().with(Operator::Multiply, (**x).clone());
                 push(
                     first.with(*plus, (**y).clone()),
-                    format!("the bracket around `{}` removed", text(b)),
+                    Change::new("the bracket around _ removed", [b]),
                 );
             }
         }
         Operator::Divide => {
-            push(a.clone(), format!("the divisor `{}` removed", text(b)));
+            push(a.clone(), Change::new("the divisor _ removed", [b]));
             push(
                 a.clone().with(Operator::Multiply, b.clone()),
-                format!("`{}` moved from the denominator to the numerator", text(b)),
+                Change::new("_ moved from the denominator to the numerator", [b]),
             );
             push(
                 b.clone().with(Operator::Divide, a.clone()),
-                format!("the quotient `{}` turned over", text(expr)),
+                Change::new("the quotient _ turned over", [expr]),
             );
         }
         Operator::Power => {
-            push(
-                a.clone(),
-                format!("the exponent of `{}` removed", text(expr)),
-            );
+            push(a.clone(), Change::new("the exponent of _ removed", [expr]));
             // m^2 for m*(m - 1), the slip of counting pairs.
             if let (Node::Name(_), Node::Number { value, .. }) = (&a.node, &b.node)
                 && *value == integer(2)
@@ -267,7 +262,7 @@ fn binary(expr: &Expr, operator: Operator, a: &Expr, b: &Expr, result: &mut Vec<
                     .clone()
                     .with(Operator::Subtract, Expr::number(&integer(1)));
                 let pairs = a.clone().with(Operator::Multiply, less);
-                let change = format!("`{}` replaced by `{}`", text(expr), text(&pairs));
+                let change = Change::replaced(expr, &pairs);
                 push(pairs, change);
             }
         }
@@ -295,11 +290,7 @@ pub(super) fn scaled(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let mut edits: Vec<Edit> = factors
         .into_iter()
         .map(|factor| {
-            let change = format!(
-                "the factor `{}` inserted before `{}`",
-                text(&factor),
-                text(expr)
-            );
+            let change = Change::new("the factor _ inserted before _", [&factor, expr]);
             Edit {
                 expr: factor.with(Operator::Multiply, expr.clone()),
                 change,
@@ -307,7 +298,7 @@ pub(super) fn scaled(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
         })
         .collect();
     if !matches!(expr.node, Node::Negative(_)) {
-        let change = format!("the sign of `{}` changed", text(expr));
+        let change = Change::new("the sign of _ changed", [expr]);
         edits.push(Edit {
             expr: Expr::made(Node::Negative(Arc::new(expr.clone()))),
             change,
@@ -346,12 +337,7 @@ fn families(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
         return vec![];
     }
     let others = alphabet.families.iter().filter(|other| *other != name);
-    others
-        .map(|other| Edit {
-            change: format!("`{name}` replaced by `{other}`"),
-            expr: Expr::name(other),
-        })
-        .collect()
+    others.map(|other| named(expr, other)).collect()
 }
 
 /// A prime more or less.
@@ -363,9 +349,15 @@ fn primes(expr: &Expr) -> Vec<Edit> {
     let less = name.strip_suffix('\'').map(str::to_owned);
     std::iter::once(more)
         .chain(less)
-        .map(|other| Edit {
-            change: format!("`{name}` replaced by `{other}`"),
-            expr: Expr::name(&other),
-        })
+        .map(|other| named(expr, &other))
         .collect()
+}
+
+/// Another name.
+fn named(expr: &Expr, name: &str) -> Edit {
+    let by = Expr::name(name);
+    Edit {
+        change: Change::replaced(expr, &by),
+        expr: by,
+    }
 }

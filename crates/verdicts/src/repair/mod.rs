@@ -71,7 +71,7 @@ pub fn is_sought(kind: Kind) -> bool {
 pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     let subject = Subject::of(claim, statement)?;
     let printed = &subject.formula;
-    let target = Target::new(claim, statement, &subject.path)?;
+    let target = Target::new(claim, statement, &subject)?;
     let alphabet = alphabet::alphabet(claim, &statement.expr, printed);
     let mut singles = vec![];
     let mut once = vec![];
@@ -82,7 +82,7 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
         let side = subject.side(&edit.expr);
         let entries = target.entries_agreeing(&side);
         if entries > 0 && target.agrees(&side) || planted(Planted::CorrectionUnproved) {
-            once.push((edit.clone(), vec![edit.change.clone()]));
+            once.push((edit.clone(), vec![edit.change.to_string()]));
         }
         singles.push((entries, edit));
     }
@@ -107,7 +107,8 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
                 break;
             }
             if second.expr != *printed && target.agrees(&subject.side(&second.expr)) {
-                let changes = vec![first.change.clone(), second.change.clone()];
+                let changes = [&first.change, &second.change];
+                let changes = changes.map(ToString::to_string).to_vec();
                 twice.push((second, changes));
             }
         }
@@ -127,7 +128,7 @@ fn elsewhere(
         let agree = |edit: &Edit| target.agrees(&subject.side(&edit.expr));
         let found = edits.into_iter().filter(agree);
         found
-            .map(|edit| (edit.clone(), vec![edit.change]))
+            .map(|edit| (edit.clone(), vec![edit.change.to_string()]))
             .collect()
     };
     let spread = |formula: &Expr, alphabet: &Alphabet| {

@@ -1,7 +1,7 @@
 //! One name taken for another, or two names exchanged: in a whole side, or within one sum, however deep it stands.
 
 use super::alphabet::Alphabet;
-use super::edit::{Edit, parts, placed, text, with_name};
+use super::edit::{Change, Edit, parts, placed, text, with_name};
 use std::collections::BTreeMap;
 use torse_language::syntax::{Expr, Node};
 
@@ -49,7 +49,11 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
                 let half = with_name(&between, other, one);
                 result.push(Edit {
                     expr: placed(expr, &path, with_name(&half, BETWEEN, other)),
-                    change: format!("`{one}` and `{other}` exchanged{place}"),
+                    change: Change::new(
+                        "_ and _ exchanged",
+                        [&Expr::name(one), &Expr::name(other)],
+                    )
+                    .at(&place),
                 });
             }
         }
@@ -69,7 +73,7 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
                 };
                 result.push(Edit {
                     expr: placed(expr, &path, with_name(scope, old, new)),
-                    change: format!("`{old}` replaced by `{new}`{throughout}"),
+                    change: Change::replaced(&Expr::name(old), &Expr::name(new)).at(throughout),
                 });
             }
         }

@@ -32,14 +32,14 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let mut result = vec![];
     for (part, count) in counts {
         let places = match count {
-            2 => "in both places".to_owned(),
-            _ => format!("in all {count} places"),
+            2 => " in both places".to_owned(),
+            _ => format!(" in all {count} places"),
         };
         let edits = local(part, alphabet)
             .into_iter()
             .chain(scaled(part, alphabet));
         result.extend(edits.map(|edit| Edit {
-            change: format!("{} {places}", edit.change),
+            change: edit.change.at(&places),
             expr: replaced(&expr, part, &edit.expr),
         }));
     }

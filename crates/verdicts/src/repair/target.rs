@@ -1,5 +1,6 @@
 //! What an edited side must come to: the other side of the equation at the sample point.
 
+use super::subject::Subject;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use torse_algebra::Fraction;
@@ -29,9 +30,9 @@ pub struct Target<'a> {
 }
 
 impl<'a> Target<'a> {
-    /// The other side of the comparison that the path leads into; none where it is no plain formula.
+    /// The other side of the comparison that is corrected; none where it is no plain formula.
     #[must_use]
-    pub fn new(claim: &'a Claim, statement: &Written, path: &[usize]) -> Option<Self> {
+    pub fn new(claim: &'a Claim, statement: &Written, subject: &Subject) -> Option<Self> {
         let core = core::Claim::new(claim, statement).ok()?;
         let integers: Vec<String> = core
             .symbols
@@ -62,13 +63,16 @@ impl<'a> Target<'a> {
                 .filter(|case| case.domain.constraints.iter().all(Self::possible));
             let alone = integers.is_empty() || spread.is_none();
             let case = spread.or_else(|| Case::new(claim, statement, BTreeMap::new()).ok())?;
-            let left = other_side(&case.statement, path)?;
+            let left = other_side(&case.statement, &subject.path)?;
             let values = left
                 .entries()
                 .into_iter()
                 .map(|q| q.as_fraction().and_then(sample::at_sample))
                 .collect::<Option<Vec<_>>>()?;
-            instances.push((case.evaluator.sampling(), values));
+            // Candidates differ from the printed formula in few places.
+            let evaluator = case.evaluator.sampling();
+            evaluator.elaborator().keep_parts_of(&subject.formula);
+            instances.push((evaluator, values));
             if alone {
                 break;
             }

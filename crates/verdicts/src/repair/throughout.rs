@@ -1,7 +1,7 @@
 //! Edits that change every occurrence at once: one slip of copying, repeated.
 
 use super::alphabet::Alphabet;
-use super::edit::{Edit, placed, text, with_name};
+use super::edit::{Change, Edit, placed, text, with_name};
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_language::syntax::{Expr, Node, Operator};
@@ -47,7 +47,8 @@ fn renamed(expr: &Expr) -> Vec<Edit> {
             for old in repeated {
                 for new in all.iter().filter(|n| *n != old) {
                     let changed = with_name(part, old, new);
-                    let change = format!("`{old}` replaced by `{new}` in `{}`", text(part));
+                    let names = [&Expr::name(old), &Expr::name(new), part];
+                    let change = Change::new("_ replaced by _ in _", names);
                     result.push(Edit {
                         expr: placed(expr, &path, changed),
                         change,
@@ -79,10 +80,10 @@ fn functions_dropped(expr: &Expr) -> Vec<Edit> {
             continue;
         }
         for variable in variables(call) {
-            let change = format!("`{old}` replaced by `{variable}` throughout");
+            let by = Expr::name(variable);
             result.push(Edit {
-                expr: with_part(expr, &old, &Expr::name(variable)),
-                change,
+                expr: with_part(expr, &old, &by),
+                change: Change::replaced(call, &by).at(" throughout"),
             });
         }
         seen.push(old);
@@ -134,11 +135,11 @@ fn factors_kept(expr: &Expr) -> Vec<Edit> {
             continue;
         }
         for variable in variables(call) {
-            let change =
-                format!("`{old}` replaced by `{variable}` in the powers, one factor of each kept");
+            let by = Expr::name(variable);
+            let change = Change::replaced(call, &by);
             result.push(Edit {
-                expr: with_factors_kept(expr, &old, &Expr::name(variable)),
-                change,
+                expr: with_factors_kept(expr, &old, &by),
+                change: change.at(" in the powers, one factor of each kept"),
             });
         }
         seen.push(old);
@@ -208,9 +209,10 @@ fn basis_exchanged(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
                 let head = Node::Index(Expr::name(other).into(), vec![index.clone(), degree]);
                 Expr::made(Node::Call(Expr::made(head).into(), rest.to_vec()))
             };
-            let change = format!(
-                "the functions `{family}` replaced by `{}`",
-                text(&by(&Expr::name("i")))
+            let index = Expr::name("i");
+            let change = Change::new(
+                "the functions _ replaced by _",
+                [&member.with_index(&index), &by(&index)],
             );
             result.push(Edit {
                 expr: with_members(expr, &family, &by),
@@ -251,12 +253,14 @@ impl<'e> Member<'e> {
 
     /// The function for any index, as text.
     fn family(&self) -> String {
-        let indices = vec![Expr::name("i"), self.degree.clone()];
+        text(&self.with_index(&Expr::name("i")))
+    }
+
+    /// The function of another index.
+    fn with_index(&self, index: &Expr) -> Expr {
+        let indices = vec![index.clone(), self.degree.clone()];
         let head = Node::Index(Expr::name(self.basis).into(), indices);
-        text(&Expr::made(Node::Call(
-            Expr::made(head).into(),
-            self.arguments.to_vec(),
-        )))
+        Expr::made(Node::Call(Expr::made(head).into(), self.arguments.to_vec()))
     }
 }
 

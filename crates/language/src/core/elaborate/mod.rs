@@ -7,6 +7,7 @@
 mod binders;
 mod built_in;
 mod families;
+mod parts;
 
 use super::{Family, Node, Points, Set, Statement, Term, Variable};
 use crate::derivation::declarations::{Declarations, Definition, SymbolKind};
@@ -15,6 +16,7 @@ use crate::similar::similar;
 use crate::syntax::{self, Connective, Expr, Place};
 use binders::{Local, Scope};
 use built_in::NAMES;
+use parts::Parts;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -67,6 +69,7 @@ pub struct Elaborator<'a> {
     opened: RefCell<BTreeMap<String, Meaning>>,
     families: RefCell<BTreeMap<String, Arc<Family>>>,
     points: RefCell<BTreeMap<String, Arc<Points>>>,
+    parts: RefCell<Parts>,
 }
 
 type Outcome<T> = Result<T, Fault>;
@@ -83,6 +86,7 @@ impl<'a> Elaborator<'a> {
             opened: RefCell::default(),
             families: RefCell::default(),
             points: RefCell::default(),
+            parts: RefCell::default(),
         }
     }
 
@@ -175,8 +179,14 @@ impl<'a> Elaborator<'a> {
     }
 
     fn term_in(&self, expr: &Expr, scope: &Scope) -> Outcome<Term> {
+        if let Some(term) = self.kept(expr, scope) {
+            return Ok(term);
+        }
         match self.open(expr, scope)? {
-            Meaning::Term(term) => Ok(term),
+            Meaning::Term(term) => {
+                self.keep(expr, scope, &term);
+                Ok(term)
+            }
             other => Err(wrong(
                 expr.place,
                 other.kind(),
