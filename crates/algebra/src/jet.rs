@@ -126,9 +126,11 @@ impl<S: Scalar> Jet<S> {
     /// The power with a natural exponent; `powi(0)` is one.
     #[must_use]
     pub fn powi(&self, exponent: u32) -> Self {
-        // The binary digits of the exponent from the top.
-        let places = (0..u32::BITS - exponent.leading_zeros()).rev();
-        places.fold(self.one_like(), |power, place| {
+        let Some(highest) = exponent.checked_ilog2() else {
+            return self.one_like();
+        };
+        // The binary digits of the exponent behind the first.
+        (0..highest).rev().fold(self.clone(), |power, place| {
             let square = power.clone() * power;
             if exponent >> place & 1 == 1 {
                 square * self.clone()

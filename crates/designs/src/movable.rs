@@ -4,6 +4,7 @@
 //! and the sliders. Here they are evaluated over any scalar, so that the B-spline of a patch is within a proved
 //! distance like that of every other patch.
 
+use std::collections::BTreeMap;
 use torse_exchange::{ExchangeError, Model, approximate, step};
 use torse_figures::{Monomial, Quotient, Rulings, Torse, TorsePiece};
 use torse_geometry::planes::{characteristic_point_of, ruling_of};
@@ -130,10 +131,11 @@ impl<S: Coordinate> Rails<S> for MovableSheet<S> {
         let [from, to] = &self.over;
         let width = to.clone() - from.clone();
         let place = from.clone() + width.clone() * x.clone();
-        let atoms = atoms(&Jet::variable(place, order.saturating_add(taken)))?;
+        let x = Jet::variable(place, order.saturating_add(taken));
+        let mut products = Products::new(atoms(&x)?);
         let mut curves = Vec::with_capacity(self.curves.len());
         for curve in &self.curves {
-            let values = curve.iter().map(|formula| formula.value(&atoms));
+            let values = curve.iter().map(|formula| formula.value(&mut products));
             curves.push(values.collect::<Result<Vec<_>>>()?);
         }
         let at = |base: &[Jet<S>; 3], way: &[Jet<S>; 3], share: &S| -> [Jet<S>; 3] {
@@ -174,25 +176,56 @@ impl<S: Coordinate> Rails<S> for MovableSheet<S> {
 }
 
 impl<S: Coordinate> Formula<S> {
-    fn value(&self, atoms: &[Jet<S>; 5]) -> Result<Jet<S>> {
-        let mut value = sum(&self.numerator, atoms);
+    fn value(&self, products: &mut Products<S>) -> Result<Jet<S>> {
+        let mut value = products.sum(&self.numerator);
         for (terms, power) in &self.denominator {
-            value = value.divided_by(&sum(terms, atoms).powi(*power))?;
+            value = value.divided_by(&products.sum(terms).powi(*power))?;
         }
         Ok(value)
     }
 }
 
-fn sum<S: Coordinate>(terms: &[Term<S>], atoms: &[Jet<S>; 5]) -> Jet<S> {
-    let zero = atoms[0].zero_like();
-    terms.iter().fold(zero, |total, term| {
-        let coefficient = atoms[0].constant_like(term.coefficient.clone());
-        let factors = atoms.iter().zip(term.atoms).filter(|(_, power)| *power > 0);
-        total
-            + factors.fold(coefficient, |product, (atom, power)| {
-                product * atom.powi(power)
-            })
-    })
+/// Products of powers of the atoms: the coordinates of a curve have most of them in common, so each is found once.
+struct Products<S> {
+    atoms: [Jet<S>; 5],
+    known: BTreeMap<[u32; 5], Jet<S>>,
+}
+
+impl<S: Coordinate> Products<S> {
+    fn new(atoms: [Jet<S>; 5]) -> Self {
+        let known = BTreeMap::new();
+        Self { atoms, known }
+    }
+
+    fn sum(&mut self, terms: &[Term<S>]) -> Jet<S> {
+        let zero = self.atoms[0].zero_like();
+        terms.iter().fold(zero, |total, term| {
+            let product = self.product(term.atoms);
+            let scaled = |c: &S| c.clone() * term.coefficient.clone();
+            let rest = product.coefficients().iter().skip(1).map(scaled);
+            total + Jet::from_coefficients(scaled(product.value()), rest.collect::<Vec<_>>())
+        })
+    }
+
+    /// One atom more at a time: every product on the way serves others.
+    fn product(&mut self, powers: [u32; 5]) -> Jet<S> {
+        if let Some(known) = self.known.get(&powers) {
+            return known.clone();
+        }
+        let mut product = self.atoms[0].one_like();
+        let mut done = [0; 5];
+        for (place, (atom, power)) in self.atoms.iter().zip(powers).enumerate() {
+            for exponent in 1..=power {
+                done[place] = exponent;
+                let next = || match done.iter().sum() {
+                    1 => atom.clone(),
+                    _ => product.clone() * atom.clone(),
+                };
+                product = self.known.entry(done).or_insert_with(next).clone();
+            }
+        }
+        product
+    }
 }
 
 /// The running variable with its sines and cosines.

@@ -378,21 +378,18 @@ impl Writer<'_> {
         Piece::new(piece.level, Shown::Marked(mark, Box::new(piece.node)))
     }
 
-    /// The derivative of forms by symbols in which they are linear.
+    /// The derivative of forms by symbols in which they are linear: a quotient of differentials, or the operator before
+    /// a formula with operators of its own, which can be broken there.
     fn rate(&self, forms: &Expr, symbols: &Expr) -> Piece {
-        let part = |expr: &Expr| {
-            let expr = match &expr.node {
-                Node::List(items) => match items.as_slice() {
-                    [one] => one,
-                    _ => expr,
-                },
-                _ => expr,
-            };
-            Shown::row([Shown::Sign('∂'), self.operand(expr, Level::Power)])
-        };
-        let (above, below) = (part(forms), part(symbols));
-        let fraction = Shown::Fraction(Box::new(above), Box::new(below));
-        Piece::new(Level::Power, fraction)
+        let part =
+            |expr: &Expr| Shown::row([Shown::Sign('∂'), self.operand(only(expr), Level::Power)]);
+        let over = |above| Shown::Fraction(Box::new(above), Box::new(part(symbols)));
+        let whole = self.write(only(forms));
+        if whole.level < Level::Power {
+            let operator = over(Shown::Sign('∂'));
+            return Piece::new(Level::Open, Shown::row([operator, whole.node.round()]));
+        }
+        Piece::new(Level::Power, over(part(forms)))
     }
 
     /// `dⁿF/dxⁿ`, or the operator before what is differentiated.
@@ -476,6 +473,17 @@ impl Writer<'_> {
             Level::Power,
             fenced.scripted(0, Some(place), None),
         ))
+    }
+}
+
+/// The entry of a list of one.
+fn only(expr: &Expr) -> &Expr {
+    match &expr.node {
+        Node::List(items) => match items.as_slice() {
+            [one] => one,
+            _ => expr,
+        },
+        _ => expr,
     }
 }
 
