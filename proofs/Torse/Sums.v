@@ -1,5 +1,5 @@
 (* Sums of symbolic length as linear combinations of sums that nothing can be taken out of: nobody has to read it. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs.
 Open Scope R_scope.
 
 Lemma unity_of_three a b s t u k : (2 <= k)%Z -> a + b = 1 -> s + t + u = 1 ->

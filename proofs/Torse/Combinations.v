@@ -1,0 +1,79 @@
+(* Equations between linear combinations of curves: nobody has to read it.
+   All curves of a combination are brought to one number of steps, and the combination to one curve of combined points. *)
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums.
+From Coq Require Import Lra Lia.
+Open Scope R_scope.
+
+Lemma pw_down a b n Q : (0 < n)%Z ->
+  pw a b (Z.to_nat n) Q = a * pw a b (Z.to_nat (n - 1)) Q + b * pw a b (Z.to_nat (n - 1)) (fun i => Q (i + 1)%Z).
+Proof. intro H. replace (Z.to_nat n) with (S (Z.to_nat (n - 1))) by lia. reflexivity. Qed.
+Lemma pw_opp a b n Q : pw a b n (fun i => - Q i) = - pw a b n Q.
+Proof. rewrite (pw_ext a b n _ (fun i => -1 * Q i)) by (intro; ring). rewrite pw_scal. ring. Qed.
+Lemma pw_scal_right a b n c Q : pw a b n (fun i => Q i * c) = pw a b n Q * c.
+Proof. rewrite (pw_ext a b n _ (fun i => c * Q i)) by (intro; ring). rewrite pw_scal. ring. Qed.
+Lemma sum_reverse k f : sum 0 k f = sum 0 k (fun i => f (k - i)%Z).
+Proof.
+  destruct (Z_lt_le_dec k 0) as [H|H]; [rewrite !sum_empty by exact H; reflexivity|].
+  rewrite <- (Z2Nat.id k H). generalize (Z.to_nat k). clear k H. intro n. induction n as [|n IH].
+  - unfold sum. cbn. reflexivity.
+  - rewrite sum_last by lia. rewrite (sum_first 0 (Z.of_nat (S n)) (fun i => f (Z.of_nat (S n) - i)%Z)) by lia.
+    replace (Z.of_nat (S n) - 1)%Z with (Z.of_nat n) by lia. rewrite IH.
+    replace (Z.of_nat (S n)) with (Z.of_nat n + 1)%Z at 3 by lia. rewrite (sum_shift 0 (Z.of_nat n) 1).
+    replace (Z.of_nat (S n) - 0)%Z with (Z.of_nat (S n)) by lia. rewrite Rplus_comm. f_equal.
+    apply sum_ext. intros i Hi. f_equal. lia.
+Qed.
+
+(* one number of steps *)
+Ltac lowered := repeat match goal with
+  | |- context [pw ?a ?b (Z.to_nat ?n) ?Q] =>
+      match goal with |- context [pw _ _ (Z.to_nat ?m) _] =>
+        lazymatch m with n => fail | _ => idtac end;
+        first [ assert (n = m) as -> by lia
+              | assert (m < n)%Z by lia; rewrite (pw_down a b n Q) by lia;
+                try replace (n - 1)%Z with m by lia ]
+      end
+  end.
+(* the points of the one curve that a combination is *)
+Ltac points a b n t := lazymatch t with
+  | pw a b n ?Q => Q
+  | ?x + ?y => let X := points a b n x in let Y := points a b n y in
+      constr:(fun i : Z => ltac:(let t := eval cbv beta in (X i + Y i) in exact t))
+  | ?x - ?y => let X := points a b n x in let Y := points a b n y in
+      constr:(fun i : Z => ltac:(let t := eval cbv beta in (X i - Y i) in exact t))
+  | - ?x => let X := points a b n x in constr:(fun i : Z => ltac:(let t := eval cbv beta in (- X i) in exact t))
+  | ?x * ?y => lazymatch y with
+      | context [pw] => let Y := points a b n y in
+          constr:(fun i : Z => ltac:(let t := eval cbv beta in (x * Y i) in exact t))
+      | _ => let X := points a b n x in
+          constr:(fun i : Z => ltac:(let t := eval cbv beta in (X i * y) in exact t)) end
+  | ?x / ?y => let X := points a b n x in
+      constr:(fun i : Z => ltac:(let t := eval cbv beta in (X i * / y) in exact t))
+  end.
+Ltac spread := repeat first
+  [ rewrite pw_plus | rewrite pw_minus | rewrite pw_opp | rewrite pw_scal | rewrite pw_scal_right ].
+Ltac gathered a b n t := lazymatch t with
+  | pw a b n _ => idtac
+  | _ => let Q := points a b n t in
+      replace t with (pw a b n Q) by
+        (let E := fresh in assert (E : pw a b n Q = t); [spread; unfold Rdiv; try reflexivity; ring|exact E])
+  end.
+Ltac one_curve := lowered;
+  match goal with |- ?l = ?r =>
+    match constr:((l, r)) with context [pw ?a ?b ?n _] =>
+      gathered a b n l; gathered a b n r; apply pw_ext; let i := fresh "i" in intro i; unfold seed3, dl; cbv beta;
+      members; special; maxes; numbers; members; exponentials; circles; roots; equal
+    end
+  end.
+(* from the other end *)
+Ltac turned := match goal with |- sum 0 ?k _ = _ => rewrite (sum_reverse k) end;
+  apply sum_ext; intros; cbv beta; members;
+  match goal with |- basis _ _ _ _ _ * ?p = _ * ?q => replace p with q by (f_equal; lia); f_equal end;
+  mirrored'.
+(* double sums in the other order *)
+Ltac swapped := rewrite sum_swap; apply sum_ext; intros; cbv beta; rewrite <- ?sum_scal; apply sum_ext; intros; ring.
+Ltac symbolic ::= computed; intros; equations; substituted; divisors; parts; intros; equations; closed_parts; try swapped; sums; closed_parts;
+  first [ lazymatch goal with |- context [Derive_n _ _ _] => fail | _ => ring end
+        | not_negative
+        | derivatives; operators; one_curve
+        | turned
+        | symbolic1 ].
