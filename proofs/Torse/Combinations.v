@@ -65,15 +65,71 @@ Ltac one_curve := lowered;
     end
   end.
 (* from the other end *)
-Ltac turned := match goal with |- sum 0 ?k _ = _ => rewrite (sum_reverse k) end;
+Ltac turned1 := match goal with |- sum 0 ?k _ = sum 0 ?k _ => rewrite (sum_reverse k) end;
   apply sum_ext; intros; cbv beta; members;
-  match goal with |- basis _ _ _ _ _ * ?p = _ * ?q => replace p with q by (f_equal; lia); f_equal end;
+  match goal with |- basis _ _ _ _ _ * ?p = _ * ?q =>
+    replace p with q by (first [reflexivity | f_equal; lia | apply sum_ext; intros; f_equal; f_equal; lia]); f_equal end;
   mirrored'.
+Ltac turned := first
+  [ turned1
+  | match goal with |- sum ?l ?h ?f = sum ?l ?h _ => lazymatch f with context [sum] => idtac end end;
+    apply sum_ext; intros; cbv beta; f_equal; turned ].
 (* double sums in the other order *)
 Ltac swapped := rewrite sum_swap; apply sum_ext; intros; cbv beta; rewrite <- ?sum_scal; apply sum_ext; intros; ring.
-Ltac symbolic ::= computed; intros; equations; substituted; divisors; parts; intros; equations; closed_parts; try swapped; sums; closed_parts;
-  first [ lazymatch goal with |- context [Derive_n _ _ _] => fail | _ => ring end
-        | not_negative
-        | derivatives; operators; one_curve
-        | turned
-        | symbolic1 ].
+
+(* ---- functions of bases ---- *)
+Lemma first_of_three a b s t u i : fam a b [s; t; u] O i = s * unit 0 i + t * unit 1 i + u * unit 2 i.
+Proof.
+  cbn [fam]. destruct (Z.leb_spec 0 i).
+  - destruct (Z.eq_dec i 0) as [->|]; [unfold unit; compute_goal; ring|].
+    destruct (Z.eq_dec i 1) as [->|]; [unfold unit; compute_goal; ring|].
+    destruct (Z.eq_dec i 2) as [->|]; [unfold unit; compute_goal; ring|].
+    rewrite !unit_zero by lia. rewrite nth_overflow by (cbn [length]; lia). ring.
+  - rewrite !unit_zero by lia. ring.
+Qed.
+Ltac function_at_end := first [ rewrite basis_at0 | rewrite basis_at1 by (cbn [length]; lia) ];
+  cbn [length]; rewrite first_of_three; special; units; ring.
+(* seeds that are steps themselves *)
+Lemma fam_step a b ss ss' : (forall i, fam a b ss' O i = fam a b ss 1 i) -> forall n i, fam a b ss' n i = fam a b ss (S n) i.
+Proof.
+  intros H n. induction n as [|n IH]; intro i; [apply H|].
+  change (a * fam a b ss' n i + b * fam a b ss' n (i - 1) = fam a b ss (S (S n)) i). rewrite !IH. reflexivity.
+Qed.
+Lemma two_of_three a b s t i k : (2 <= k)%Z -> basis a b [a * s; a * t + b * s; b * t] i k = basis a b [s; t] i k.
+Proof.
+  intro K. unfold basis. cbn [length]. replace (Z.to_nat (k - (Z.of_nat 2 - 1))) with (S (Z.to_nat (k - (Z.of_nat 3 - 1)))) by lia.
+  apply fam_step. clear. intro i. rewrite first_of_three. cbn [fam].
+  destruct (Z.leb_spec 0 i), (Z.leb_spec 0 (i - 1)); try lia.
+  - destruct (Z.eq_dec i 1) as [->|]; [unfold unit; compute_goal; ring|].
+    destruct (Z.eq_dec i 2) as [->|]; [unfold unit; compute_goal; ring|].
+    rewrite !unit_zero by lia. rewrite !nth_overflow by (cbn [length]; lia). ring.
+  - replace i with 0%Z by lia. unfold unit. compute_goal. ring.
+  - rewrite !unit_zero by lia. ring.
+Qed.
+Lemma one_of_two a b s i k : (1 <= k)%Z -> basis a b [a * s; b * s] i k = basis a b [s] i k.
+Proof.
+  intro K. unfold basis. cbn [length]. replace (Z.to_nat (k - (Z.of_nat 1 - 1))) with (S (Z.to_nat (k - (Z.of_nat 2 - 1)))) by lia.
+  apply fam_step. clear. intro i. cbn [fam].
+  destruct (Z.leb_spec 0 i), (Z.leb_spec 0 (i - 1)); try lia.
+  - destruct (Z.eq_dec i 1) as [->|]; [compute_goal; ring|]. rewrite !nth_overflow by (cbn [length]; lia). ring.
+  - replace i with 0%Z by lia. compute_goal. ring.
+  - ring.
+Qed.
+Ltac fewer_seeds := match goal with
+  | |- basis ?a ?b [?p; ?q; ?r] ?i ?k = basis ?a ?b [?s; ?t] ?i ?k =>
+      rewrite <- (two_of_three a b s t i k) by lia; f_equal; repeat (apply f_equal2; [ring|]); reflexivity
+  | |- basis ?a ?b [?p; ?q; ?r] ?i ?k = basis ?a ?b [?s] ?i ?k =>
+      rewrite <- (one_of_two a b s i k) by lia; rewrite <- (two_of_three a b (a * s) (b * s) i k) by lia;
+      f_equal; repeat (apply f_equal2; [ring|]); reflexivity
+  end.
+(* the step, and the same from the other end *)
+Ltac stepped := match goal with |- ?a * basis ?a ?b ?s ?i (?k - 1) + ?b * basis ?a ?b ?s (?i - 1) (?k - 1) = _ =>
+  rewrite <- (basis_step a b s i k) by (cbn [length]; lia) end; mirrored'.
+
+Ltac symbolic ::= computed; intros; equations; substituted; divisors; parts; intros; equations; closed_parts;
+  first
+  [ turned | swapped | fewer_seeds | function_at_end | stepped | not_negative
+  | sums; closed_parts;
+    first [ lazymatch goal with |- context [Derive_n _ _ _] => fail | _ => ring end
+          | derivatives; operators; one_curve
+          | symbolic1 ] ].

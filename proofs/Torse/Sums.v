@@ -82,10 +82,11 @@ Ltac linear_derivatives := repeat match goal with
       [|let y := fresh "y" in intro y; cbv beta; progress (linear_sums; closed_parts); reflexivity]; cbv beta
   end.
 (* integers that are symbols, also those of a part of a statement *)
-Ltac computed ::= match goal with
-  | |- context [forall i : Z, @?P i] => lazymatch type of P with Z -> Prop => lists end
-  | _ => compute_goal
+Ltac symbolic_integers := intros; match goal with
+  | _ : Z |- _ => idtac
+  | |- context [forall i : Z, @?P i] => lazymatch type of P with Z -> Prop => idtac end
   end.
+Ltac computed ::= tryif assert_succeeds symbolic_integers then lists else compute_goal.
 Ltac sums := linear_derivatives; linear_sums.
 Ltac symbolic := computed; intros; equations; substituted; divisors; parts; intros; equations; closed_parts; sums; closed_parts;
   first [lazymatch goal with |- context [Derive_n _ _ _] => fail | _ => ring end | symbolic1].

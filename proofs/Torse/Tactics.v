@@ -351,17 +351,18 @@ Ltac units := repeat match goal with
   | |- context [unit ?i ?j] => first [ rewrite (unit_one i j) by lia | rewrite (unit_zero i j) by lia ]
   end.
 (* sums in sums come to light one after the other *)
-Ltac corner_sums := lazymatch goal with
-  | |- context [pw _ _ _ _] => ends; lazymatch goal with |- context [sum _ _ _] => progress operators; corner_sums | _ => idtac end
-  | _ => idtac end.
+Ltac corner_sums := repeat (progress operators; ends).
 (* series of the same step *)
 Ltac one_series := rewrite <- ?pw_scal, <- ?pw_plus, <- ?pw_minus; apply pw_ext; intro; unfold seed3; ring.
 Ltac settle := corners; ends; try corner_sums; special; tidied; maxes; units; members; rewritten; numbers; exponentials; circles; roots; equal.
+Ltac quarter x := lazymatch goal with
+  | _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail
+  | _ => let U := fresh in assert (U : 0 <= x <= 1) by lra;
+      pose proof (quarter_sine x U); pose proof (quarter_cosine x U); clear U
+  end.
 Ltac signs := repeat match goal with
-  | H : 0 <= ?x <= 1 |- context [sin (PI / 2 * ?x)] =>
-      lazymatch goal with _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail | _ => pose proof (quarter_sine x H); pose proof (quarter_cosine x H) end
-  | H : 0 <= ?x <= 1 |- context [cos (PI / 2 * ?x)] =>
-      lazymatch goal with _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail | _ => pose proof (quarter_sine x H); pose proof (quarter_cosine x H) end
+  | |- context [sin (PI / 2 * ?x)] => quarter x
+  | |- context [cos (PI / 2 * ?x)] => quarter x
   end.
 (* functions of a basis with seeds and step that are not negative *)
 Ltac nonnegative := apply basis_nonneg; [ lra | lra |
