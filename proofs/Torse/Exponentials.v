@@ -20,6 +20,14 @@ Lemma exp_opp_zero : exp (- 0) = 1. Proof. rewrite Ropp_0. apply exp_0. Qed.
 Lemma exp_inverse a : exp a * exp (- a) = 1.
 Proof. rewrite <- exp_plus, <- exp_0. f_equal. ring. Qed.
 
+Lemma exp_sum a : 2 <= exp a + exp (- a).
+Proof.
+  pose proof (exp_inverse a) as E. pose proof (exp_pos a). pose proof (exp_pos (- a)).
+  generalize dependent (exp a). generalize dependent (exp (- a)). intros m M e E P.
+  pose proof (Rle_0_sqr (e - m)) as S. unfold Rsqr in S. apply Rnot_lt_le. intro L.
+  assert ((e + m) * (e + m) < 2 * 2) by (apply Rmult_le_0_lt_compat; lra). nra.
+Qed.
+
 Ltac exponents := repeat first
   [ rewrite exp_plus | rewrite exp_minus | rewrite exp_opp_plus | rewrite exp_opp_minus
   | rewrite exp_plus_part | rewrite exp_minus_part | rewrite exp_opp_plus_part | rewrite exp_opp_minus_part
@@ -49,7 +57,8 @@ Ltac exponential b :=
   repeat match goal with
   | |- context [exp ?a] => lazymatch a with b => fail | - b => fail | _ => exponential_by a b end
   end;
-  pose proof (exp_inverse b); pose proof (exp_pos b); pose proof (exp_pos (- b));
+  pose proof (exp_inverse b); pose proof (exp_pos b); pose proof (exp_pos (- b)); pose proof (exp_sum b);
+  pose proof (exp_least b);
   generalize dependent (exp b); generalize dependent (exp (- b)); intros.
 Ltac exponentials ::= lazymatch goal with
   | |- context [exp _] =>

@@ -41,3 +41,41 @@ Ltac not_negative := lazymatch goal with
   | |- 0 <= _ ^ _ => apply pow_le; not_negative
   | |- 0 <= ?a => first [assumption | lra | match goal with H : forall _, _ |- _ => first [apply H | apply Rge_le, H]; lia end]
   end.
+
+(* ---- signs of sines and cosines, of sums and quotients ---- *)
+Ltac sign_of_sine a := lazymatch goal with
+  | _ : 0 <= sin a <= 1 |- _ => fail | _ : 0 < sin a <= 1 |- _ => fail | _ : -1 <= sin a <= 1 |- _ => fail
+  | _ => first
+    [ assert (0 < sin a <= 1) by (split; [apply sin_gt_0; lra|apply SIN_bound])
+    | assert (0 <= sin a <= 1) by (split; [apply sin_ge_0; lra|apply SIN_bound])
+    | pose proof (SIN_bound a) ] end.
+Ltac sign_of_cosine a := lazymatch goal with
+  | _ : 0 <= cos a <= 1 |- _ => fail | _ : 0 < cos a <= 1 |- _ => fail | _ : -1 <= cos a <= 1 |- _ => fail
+  | _ => first
+    [ assert (0 < cos a <= 1) by (split; [apply cos_gt_0; lra|apply COS_bound])
+    | assert (0 <= cos a <= 1) by (split; [apply cos_ge_0; lra|apply COS_bound])
+    | pose proof (COS_bound a) ] end.
+Ltac trigonometric_signs := pose proof PI_RGT_0; signs; repeat match goal with
+  | |- context [sin ?a] => sign_of_sine a
+  | |- context [cos ?a] => sign_of_cosine a
+  end.
+Lemma quotient_sign a b : 0 <= a -> 0 < b -> 0 <= a / b.
+Proof. intros A B. apply Rmult_le_pos; [exact A|]. left. apply Rinv_0_lt_compat, B. Qed.
+Ltac positive_parts := lazymatch goal with
+  | |- _ >= 0 => apply Rle_ge; positive_parts
+  | |- _ > 0 => apply Rlt_gt; positive_parts
+  | |- 0 <= _ * _ => apply Rmult_le_pos; positive_parts
+  | |- 0 < _ * _ => apply Rmult_lt_0_compat; positive_parts
+  | |- 0 <= _ / _ => apply quotient_sign; positive_parts
+  | |- 0 < _ / _ => apply Rdiv_lt_0_compat; positive_parts
+  | |- 0 <= _ ^ 2 => apply pow2_ge_0
+  | |- 0 < _ ^ _ => apply pow_lt; positive_parts
+  | _ => first [trigonometric_seed | lra | nra]
+  end.
+Ltac order1 ::= lazymatch goal with
+  | |- _ = _ => atoms; equal
+  | |- _ => first
+    [ not_negative
+    | special; first [ numeric | lra
+      | facts; trigonometric_signs; first [lra | positive_parts | exponentials; circles; roots; first [lra | nra | positive_parts]] ] ]
+  end.

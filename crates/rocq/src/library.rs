@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 10] = [
+pub const LIBRARY: [(&str, &str); 11] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -31,6 +31,10 @@ pub const LIBRARY: [(&str, &str); 10] = [
     (
         "Torse/Combinations.v",
         include_str!("../../../proofs/Torse/Combinations.v"),
+    ),
+    (
+        "Torse/Unknowns.v",
+        include_str!("../../../proofs/Torse/Unknowns.v"),
     ),
     (
         "Torse/Stages.v",
