@@ -21,6 +21,8 @@ pub enum Choice {
     Zero,
     /// Different ones, and members of families that differ by their index too.
     Varied,
+    /// Equal ones for coordinates of vectors whose names differ by a number only, and one for all else.
+    Same,
 }
 
 /// Values for the bound names, in order.
@@ -31,9 +33,13 @@ pub fn point(goal: &Goal, choice: Choice) -> Vec<String> {
     let mut count = 1;
     for binder in &goal.proposition.binders {
         let set = goal.symbols.get(&binder.symbol);
-        for name in &binder.names {
+        for (coordinate, name) in (1..).zip(&binder.names) {
             count += 1;
             let number = match choice {
+                Choice::Same if binder.names.len() > 1 => {
+                    format!("{}", scattered(letters(&binder.symbol) + coordinate))
+                }
+                Choice::Same => "1".to_owned(),
                 Choice::Generic | Choice::Varied => format!("{}", scattered(count)),
                 Choice::Zero => "0".to_owned(),
             };
@@ -58,6 +64,12 @@ pub fn point(goal: &Goal, choice: Choice) -> Vec<String> {
 /// Different numbers without a rule that would make a determinant of them vanish.
 fn scattered(count: i64) -> i64 {
     (count * count * count + 2 * count).rem_euclid(13) + 1
+}
+
+/// A number for the letters that a name begins with.
+fn letters(name: &str) -> i64 {
+    let letters = name.bytes().take_while(u8::is_ascii_alphabetic);
+    letters.map(i64::from).sum()
 }
 
 /// A family of numbers: constant, or with members that differ.
@@ -85,55 +97,75 @@ fn member(choice: Choice, indices: usize, number: &str, count: i64) -> String {
 /// How many values are tried for each integer.
 const TRIED: i64 = 7;
 
+/// Values of integers by their names.
+type Integers = BTreeMap<Arc<str>, i64>;
+
 /// The first values of the integers that are in their sets together; nothing for those that have none among the few tried.
-fn integers(goal: &Goal) -> BTreeMap<Arc<str>, i64> {
-    let symbols = goal.symbols.iter();
-    let sets: Vec<(&Arc<str>, &Option<Affine>, &Option<Affine>)> = symbols
-        .filter_map(|(name, set)| match set {
-            Set::Integer { least, most } => Some((name, least, most)),
-            _ => None,
-        })
-        .collect();
-    let value_of = |values: &BTreeMap<Arc<str>, i64>, form: &Affine| {
-        let rest = form
-            .multiples()
-            .map(|(name, multiple)| Some(multiple * values.get(name)?));
-        Some(rest.sum::<Option<i64>>()? + form.constant())
-    };
-    // A form of symbols without values is no bound yet.
-    let fits = |values: &BTreeMap<Arc<str>, i64>| {
-        sets.iter().all(|(name, least, most)| {
-            let value = values.get(*name);
-            let end = |form: &Option<Affine>| value_of(values, form.as_ref()?);
-            let above = value.zip(end(least)).is_none_or(|(v, end)| end <= *v);
-            above && value.zip(end(most)).is_none_or(|(v, end)| *v <= end)
-        })
-    };
-    let mut values = BTreeMap::new();
-    fill(
-        &sets.iter().map(|set| set.0).collect::<Vec<_>>(),
-        &mut values,
-        &fits,
-    );
+fn integers(goal: &Goal) -> Integers {
+    let mut values = Integers::new();
+    for binder in &goal.proposition.binders {
+        let number = binder.names.first().and_then(|name| fixed(goal, name));
+        let number = number.and_then(|text| text.trim_matches(['(', ')']).parse().ok());
+        if let (Some(Set::Integer { .. }), Some(number)) =
+            (goal.symbols.get(&binder.symbol), number)
+        {
+            values.insert(Arc::clone(&binder.symbol), number);
+        }
+    }
+    fill(&integer_sets(&goal.symbols), &mut values);
     values
 }
 
-/// Values for the names one after the other, back to the one before where none fits; whether all got one.
-fn fill(
-    names: &[&Arc<str>],
-    values: &mut BTreeMap<Arc<str>, i64>,
-    fits: &dyn Fn(&BTreeMap<Arc<str>, i64>) -> bool,
-) -> bool {
-    let Some((name, rest)) = names.split_first() else {
+/// An integer with the ends of its set.
+struct IntegerSet<'a> {
+    name: &'a Arc<str>,
+    least: Option<&'a Affine>,
+    most: Option<&'a Affine>,
+}
+
+fn integer_sets(symbols: &BTreeMap<Arc<str>, Set>) -> Vec<IntegerSet<'_>> {
+    let sets = symbols.iter().filter_map(|(name, set)| match set {
+        Set::Integer { least, most } => Some(IntegerSet {
+            name,
+            least: least.as_ref(),
+            most: most.as_ref(),
+        }),
+        _ => None,
+    });
+    sets.collect()
+}
+
+impl IntegerSet<'_> {
+    /// Whether its value is in its set. A form of symbols without values is no bound yet.
+    fn fits(&self, values: &Integers) -> bool {
+        let Some(value) = values.get(self.name) else {
+            return true;
+        };
+        let end = |form: Option<&Affine>| {
+            let form = form?;
+            let rest = form
+                .multiples()
+                .map(|(name, multiple)| Some(multiple * values.get(name)?));
+            Some(rest.sum::<Option<i64>>()? + form.constant())
+        };
+        end(self.least).is_none_or(|least| least <= *value)
+            && end(self.most).is_none_or(|most| *value <= most)
+    }
+}
+
+/// Values for the integers that have none, one after the other, and back to the one before where none fits; whether all got
+/// one.
+fn fill(sets: &[IntegerSet<'_>], values: &mut Integers) -> bool {
+    let Some(next) = sets.iter().find(|set| !values.contains_key(set.name)) else {
         return true;
     };
     for value in 0..TRIED {
-        values.insert(Arc::clone(name), value);
-        if fits(values) && fill(rest, values, fits) {
+        values.insert(Arc::clone(next.name), value);
+        if sets.iter().all(|set| set.fits(values)) && fill(sets, values) {
             return true;
         }
     }
-    values.remove(*name);
+    values.remove(next.name);
     false
 }
 
@@ -168,9 +200,10 @@ fn within(interval: &Interval, choice: Choice, count: i64) -> String {
     let value: Rational = match (lower.and_then(rational_end), upper.and_then(rational_end)) {
         (Some(low), Some(high)) => between(&low, &high),
         (Some(low), None) if choice == Choice::Zero && lower.is_some_and(|b| b.closed) => low,
-        (Some(low), None) => low + one,
-        (None, Some(high)) => high - one,
+        (Some(low), None) => low + &one,
+        (None, Some(high)) => high - &one,
         (None, None) if choice == Choice::Zero => rational::integer(0),
+        (None, None) if choice == Choice::Same => one,
         (None, None) => rational::integer(scattered(count)),
     };
     format!("({})", Code::rational(&value).text())
@@ -256,4 +289,33 @@ fn rocq_number(value: &str) -> String {
         })
         .collect();
     format!("({text})")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn integers_are_in_their_sets_together() {
+        // k has no value below that of m, whose set has smaller ones.
+        let integer = |least: Option<Affine>, most: Option<Affine>| Set::Integer { least, most };
+        let symbols = BTreeMap::from([
+            (
+                Arc::from("k"),
+                integer(Some(Affine::number(3)), Some(Affine::symbol("m"))),
+            ),
+            (Arc::from("m"), integer(Some(Affine::number(2)), None)),
+        ]);
+        let mut values = Integers::new();
+        assert!(fill(&integer_sets(&symbols), &mut values));
+        assert_eq!(values.get("k"), Some(&3));
+        assert_eq!(values.get("m"), Some(&3));
+    }
+
+    #[test]
+    fn members_differ_by_their_index_where_they_have_to() {
+        assert_eq!(member(Choice::Zero, 2, "0", 5), "(fun _ _ => 0)");
+        let varied = member(Choice::Varied, 1, "7", 5);
+        assert!(varied.contains("i0 * i0 * i0"), "{varied}");
+    }
 }

@@ -70,7 +70,7 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
         tactics,
     }];
     if !goal.proposition.premises.is_empty() {
-        let points: Vec<String> = [Choice::Generic, Choice::Zero, Choice::Varied]
+        let points: Vec<String> = [Choice::Generic, Choice::Zero, Choice::Varied, Choice::Same]
             .iter()
             .map(|choice| format!("({}met)", exists(&point(goal, *choice))))
             .collect();
