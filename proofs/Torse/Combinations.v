@@ -126,10 +126,15 @@ Ltac fewer_seeds := match goal with
 Ltac stepped := match goal with |- ?a * basis ?a ?b ?s ?i (?k - 1) + ?b * basis ?a ?b ?s (?i - 1) (?k - 1) = _ =>
   rewrite <- (basis_step a b s i k) by (cbn [length]; lia) end; mirrored'.
 
+(* curves at a parameter are compared as curves, at the ends by their points *)
+Ltac curves_or_points := tryif (match goal with |- context [pw (1 - ?x) ?x _ _] => is_var x end)
+  then first [one_curve | settle] else settle.
 Ltac symbolic ::= computed; intros; equations; substituted; divisors; parts; intros; equations; closed_parts;
   first
   [ turned | swapped | fewer_seeds | function_at_end | stepped | not_negative
   | sums; closed_parts;
-    first [ lazymatch goal with |- context [Derive_n _ _ _] => fail | _ => ring end
-          | derivatives; operators; one_curve
-          | symbolic1 ] ].
+    lazymatch goal with
+    | |- context [Derive_n _ _ _] => derivatives; operators; curves_or_points
+    | |- context [sum _ _ _] => first [ ring | unities | operators; curves_or_points | symbolic1 ]
+    | _ => first [ ring | symbolic1 ]
+    end ].

@@ -183,13 +183,14 @@ fn fixed(goal: &Goal, name: &str) -> Option<String> {
     values.next()
 }
 
-/// A number of an interval. Between multiples of pi it is one whose sine is known.
+/// A number of an interval: the middle, which is often zero, or another. Between multiples of pi it is one whose sine is known.
 fn within(interval: &Interval, choice: Choice, count: i64) -> String {
     let (lower, upper) = (interval.lower.as_ref(), interval.upper.as_ref());
     let rational_end = |bound: &Bound| bound.value.as_rational().cloned();
     let one = rational::integer(1);
-    let third = rational::ratio(1, 3).unwrap_or_default();
-    let between = |low: &Rational, high: &Rational| low.clone() + (high.clone() - low) * &third;
+    let parts = if choice == Choice::Zero { 2 } else { 3 };
+    let part = rational::ratio(1, parts).unwrap_or_default();
+    let between = |low: &Rational, high: &Rational| low.clone() + (high.clone() - low) * &part;
     let turned = |bound: &Constant| bound.turns != rational::integer(0);
     if let (Some(low), Some(high)) = (lower, upper)
         && (turned(&low.value) || turned(&high.value))
