@@ -15,11 +15,11 @@ use torse_numbers::{Affine, Rational, rational};
 /// Which values are tried where nothing tells one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Choice {
-    /// Different ones.
+    /// Rising ones, which orders may ask for.
     Generic,
     /// Zero, which satisfies homogeneous equations.
     Zero,
-    /// Different ones, and members of families that differ by their index too.
+    /// Different ones without a rule, and members of families that differ by their index too.
     Varied,
     /// Equal ones for coordinates of vectors whose names differ by a number only, and one for all else.
     Same,
@@ -40,7 +40,8 @@ pub fn point(goal: &Goal, choice: Choice) -> Vec<String> {
                     format!("{}", scattered(letters(&binder.symbol) + coordinate))
                 }
                 Choice::Same => "1".to_owned(),
-                Choice::Generic | Choice::Varied => format!("{}", scattered(count)),
+                Choice::Generic => count.to_string(),
+                Choice::Varied => scattered(count).to_string(),
                 Choice::Zero => "0".to_owned(),
             };
             values.push(match set {
@@ -205,6 +206,7 @@ fn within(interval: &Interval, choice: Choice, count: i64) -> String {
         (None, Some(high)) => high - &one,
         (None, None) if choice == Choice::Zero => rational::integer(0),
         (None, None) if choice == Choice::Same => one,
+        (None, None) if choice == Choice::Generic => rational::integer(count),
         (None, None) => rational::integer(scattered(count)),
     };
     format!("({})", Code::rational(&value).text())
