@@ -15,10 +15,11 @@ Qed.
 
 Inductive num :=
   | NZ (z : Z) | NPi | NAdd (a b : num) | NSub (a b : num) | NMul (a b : num) | NDiv (a b : num) | NOpp (a : num)
-  | NInv (a : num) | NPow (a : num) (n : nat) | NSqrt (a : num).
+  | NInv (a : num) | NPow (a : num) (n : nat) | NSqrt (a : num) | NExp (a : num).
 Fixpoint nv (e : num) : R := match e with
   | NZ z => IZR z | NPi => PI | NAdd a b => nv a + nv b | NSub a b => nv a - nv b | NMul a b => nv a * nv b
-  | NDiv a b => nv a / nv b | NOpp a => - nv a | NInv a => / nv a | NPow a n => nv a ^ n | NSqrt a => sqrt (nv a) end.
+  | NDiv a b => nv a / nv b | NOpp a => - nv a | NInv a => / nv a | NPow a n => nv a ^ n | NSqrt a => sqrt (nv a)
+  | NExp a => exp (nv a) end.
 
 Definition box := option (Q * Q).
 Definition qmin (a b : Q) := if Qle_bool a b then a else b.
@@ -39,6 +40,22 @@ Definition broot (x : box) : box := match x with
       if andb (andb (Qle_bool 0 l) (Qle_bool 0 h)) (andb (Qle_bool (l * l) a) (Qle_bool b (h * h)))
       then Some (l, Qred h) else None
   | None => None end.
+(* e^q = (e^(q/2^40))^(2^40), and 1 + r <= e^r <= 1/(1 - r); the ends are rounded outwards *)
+Definition fine := Eval vm_compute in (2 ^ 90)%positive.
+Definition coarse := Eval vm_compute in (2 ^ 48)%positive.
+Definition down (p : positive) (q : Q) : Q := (Qnum q * Zpos p / Zpos (Qden q))%Z # p.
+Definition up (p : positive) (q : Q) : Q := Qopp (down p (Qopp q)).
+Definition steps := Eval vm_compute in (2 ^ 40)%positive.
+Fixpoint squared (n : nat) (round : Q -> Q) (q : Q) : Q :=
+  match n with O => q | S n => squared n round (round (q * q)%Q) end.
+Definition part (q : Q) : Q := (q * (1 # steps))%Q.
+Definition exp_low (q : Q) : option Q :=
+  let r := down fine (1 + part q)%Q in if Qle_bool 0 r then Some (down coarse (squared 40 (down fine) r)) else None.
+Definition exp_high (q : Q) : option Q :=
+  let r := (1 - part q)%Q in if Qle_bool r 0 then None else Some (up coarse (squared 40 (up fine) (up fine (/ r)))).
+Definition bexp (x : box) : box := match x with
+  | Some (a, b) => match exp_low a, exp_high b with Some l, Some h => Some (l, h) | _, _ => None end
+  | None => None end.
 Fixpoint bpow (x : box) (n : nat) : box := match n with O => Some (1 # 1, 1 # 1)%Q | S n => bmul x (bpow x n) end.
 Definition badd (x y : box) : box := match x, y with
   | Some (a, b), Some (c, d) => Some (Qred (a + c), Qred (b + d)) | _, _ => None end.
@@ -49,7 +66,7 @@ Fixpoint enclose (e : num) : box := match e with
   | NAdd a b => badd (enclose a) (enclose b) | NSub a b => badd (enclose a) (bopp (enclose b))
   | NMul a b => bmul (enclose a) (enclose b) | NDiv a b => bmul (enclose a) (binv (enclose b))
   | NOpp a => bopp (enclose a) | NInv a => binv (enclose a) | NPow a n => bpow (enclose a) n
-  | NSqrt a => broot (enclose a) end.
+  | NSqrt a => broot (enclose a) | NExp a => bexp (enclose a) end.
 
 (* the arithmetic tactics read Q2R itself in their own way *)
 Definition qr (q : Q) : R := Q2R q.
@@ -117,6 +134,60 @@ Proof.
   - rewrite <- (sqrt_square (qr (root a))) by lra. apply sqrt_le_1_alt. lra.
   - rewrite <- (sqrt_square (qr (root b + (1 # scale)))) by lra. apply sqrt_le_1_alt. lra.
 Qed.
+Lemma down_le p q : qr (down p q) <= qr q.
+Proof.
+  destruct q as [n d]. unfold down, qr. cbn [Qnum Qden]. apply Qle_Rle. unfold Qle. cbn [Qnum Qden].
+  rewrite (Z.mul_comm _ (Zpos d)). apply Z.mul_div_le. reflexivity.
+Qed.
+Lemma up_le p q : qr q <= qr (up p q).
+Proof. unfold up. rewrite qr_opp. pose proof (down_le p (- q)) as H. rewrite qr_opp in H. lra. Qed.
+Lemma down_nonneg p q : 0 <= qr q -> 0 <= qr (down p q).
+Proof.
+  destruct q as [n d]. unfold down, qr. intro H. replace 0 with (Q2R 0) in * by (unfold Q2R; cbn; lra).
+  apply Rle_Qle in H. apply Qle_Rle. unfold Qle in *. cbn [Qnum Qden] in *.
+  assert (0 <= n)%Z by lia. rewrite Z.mul_0_l, Z.mul_1_r. apply Z.div_pos; lia.
+Qed.
+Lemma squared_low n : forall q x, 0 <= qr q -> qr q <= exp x -> qr (squared n (down fine) q) <= exp (2 ^ n * x).
+Proof.
+  induction n as [|n IH]; intros q x P H; cbn [squared pow]; [rewrite Rmult_1_l; exact H|].
+  replace (2 * 2 ^ n * x) with (2 ^ n * (x + x)) by ring.
+  assert (S : 0 <= qr (q * q)) by (rewrite qr_mult; nra).
+  apply IH; [apply down_nonneg, S|]. apply Rle_trans with (qr (q * q)); [apply down_le|].
+  rewrite qr_mult, exp_plus. pose proof (exp_pos x). nra.
+Qed.
+Lemma squared_high n : forall q x, exp x <= qr q -> exp (2 ^ n * x) <= qr (squared n (up fine) q).
+Proof.
+  induction n as [|n IH]; intros q x H; cbn [squared pow]; [rewrite Rmult_1_l; exact H|].
+  replace (2 * 2 ^ n * x) with (2 ^ n * (x + x)) by ring.
+  apply IH. apply Rle_trans with (qr (q * q)); [|apply up_le].
+  rewrite qr_mult, exp_plus. pose proof (exp_pos x). nra.
+Qed.
+Lemma qr_part q : 2 ^ 40 * qr (part q) = qr q.
+Proof. unfold part. rewrite qr_mult. unfold qr at 2, Q2R, steps. cbn [Qnum Qden]. field. Qed.
+Lemma exp_least x : 1 + x <= exp x.
+Proof.
+  destruct (Req_dec x 0) as [->|N]; [rewrite exp_0; lra|]. left. apply exp_ineq1, N.
+Qed.
+Lemma inside_exp x r : inside x r -> inside (bexp x) (exp r).
+Proof.
+  destruct x as [[a b]|]; cbn [inside bexp]; auto. intro H. unfold exp_low, exp_high.
+  destruct (Qle_bool 0 (down fine (1 + part a))) eqn:L; [|exact I].
+  destruct (Qle_bool (1 - part b) 0) eqn:U; [exact I|]. cbn [inside].
+  pose proof (qr_z 0) as ZE. pose proof (qr_z 1) as OE.
+  apply qr_le in L. apply qr_lt in U. change (qr 0) with (qr (0 # 1)) in L, U. split.
+  - apply Rle_trans with (exp (qr a)); [|destruct (proj1 H) as [D| ->]; [left; apply exp_increasing, D|apply Rle_refl]].
+    eapply Rle_trans; [apply down_le|].
+    rewrite <- (qr_part a). apply squared_low; [lra|]. pose proof (down_le fine (1 + part a)) as D. rewrite qr_plus in D.
+    change (qr 1) with (qr (1 # 1)) in D. pose proof (exp_least (qr (part a))). lra.
+  - apply Rle_trans with (exp (qr b)); [destruct (proj2 H) as [D| ->]; [left; apply exp_increasing, D|apply Rle_refl]|].
+    eapply Rle_trans; [|apply up_le].
+    rewrite <- (qr_part b). apply squared_high. apply Rle_trans with (qr (/ (1 - part b))); [|apply up_le].
+    assert (E : qr (1 - part b) = 1 - qr (part b)).
+    { unfold Qminus. rewrite qr_plus, qr_opp. change (qr 1) with (qr (1 # 1)). lra. }
+    rewrite qr_inv by (intro F; apply Qeq_eqR in F; fold (qr (1 - part b)) in F; fold (qr 0) in F; change (qr 0) with (qr (0 # 1)) in F; lra).
+    rewrite E. rewrite E in U. pose proof (exp_least (- qr (part b))) as G. rewrite exp_Ropp in G. pose proof (exp_pos (qr (part b))).
+    rewrite <- (Rinv_involutive (exp (qr (part b)))) by lra. apply Rinv_le_contravar; lra.
+Qed.
 Lemma inside_pow x r n : inside x r -> inside (bpow x n) (r ^ n).
 Proof.
   intro H. induction n as [|n IH]; [cbn [bpow inside pow]; rewrite (qr_z 1); lra|]. apply inside_mul; assumption.
@@ -134,6 +205,7 @@ Proof.
   - apply inside_inv; assumption.
   - apply inside_pow; assumption.
   - apply inside_root; assumption.
+  - apply inside_exp; assumption.
 Qed.
 
 (* what a computation decides *)

@@ -1,7 +1,7 @@
 (* Definitions of a statement in closed form, one after the other: nobody has to read it.
    A definition that is used by another is computed once, its derivatives and inverses included, and stands for itself below
    binders; unfolding all definitions at once would compute it anew at each use. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Sums.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns.
 From Coq Require Import FunctionalExtensionality QArith.
 Open Scope R_scope.
 

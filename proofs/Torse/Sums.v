@@ -1,5 +1,5 @@
 (* Sums of symbolic length as linear combinations of sums that nothing can be taken out of: nobody has to read it. *)
-From Torse Require Import Defs Series Theory Bounds Tactics.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs.
 Open Scope R_scope.
 
 Lemma unity_of_three a b s t u k : (2 <= k)%Z -> a + b = 1 -> s + t + u = 1 ->
@@ -82,10 +82,11 @@ Ltac linear_derivatives := repeat match goal with
       [|let y := fresh "y" in intro y; cbv beta; progress (linear_sums; closed_parts); reflexivity]; cbv beta
   end.
 (* integers that are symbols, also those of a part of a statement *)
-Ltac computed ::= match goal with
-  | |- context [forall i : Z, @?P i] => lazymatch type of P with Z -> Prop => lists end
-  | _ => compute_goal
+Ltac symbolic_integers := intros; match goal with
+  | _ : Z |- _ => idtac
+  | |- context [forall i : Z, @?P i] => lazymatch type of P with Z -> Prop => idtac end
   end.
+Ltac computed ::= tryif assert_succeeds symbolic_integers then lists else compute_goal.
 Ltac sums := linear_derivatives; linear_sums.
 Ltac symbolic := computed; intros; equations; substituted; divisors; parts; intros; equations; closed_parts; sums; closed_parts;
   first [lazymatch goal with |- context [Derive_n _ _ _] => fail | _ => ring end | symbolic1].

@@ -44,6 +44,7 @@ Ltac num t := lazymatch t with
   | / ?a => let a := num a in constr:(NInv a)
   | ?a ^ ?n => let a := num a in constr:(NPow a n)
   | sqrt ?a => let a := num a in constr:(NSqrt a)
+  | exp ?a => let a := num a in constr:(NExp a)
   end.
 Ltac less a b := let a := num a in let b := num b in
   exact (num_lt a b (@eq_refl bool true <: above (NSub b a) = true)).
@@ -72,6 +73,7 @@ Ltac reify f :=
   | (fun x => @?a x ^ ?n) => let a := reify a in constr:(Pw a n)
   | (fun x => sin (@?a x)) => let a := reify a in constr:(Si a)
   | (fun x => cos (@?a x)) => let a := reify a in constr:(Co a)
+  | (fun x => exp (@?a x)) => let a := reify a in constr:(Ep a)
   | (fun x => sum 0 ?k (fun i => basis (1 - x) x [@?a x; @?b x; @?c x] i ?k * @?P i)) =>
       let a := reify a in let b := reify b in let c := reify c in constr:(Se a b c (k - 2) P)
   | (fun x => sum 0 ?k (fun i => basis (1 - x) x [@?a x] i ?k * @?P i)) =>
@@ -213,7 +215,9 @@ Ltac roots :=
       let P := fresh in assert (P : 0 <= sqrt q) by apply sqrt_pos;
       generalize dependent (sqrt q); intros
   end.
-Ltac atoms := special; circles; roots.
+(* those of later files *)
+Ltac exponentials := idtac.
+Ltac atoms := special; exponentials; circles; roots.
 
 (* ---- what is not zero ---- *)
 (* integers are known as numbers too *)
@@ -264,6 +268,7 @@ Ltac parts := repeat match goal with
   | |- _ :: _ = _ :: _ => apply f_equal2
   | |- @nil _ = _ => reflexivity
   end.
+Ltac conjuncts := repeat match goal with |- _ /\ _ => split end.
 Ltac equations := repeat match goal with
   | H : _ /\ _ |- _ => lazymatch type of H with (_ <= _ <= _)%Z => fail | _ => destruct H end
   | H : _ :: _ = _ :: _ |- _ => injection H; clear H; intros
@@ -346,17 +351,18 @@ Ltac units := repeat match goal with
   | |- context [unit ?i ?j] => first [ rewrite (unit_one i j) by lia | rewrite (unit_zero i j) by lia ]
   end.
 (* sums in sums come to light one after the other *)
-Ltac corner_sums := lazymatch goal with
-  | |- context [pw _ _ _ _] => ends; lazymatch goal with |- context [sum _ _ _] => progress operators; corner_sums | _ => idtac end
-  | _ => idtac end.
+Ltac corner_sums := repeat (progress operators; ends).
 (* series of the same step *)
 Ltac one_series := rewrite <- ?pw_scal, <- ?pw_plus, <- ?pw_minus; apply pw_ext; intro; unfold seed3; ring.
-Ltac settle := corners; ends; try corner_sums; special; tidied; maxes; units; members; rewritten; numbers; circles; roots; equal.
+Ltac settle := corners; ends; try corner_sums; special; tidied; maxes; units; members; rewritten; numbers; exponentials; circles; roots; equal.
+Ltac quarter x := lazymatch goal with
+  | _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail
+  | _ => let U := fresh in assert (U : 0 <= x <= 1) by lra;
+      pose proof (quarter_sine x U); pose proof (quarter_cosine x U); clear U
+  end.
 Ltac signs := repeat match goal with
-  | H : 0 <= ?x <= 1 |- context [sin (PI / 2 * ?x)] =>
-      lazymatch goal with _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail | _ => pose proof (quarter_sine x H); pose proof (quarter_cosine x H) end
-  | H : 0 <= ?x <= 1 |- context [cos (PI / 2 * ?x)] =>
-      lazymatch goal with _ : 0 <= sin (PI / 2 * x) <= 1 |- _ => fail | _ => pose proof (quarter_sine x H); pose proof (quarter_cosine x H) end
+  | |- context [sin (PI / 2 * ?x)] => quarter x
+  | |- context [cos (PI / 2 * ?x)] => quarter x
   end.
 (* functions of a basis with seeds and step that are not negative *)
 Ltac nonnegative := apply basis_nonneg; [ lra | lra |
@@ -446,7 +452,7 @@ Ltac contradiction_in C := lazymatch type of C with
   | agrees_down _ _ _ => destruct C as [C|[C D]]; [far C | first [contradiction_in C | contradiction_in D]]
   | ?a = ?b => first
       [ revert C; change (a <> b); numeric
-      | revert C; roots; intro C; pose proof PI_RGT_0; first [lra | nra] ]
+      | revert C; exponentials; roots; intro C; pose proof PI_RGT_0; first [lra | nra] ]
   | _ => first [ apply C; first [numeric | equal]
       | match type of C with ?a < ?b => apply (Rlt_not_le _ _ C); numeric | ?a > ?b => apply (Rlt_not_le _ _ C); numeric
         | ?a <= ?b => apply (Rle_not_lt _ _ C); numeric | ?a >= ?b => apply (Rge_not_lt _ _ C); numeric end
@@ -462,7 +468,7 @@ Ltac order1 := lazymatch goal with
   | |- _ = _ => atoms; equal
   | |- 0 <= basis _ _ _ _ _ => nonnegative
   | |- basis _ _ _ _ _ >= 0 => apply Rle_ge; nonnegative
-  | _ => special; first [ numeric | lra | facts; signs; circles; roots; pose proof PI_RGT_0; first [lra | nra] ]
+  | _ => special; first [ numeric | lra | facts; signs; exponentials; circles; roots; pose proof PI_RGT_0; first [lra | nra] ]
   end.
 Ltac rounded := cbv beta delta [agrees_up agrees_down]; special; first
   [ right; split; numeric | left; apply Rabs_le; split; numeric ].

@@ -7,17 +7,17 @@ Open Scope R_scope.
 (* ---- expressions ---- *)
 Inductive ex :=
   | K (r : R) | X | Ad (e f : ex) | Sb (e f : ex) | Op (e : ex) | Ml (e f : ex) | Iv (e : ex) | Pw (e : ex) (n : nat)
-  | Si (e : ex) | Co (e : ex) | Se (a b c : ex) (m : Z) (P : Z -> R) | Ss (u v : R) (a b c : ex) (m : Z) (P : Z -> R).
+  | Si (e : ex) | Co (e : ex) | Ep (e : ex) | Se (a b c : ex) (m : Z) (P : Z -> R) | Ss (u v : R) (a b c : ex) (m : Z) (P : Z -> R).
 Fixpoint ev (e : ex) (x : R) : R := match e with
   | K r => r | X => x | Ad e f => ev e x + ev f x | Sb e f => ev e x - ev f x | Op e => - ev e x
   | Ml e f => ev e x * ev f x | Iv e => / ev e x | Pw e n => ev e x ^ n
-  | Si e => sin (ev e x) | Co e => cos (ev e x)
+  | Si e => sin (ev e x) | Co e => cos (ev e x) | Ep e => exp (ev e x)
   | Se a b c m P => pw (1 - x) x (Z.to_nat m) (seed3 (ev a x) (ev b x) (ev c x) P)
   | Ss u v a b c m P => pw u v (Z.to_nat m) (seed3 (ev a x) (ev b x) (ev c x) P) end.
 (* whether the variable occurs *)
 Fixpoint occurs (e : ex) : bool := match e with
   | K _ => false | X => true | Ad e f | Sb e f | Ml e f => occurs e || occurs f
-  | Op e | Iv e | Pw e _ | Si e | Co e => occurs e | Se _ _ _ _ _ => true
+  | Op e | Iv e | Pw e _ | Si e | Co e | Ep e => occurs e | Se _ _ _ _ _ => true
   | Ss _ _ a b c _ _ => occurs a || occurs b || occurs c end.
 Fixpoint dx (e : ex) : ex :=
   if occurs e then match e with
@@ -28,14 +28,14 @@ Fixpoint dx (e : ex) : ex :=
   | Ml e f => if occurs e then if occurs f then Ad (Ml (dx e) f) (Ml e (dx f)) else Ml (dx e) f else Ml e (dx f)
   | Iv e => Op (Ml (dx e) (Iv (Ml e e)))
   | Pw e n => match n with O => K 0 | S n => Ml (K (IZR (Z.of_nat (S n)))) (Ml (dx e) (Pw e n)) end
-  | Si e => Ml (dx e) (Co e) | Co e => Op (Ml (dx e) (Si e))
+  | Si e => Ml (dx e) (Co e) | Co e => Op (Ml (dx e) (Si e)) | Ep e => Ml (dx e) (Ep e)
   | Se a b c m P => Ad (Ml (K (IZR (Z.max m 0))) (Se a b c (m - 1) (dl P))) (Se (dx a) (dx b) (dx c) m P)
   | Ss u v a b c m P => Ss u v (dx a) (dx b) (dx c) m P end
   else K 0.
 (* no divisor is zero *)
 Fixpoint ok (e : ex) (x : R) : Prop := match e with
   | K _ | X => True | Ad e f | Sb e f | Ml e f => ok e x /\ ok f x
-  | Op e | Pw e _ | Si e | Co e => ok e x
+  | Op e | Pw e _ | Si e | Co e | Ep e => ok e x
   | Iv e => ok e x /\ ev e x <> 0
   | Se a b c _ _ | Ss _ _ a b c _ _ => ok a x /\ ok b x /\ ok c x end.
 
@@ -93,7 +93,8 @@ Lemma evIv e x : ev (Iv e) x = / ev e x. Proof. reflexivity. Qed.
 Lemma evPw e n x : ev (Pw e n) x = ev e x ^ n. Proof. reflexivity. Qed.
 Lemma evSi e x : ev (Si e) x = sin (ev e x). Proof. reflexivity. Qed.
 Lemma evCo e x : ev (Co e) x = cos (ev e x). Proof. reflexivity. Qed.
-Ltac evs := cbv beta; repeat (progress (rewrite ?evK, ?evAd, ?evSb, ?evMl, ?evOp, ?evIv, ?evPw, ?evSi, ?evCo)).
+Lemma evEp e x : ev (Ep e) x = exp (ev e x). Proof. reflexivity. Qed.
+Ltac evs := cbv beta; repeat (progress (rewrite ?evK, ?evAd, ?evSb, ?evMl, ?evOp, ?evIv, ?evPw, ?evSi, ?evCo, ?evEp)).
 Lemma INR_IZR_INZ_max m : INR (Z.to_nat m) = IZR (Z.max m 0).
 Proof. rewrite INR_IZR_INZ. f_equal. lia. Qed.
 Lemma to_nat_pred m : Z.to_nat (m - 1) = pred (Z.to_nat m).
@@ -137,6 +138,9 @@ Proof.
   - specialize (IHe H). cbn [dx occurs]. destruct (occurs e) eqn:O1.
     + eapply deq; [apply (dcomp cos (ev e)); [apply is_derive_cos|exact IHe]|evs; ring].
     + apply (flat (Co e)). exact O1.
+  - specialize (IHe H). cbn [dx occurs]. destruct (occurs e) eqn:O1.
+    + apply (dcomp exp (ev e)); [apply is_derive_exp|exact IHe].
+    + apply (flat (Ep e)). exact O1.
   - destruct H as [H1 [H2 H3]]. cbn [dx occurs]. evs.
     rewrite <- INR_IZR_INZ_max. cbn [ev]. rewrite to_nat_pred.
     exact (F_derive (ev e1) (ev e2) (ev e3) (ev (dx e1)) (ev (dx e2)) (ev (dx e3)) x (IHe1 H1) (IHe2 H2) (IHe3 H3) (Z.to_nat m) P).

@@ -26,6 +26,7 @@ pub mod library;
 pub mod merge;
 mod modules;
 pub mod name;
+pub mod point;
 pub mod script;
 pub mod shape;
 pub mod statement;

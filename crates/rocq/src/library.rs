@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 7] = [
+pub const LIBRARY: [(&str, &str); 11] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -19,7 +19,23 @@ pub const LIBRARY: [(&str, &str); 7] = [
         "Torse/Tactics.v",
         include_str!("../../../proofs/Torse/Tactics.v"),
     ),
+    (
+        "Torse/Exponentials.v",
+        include_str!("../../../proofs/Torse/Exponentials.v"),
+    ),
+    (
+        "Torse/Signs.v",
+        include_str!("../../../proofs/Torse/Signs.v"),
+    ),
     ("Torse/Sums.v", include_str!("../../../proofs/Torse/Sums.v")),
+    (
+        "Torse/Combinations.v",
+        include_str!("../../../proofs/Torse/Combinations.v"),
+    ),
+    (
+        "Torse/Unknowns.v",
+        include_str!("../../../proofs/Torse/Unknowns.v"),
+    ),
     (
         "Torse/Stages.v",
         include_str!("../../../proofs/Torse/Stages.v"),

@@ -21,7 +21,7 @@ const LIMITS: Limits = Limits {
 };
 
 /// A true statement, a false one that differs from it by one edit, and the evidence of the true one.
-const PAIRS: [(&str, &str, Evidence); 8] = [
+const PAIRS: [(&str, &str, Evidence); 15] = [
     (
         "(x + 1)^2 == x^2 + 2*x + 1",
         "(x + 1)^2 == x^2 - 2*x + 1",
@@ -58,6 +58,29 @@ const PAIRS: [(&str, &str, Evidence); 8] = [
         "B[i,m](x) == (1 - x)*B[i,m-1](x) + x*B[i,m-1](x)",
         Evidence::Induction,
     ),
+    (
+        "B[m-i,m](1 - x) == B[i,m](x)",
+        "B[m-i,m](1 - x) == B[i,m](1 - x)",
+        Evidence::Induction,
+    ),
+    (
+        "B[0,m](0) == 1 and B[m,m](1) == 1",
+        "B[0,m](0) == 1 and B[0,m](1) == 1",
+        Evidence::Induction,
+    ),
+    (
+        "exp(x + y)*exp(-y) == exp(x)",
+        "exp(x + y)*exp(-x) == exp(x)",
+        Evidence::Identity,
+    ),
+    (
+        "D(exp(x*y), x) == y*exp(x*y)",
+        "D(exp(x*y), x) == x*exp(x*y)",
+        Evidence::Identity,
+    ),
+    ("exp(x) >= 1 + x", "exp(x) >= 2 + x", Evidence::Inequality),
+    ("exp(1) > 27/10", "exp(1) > 28/10", Evidence::Enclosure),
+    ("not x*y == x", "not x*y == y*x", Evidence::Identity),
 ];
 
 /// The claims of a paper with these statements.

@@ -262,6 +262,40 @@ fn a_coqc_that_is_killed_is_told_and_nothing_is_kept() {
     assert!(!out.path().join("accepted.json").exists());
 }
 
+/// The files of a folder, with what is in them.
+#[cfg(unix)]
+fn contents(folder: &std::path::Path) -> std::collections::BTreeMap<std::path::PathBuf, Vec<u8>> {
+    let mut found = std::collections::BTreeMap::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        match path.is_dir() {
+            true => found.extend(contents(&path)),
+            false => {
+                found.insert(path.clone(), fs::read(&path).unwrap());
+            }
+        }
+    }
+    found
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_check_leaves_the_folder_as_it_was() {
+    let (derivations, out) = (square(), tempfile::tempdir().unwrap());
+    let folder = out.path().to_str().unwrap();
+    let (code, _, err) = prove(&derivations, folder, None, &[]);
+    assert_eq!(code, Some(0), "{err}");
+    fs::write(out.path().join("accepted.json"), "those of before").unwrap();
+    let before = contents(out.path());
+    // Where coqc is asked for the first file, the run gets what Ctrl-C sends.
+    let bin = stand_in("*) kill -INT $PPID; sleep 1;;");
+    let path = format!("{}:/usr/bin:/bin", bin.path().display());
+    let (code, said, err) = prove(&derivations, folder, Some(&path), &["--check"]);
+    assert_ne!(code, Some(0), "{said}{err}");
+    assert!(!said.contains("accepted"), "{said}");
+    assert_eq!(contents(out.path()), before);
+}
+
 #[test]
 fn the_help_says_how_to_get_coqc() {
     let ran = torse(&["prove", "--help"]);
