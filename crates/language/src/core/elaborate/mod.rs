@@ -7,6 +7,7 @@
 mod binders;
 mod built_in;
 mod families;
+mod smooth;
 
 use super::{Family, Node, Points, Set, Statement, Term, Variable};
 use crate::derivation::declarations::{Declarations, Definition, SymbolKind};
@@ -14,6 +15,7 @@ use crate::fault::{Fault, Problem};
 use crate::similar::similar;
 use crate::syntax::{self, Connective, Expr, Place};
 use binders::{Local, Scope};
+use smooth::At;
 use built_in::NAMES;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
@@ -67,6 +69,8 @@ pub struct Elaborator<'a> {
     opened: RefCell<BTreeMap<String, Meaning>>,
     families: RefCell<BTreeMap<String, Arc<Family>>>,
     points: RefCell<BTreeMap<String, Arc<Points>>>,
+    /// Where smooth functions were taken, by the text of the place.
+    places: RefCell<BTreeMap<Arc<str>, BTreeMap<String, At>>>,
 }
 
 type Outcome<T> = Result<T, Fault>;
@@ -83,6 +87,7 @@ impl<'a> Elaborator<'a> {
             opened: RefCell::default(),
             families: RefCell::default(),
             points: RefCell::default(),
+            places: RefCell::default(),
         }
     }
 
@@ -98,7 +103,11 @@ impl<'a> Elaborator<'a> {
     /// [`Fault`] for undeclared names, what stands at the wrong place, and wrong numbers of arguments.
     pub fn meaning(&self, expr: &Expr) -> Outcome<Meaning> {
         self.nodes.set(0);
-        self.open(expr, &Scope::default())
+        Ok(match self.open(expr, &Scope::default())? {
+            Meaning::Term(term) => Meaning::Term(self.in_jets(term)?),
+            Meaning::Statement(statement) => Meaning::Statement(self.statement_in_jets(statement)?),
+            Meaning::Function(function) => Meaning::Function(function),
+        })
     }
 
     /// The core of a formula.
@@ -107,7 +116,7 @@ impl<'a> Elaborator<'a> {
     /// As [`Elaborator::meaning`].
     pub fn term(&self, expr: &Expr) -> Outcome<Term> {
         self.nodes.set(0);
-        self.term_in(expr, &Scope::default())
+        self.in_jets(self.term_in(expr, &Scope::default())?)
     }
 
     /// The core of a statement.
@@ -116,7 +125,7 @@ impl<'a> Elaborator<'a> {
     /// As [`Elaborator::meaning`].
     pub fn statement(&self, expr: &Expr) -> Outcome<Statement> {
         self.nodes.set(0);
-        self.statement_in(expr, &Scope::default())
+        self.statement_in_jets(self.statement_in(expr, &Scope::default())?)
     }
 
     /// The basis family of this name.
@@ -277,6 +286,9 @@ impl<'a> Elaborator<'a> {
                 ));
             }
             None => {}
+        }
+        if let Some(dimension) = self.declarations.function(name) {
+            return Ok(Meaning::Function(self.smooth(name, dimension, place)));
         }
         if name == "pi" {
             return term(Node::Pi);
