@@ -38,6 +38,8 @@ pub struct Ground<'a> {
     pub domain: Domain<'a>,
     /// How symbols were eliminated, in this order.
     pub eliminated: Vec<Elimination<Polynomial>>,
+    /// Whether an equation stays a constraint where its solution would divide by what may vanish.
+    keeping: bool,
 }
 
 /// What a claim states, ready to be decided.
@@ -87,13 +89,14 @@ impl<'a> Ground<'a> {
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
     ) -> Result<Self, Fault> {
-        let mut ground = Self::assumed(claim, elaborator, fixed)?;
+        let mut ground = Self::assumed(claim, elaborator, fixed, false)?;
         ground.solve(&ground.given(claim)?, claim)?;
         ground.bound_integers(claim, fixed);
         Ok(ground)
     }
 
-    /// The same without the given equations.
+    /// The same without the given equations. With `keeping` no assumed equation is solved where the solution divides by what
+    /// may vanish: what the equation says there is lost with the solution.
     ///
     /// # Errors
     /// As [`Ground::new`].
@@ -101,12 +104,14 @@ impl<'a> Ground<'a> {
         claim: &core::Claim,
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
+        keeping: bool,
     ) -> Result<Self, Fault> {
         let evaluator = Evaluator::with(elaborator);
         let mut ground = Self {
             domain: Domain::new(evaluator.declarations),
             evaluator: evaluator.fixing(fixed),
             eliminated: vec![],
+            keeping,
         };
         for (name, value) in fixed {
             ground.keep_range(&Symbol::named(name), value);
@@ -313,6 +318,10 @@ impl<'a> Ground<'a> {
             .or_else(|| candidates.iter().find(|(_, c, _)| self.never_zero(c)))
             .or_else(|| candidates.first())
             .cloned();
+        let settled = |(_, coefficient, _): &(Symbol, Polynomial, Fraction)| {
+            coefficient.symbols().iter().all(is_number) || self.never_zero(coefficient)
+        };
+        let chosen = chosen.filter(|found| !self.keeping || settled(found));
         let Some((symbol, coefficient, solution)) = chosen else {
             // It determines no symbol rationally; points have to satisfy it all the same.
             self.constrain(value, Relation::Equal);

@@ -412,7 +412,8 @@ impl Decider<'_> {
             return None;
         }
         let fixed = instances::fixed(instance);
-        let ground = Ground::assumed(&self.claim, Rc::clone(&self.elaborator), &fixed).ok()?;
+        let ground =
+            Ground::assumed(&self.claim, Rc::clone(&self.elaborator), &fixed, false).ok()?;
         let (forms, unknowns) = (
             ground.given(&self.claim).ok()?,
             ground.unknowns(&self.claim).ok()?,
@@ -441,6 +442,32 @@ impl Decider<'_> {
             divisors: decide::witness::nonconstant(conditions),
             by,
         };
+        Some((ground, combination, open))
+    }
+
+    /// An equation as a combination of the assumed ones as they stand, where solving these would divide by what may vanish,
+    /// if it is one, with the conditions that it leaves.
+    fn uneliminated(
+        &self,
+        statement: &core::Statement,
+        instance: &Instance,
+    ) -> Option<(Ground<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
+        if !self.claim.unknowns.is_empty() {
+            return None;
+        }
+        let fixed = instances::fixed(instance);
+        let ground =
+            Ground::assumed(&self.claim, Rc::clone(&self.elaborator), &fixed, true).ok()?;
+        let Ok(Statement::Compare {
+            relation: Relation::Equal,
+            left,
+            right,
+        }) = ground.evaluator.truth(statement)
+        else {
+            return None;
+        };
+        let combination = equality::follows(&left, &right, &ground.domain, &ground.evaluator)?;
+        let open = open_conditions(&combination.divisors, &ground);
         Some((ground, combination, open))
     }
 
@@ -518,6 +545,18 @@ impl Decider<'_> {
             let nonzero = nonzero(&met, &weaker, &unsolved.domain);
             let combination = Proof::Combination(combination);
             return Ok(proved(unsolved, combination, (weaker, nonzero), vec![]));
+        }
+        if !conditions.is_empty()
+            && !ground.eliminated.is_empty()
+            && let Some((kept, combination, weaker)) = self.uneliminated(statement, instance)
+            && weaker
+                .iter()
+                .all(|condition| conditions.contains(condition))
+            && weaker.len() < conditions.len()
+        {
+            let nonzero = nonzero(&combination.divisors, &weaker, &kept.domain);
+            let combination = Proof::Combination(combination);
+            return Ok(proved(kept, combination, (weaker, nonzero), vec![]));
         }
         let ranges = decide::ranges(&value, &ground.domain, &ground.evaluator)?;
         let nonzero = nonzero(&met, &conditions, &ground.domain);

@@ -104,7 +104,7 @@ pub(crate) fn vanishing(evaluator: &Evaluator<'_>) -> Vanishing {
 }
 
 /// Every difference as a multiple of an assumed equation, if it is one.
-fn follows(
+pub(crate) fn follows(
     left: &Value,
     right: &Value,
     domain: &Domain<'_>,
