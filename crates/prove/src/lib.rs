@@ -8,6 +8,7 @@
 mod alternatives;
 pub mod case;
 pub mod combination;
+pub mod ideal;
 pub mod decide;
 pub mod evaluate;
 pub mod evidence;

@@ -466,7 +466,9 @@ impl Decider<'_> {
         else {
             return None;
         };
-        let combination = equality::follows(&left, &right, &ground.domain, &ground.evaluator)?;
+        let (domain, evaluator) = (&ground.domain, &ground.evaluator);
+        let combination = equality::follows(&left, &right, domain, evaluator)
+            .or_else(|| equality::follows_from_several(&left, &right, domain, evaluator))?;
         let open = open_conditions(&combination.divisors, &ground);
         Some((ground, combination, open))
     }
