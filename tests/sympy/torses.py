@@ -213,7 +213,8 @@ CHECKS = {
     "ruled.ends": lambda: equal(delta(c, b - c), det(D(c), b - c, D(b))),
     "ruled.start": lambda: zero(at_start(D(c.dot(r))) - at_start(D(c)).dot(at_start(r)) - at_start(c).dot(at_start(D(r)))),
     # Any other surface with the same ruling differs by what is zero at u = 0.
-    "ruled.touch": lambda: zero(diff(N.cross(normal(c + u * b, r + u * n)), v, 3)),
+    "ruled.touch": lambda: equal(
+        diff(N.cross(normal(c + u * b, r + u * n)), v, 2), 2 * rotated(r).cross(rotated(r + u * n))),
     "striction.shortest": lambda: zero(at(diff(square(N), v), central(c, r))),
     "striction.growth": lambda: equal(diff(square(N), v, 2), 2 * square(D(r).cross(r))),
     "striction.length": lambda: equal(at(square(N), central(c, r)) * square(D(r).cross(r)), delta(c, r) ** 2 * square(r)),

@@ -159,8 +159,12 @@ fn combined(
         });
         conditions.extend(difference.conditions().to_vec());
     }
+    let used = |row: &Vec<Polynomial>| row.iter().filter(|m| !m.is_zero()).count();
     Some(Combination {
-        of: Equations::Assumed,
+        of: match multipliers.iter().any(|row| used(row) > 1) {
+            true => Equations::Together,
+            false => Equations::Assumed,
+        },
         equations,
         multipliers,
         divisors: witness::nonconstant(conditions),

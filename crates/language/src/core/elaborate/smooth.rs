@@ -199,7 +199,7 @@ impl Lowering<'_, '_> {
         match &*term.node {
             node if self.function(node).is_some() => Err(Fault::limit(
                 place,
-                "a smooth function at what is no symbol or number, nor a sum, product or quotient of these and other \
+                "a smooth function at what is no symbol or number, nor a sum, a product, a part or a power of these and other \
                  smooth functions",
             )),
             Node::Derivative {
@@ -344,7 +344,8 @@ impl Lowering<'_, '_> {
                 body,
             } => {
                 let mut inside = names.clone();
-                inside.insert(variable.number(), self.argument(value, scope, names));
+                // What is called has to have a value, even if it is not used.
+                inside.insert(variable.number(), Some(self.argument(value, scope, names)?));
                 self.pure(body, scope, &inside)
             }
             Node::Derivative {

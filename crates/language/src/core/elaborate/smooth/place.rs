@@ -55,7 +55,8 @@ impl Lowering<'_, '_> {
         at
     }
 
-    /// The place of a term; none if it takes no place of a function.
+    /// The place of a term; none if it takes no place of a function. A place has a value for all values of the symbols, since
+    /// the symbol that stands for a derivative there has one.
     pub(super) fn at(&self, term: &Term, scope: &Scope) -> Outcome<Option<At>> {
         self.count(term.place)?;
         let still = |name: Expr, kind: Kind| At {
@@ -75,8 +76,11 @@ impl Lowering<'_, '_> {
                 value,
                 body,
             } => {
+                let Some(value) = self.at(value, scope)? else {
+                    return Ok(None);
+                };
                 let mut inside = scope.clone();
-                inside.insert(variable.number(), self.at(value, scope)?);
+                inside.insert(variable.number(), Some(value));
                 self.at(body, &inside)?
             }
             Node::Negative(inner) => match self.at(inner, scope)? {
@@ -92,7 +96,7 @@ impl Lowering<'_, '_> {
                 None => None,
             },
             Node::Binary(operator, a, b) => match (self.at(a, scope)?, self.at(b, scope)?) {
-                (Some(a), Some(b)) => {
+                (Some(a), Some(b)) if is_total(*operator, &b.kind) => {
                     let name = syntax::Node::Binary(
                         *operator,
                         Arc::new(a.name.clone()),
@@ -188,6 +192,16 @@ fn below(low: &Interval, high: &Interval) -> bool {
             end < start || end == start && !(upper.closed && lower.closed)
         }
         _ => false,
+    }
+}
+
+/// Whether the operation always has a value.
+fn is_total(operator: Operator, second: &Kind) -> bool {
+    match (operator, second) {
+        (Operator::Divide, Kind::Number(b)) => *b != rational::integer(0),
+        (Operator::Power, Kind::Number(b)) => b.is_integer() && *b >= rational::integer(0),
+        (Operator::Divide | Operator::Power, _) => false,
+        _ => true,
     }
 }
 
