@@ -36,7 +36,8 @@ fn symbols(states: &str) -> Result<Vec<String>, String> {
     let lines = format!("states = \"{states}\"");
     let paper = claims::paper_of("t", SHARED, &[&lines]).map_err(|e| format!("{e:?}"))?;
     let claim = paper.claims.first().unwrap();
-    let core = Claim::new(claim, claim.statement.as_ref().unwrap()).map_err(|f| f.problem.to_string())?;
+    let core =
+        Claim::new(claim, claim.statement.as_ref().unwrap()).map_err(|f| f.problem.to_string())?;
     let named = |(name, set): (&std::sync::Arc<str>, &Set)| match set {
         Set::Vector(Some(n)) => format!("{name}: {n}"),
         Set::Vector(None) => format!("{name}: any"),
@@ -61,7 +62,7 @@ fn a_function_becomes_the_derivatives_that_are_looked_at() {
     has("f(u) == 0", &["f(u)"]);
     has("c''(u) == 0", &["c''(u): 3"]);
     has("g'(u) == g(u)", &["g'(u): any", "g(u): any"]);
-    has("D(D(f(u), u), u) == f'''(u)", &["f''(u)", "f'''(u)"]);
+    has("D(D(f(u), u), u) == f'''(u)", &["f'''(u)", "f''(u)"]);
     has("D(f(u)^2, u, 2) == 0", &["f''(u)", "f'(u)", "f(u)", "u"]);
     has("F'(1/2) == 0", &["f'(1/2)", "f(1/2)"]);
     has("at(D(f(u), u), u, v) == 0", &["f'(v)"]);
@@ -73,7 +74,7 @@ fn a_function_may_be_taken_at_a_formula_or_another_function() {
     has("c(f(u)) == 0", &["c(f(u)): 3"]);
     has(
         "D(c(f(u)), u) == 0",
-        &["c'(f(u)): 3", "c(f(u)): 3", "f'(u)", "f(u)"],
+        &["c'(f(u)): 3", "c(f(u)): 3", "f'(u)", "f(u)", "u"],
     );
 }
 

@@ -45,7 +45,13 @@ impl Monomial {
     }
 
     fn least_common_multiple(&self, other: &Self) -> Self {
-        Self(self.0.iter().zip(&other.0).map(|(a, b)| *a.max(b)).collect())
+        Self(
+            self.0
+                .iter()
+                .zip(&other.0)
+                .map(|(a, b)| *a.max(b))
+                .collect(),
+        )
     }
 
     fn has_nothing_of(&self, other: &Self) -> bool {
@@ -126,7 +132,9 @@ impl Search<'_> {
             Monomial(self.symbols.iter().map(of).collect())
         };
         let terms = polynomial.terms();
-        terms.map(|t| (exponents(&t.powers), t.coefficient)).collect()
+        terms
+            .map(|t| (exponents(&t.powers), t.coefficient))
+            .collect()
     }
 
     fn polynomial(&self, terms: &Terms) -> Polynomial {

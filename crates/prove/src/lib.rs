@@ -8,11 +8,11 @@
 mod alternatives;
 pub mod case;
 pub mod combination;
-pub mod ideal;
 pub mod decide;
 pub mod evaluate;
 pub mod evidence;
 pub mod formula;
+pub mod ideal;
 pub mod sample;
 pub mod statement;
 

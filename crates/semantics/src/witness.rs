@@ -8,9 +8,9 @@ use crate::name::Name;
 use crate::net::{Numbers, check};
 use crate::real::{Real, Reals};
 use std::sync::Arc;
-use torse_language::notation;
 use torse_language::core::{Claim, Elaborator, Set, Statement};
 use torse_language::derivation::declarations::Declarations;
+use torse_language::notation;
 use torse_language::syntax::{Expr, Node, parse};
 
 /// The precision of numbers that are not exact, in bits.

@@ -519,7 +519,9 @@ fn smooth(
     let origin = Origin::range(source, values.span().start, values.span().end);
     check_name(&origin, name)?;
     if name.ends_with('\'') {
-        let message = format!("`{name}` is the derivative of another function: a name without primes is needed");
+        let message = format!(
+            "`{name}` is the derivative of another function: a name without primes is needed"
+        );
         return Err(complaint(&origin, message));
     }
     let texts = [
@@ -571,7 +573,9 @@ fn symbol_kind(
     let origin = Origin::range(source, place.start, place.end);
     check_name(&origin, name)?;
     if said.len() > 1 {
-        let message = format!("`{name}` can be one of `in`, `integer`, `vector`, `family` and `function` only");
+        let message = format!(
+            "`{name}` can be one of `in`, `integer`, `vector`, `family` and `function` only"
+        );
         return Err(complaint(&origin, message));
     }
     if let Some(text) = &entry.integer {

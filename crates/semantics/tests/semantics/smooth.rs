@@ -29,7 +29,7 @@ fn judged(states: &str, place: &str, derivatives: &[i64]) -> Judgement {
 /// The formulas in a function F, and the place at which they look at it where y = 2, with its derivatives there.
 const FORMULAS: [(&str, &str, [i64; 5]); 14] = [
     ("F(y)", "y", AT_2),
-    ("F'''(y)", "y", AT_2),
+    ("D(F''(y), y)", "y", AT_2),
     ("D(F, x, 2)(y)", "y", AT_2),
     ("D(F(y), y)", "y", AT_2),
     ("D(y^2*F(y)^3, y, 2)", "y", AT_2),
@@ -47,7 +47,11 @@ const FORMULAS: [(&str, &str, [i64; 5]); 14] = [
 #[test]
 fn a_formula_in_a_function_is_worth_what_it_is_for_a_polynomial_with_its_derivatives() {
     for (formula, place, derivatives) in FORMULAS {
-        let states = format!("{} == {}", formula.replace('F', "h"), formula.replace('F', "k"));
+        let states = format!(
+            "{} == {}",
+            formula.replace('F', "h"),
+            formula.replace('F', "k")
+        );
         let right = judged(&states, place, &derivatives);
         assert_eq!(right, Judgement::True, "{states}");
         // Every derivative that the formula looks at counts.
@@ -77,6 +81,7 @@ fn counterexamples_name_values_and_derivatives() {
     );
     let check = |slope| {
         let point = [
+            ("y", "2"),
             ("h(y)[1]", "2"),
             ("h(y)[2]", "0"),
             ("h(y)[3]", "0"),

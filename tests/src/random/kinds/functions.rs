@@ -159,7 +159,5 @@ fn assumed(stream: &mut Stream) -> Claim {
         }
         false => equation(stream, &reading),
     };
-    claim
-        .symbol("u", "{}")
-        .assuming(format!("f(u) == {value}"))
+    claim.symbol("u", "{}").assuming(format!("f(u) == {value}"))
 }

@@ -161,7 +161,11 @@ impl Lowering<'_, '_> {
         let [argument] = indices.as_slice() else {
             return None;
         };
-        let is_function = self.elaborator.declarations().function(&points.name).is_some();
+        let is_function = self
+            .elaborator
+            .declarations()
+            .function(&points.name)
+            .is_some();
         is_function.then_some((&points.name, points.dimension, argument))
     }
 

@@ -188,9 +188,7 @@ fn below(low: &Interval, high: &Interval) -> bool {
         return false;
     };
     match (upper.value.as_rational(), lower.value.as_rational()) {
-        (Some(end), Some(start)) => {
-            end < start || end == start && !(upper.closed && lower.closed)
-        }
+        (Some(end), Some(start)) => end < start || end == start && !(upper.closed && lower.closed),
         _ => false,
     }
 }
