@@ -103,9 +103,11 @@ def distribution(c, r):
     return square(r) * delta(c, r) / square(D(r).cross(r))
 
 
-# Rulings of length one, by stereographic projection of a plane curve.
-p, q = number("p", 2), number("q", 2)
-unit = Matrix([2 * p, 2 * q, p ** 2 + q ** 2 - 1]) / (p ** 2 + q ** 2 + 1)
+# A ruling of length one at u = 0 alone; by turning the axes it is any such.
+once = Matrix([1, 0, 0]) + r - r.subs(u, 0)
+# One with r' at right angles to r.
+q1, q2, q3 = symbols("q1:4", real=True)
+upright = Matrix([q1, u * q2, u * q3]) + r - r.subs(u, 0) - u * D(r).subs(u, 0)
 
 # A change of the parameter that keeps u = 0 where it is, which is no loss: any other place is like it.
 PHI = sum(s * u ** k for k, s in enumerate(symbols("phi1:4", real=True), start=1))
@@ -219,11 +221,11 @@ CHECKS = {
     "striction.growth": lambda: equal(diff(square(N), v, 2), 2 * square(D(r).cross(r))),
     "striction.length": lambda: equal(at(square(N), central(c, r)) * square(D(r).cross(r)), delta(c, r) ** 2 * square(r)),
     "striction.scaled": lambda: equal(a * central(c, a * r), central(c, r)),
-    "striction.unit": lambda: zero(D(c + (-D(c).dot(D(unit)) / square(D(unit))) * unit).dot(D(unit))),
+    "striction.unit": lambda: zero(D(c + (-D(c).dot(D(upright)) / square(D(upright))) * upright).dot(D(upright))),
     "striction.unit.slip": lambda: zero(D(c + (-D(c).dot(D(r)) / square(D(r))) * r).dot(D(r))),
     "striction.parameter": lambda: equal(distribution(c, a * r), distribution(c, r)),
     "striction.curvature": lambda: equal(
-        at(square(normal(c, unit)), central(c, unit)), distribution(c, unit) ** 2 * square(D(unit).cross(unit))),
+        at(square(normal(c, once)), central(c, once)), distribution(c, once) ** 2 * square(D(once).cross(once))),
     "regression.singular": lambda: zero(at(normal(ct, rt), central(ct, rt))),
     "regression.tangent": lambda: zero(D(ct + central(ct, rt) * rt).cross(rt)),
     "regression.tangent.slip": lambda: zero(D(c + central(c, r) * r).cross(r)),
