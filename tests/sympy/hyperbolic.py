@@ -8,14 +8,11 @@ which refutes but does not prove. Statements about every degree are looked at fo
 """
 
 import itertools
-import pathlib
-import sys
-import tomllib
 
 from sympy import (E as e, Matrix, Rational, S, cos, cosh, diff, exp, expand, lambdify, simplify, sin, sinh, solve,
                    symbols, tanh, together)
 
-FOLDER = pathlib.Path(__file__).resolve().parents[2] / "derivations" / "hyperbolic"
+from expected import compare
 
 y, z, c, r, d, u, v = symbols("y z c r d u v", real=True)
 t, a, b, w, w2 = symbols("t a b omega omega2", positive=True)
@@ -221,19 +218,5 @@ CHECKS = {
 }
 
 
-def main():
-    """Compares, says what differs, and ends with the number of differences."""
-    expected = {}
-    for file in sorted(FOLDER.glob("*.toml")):
-        for claim in tomllib.loads(file.read_text(encoding="utf-8")).get("claim", []):
-            expected[claim["id"].removeprefix("hyperbolic/")] = claim["expect"] in ("holds", "conditional")
-    differences = [f"{name}: stated on one side only" for name in expected.keys() ^ CHECKS.keys()]
-    for name in sorted(expected.keys() & CHECKS.keys()):
-        if bool(CHECKS[name]()) != expected[name]:
-            differences.append(f"{name}: expected {expected[name]}")
-    print(*differences, f"{len(expected)} claims, {len(differences)} differences", sep="\n")
-    return len(differences)
-
-
 if __name__ == "__main__":
-    sys.exit(min(main(), 1))
+    compare("hyperbolic", CHECKS)

@@ -9,13 +9,10 @@ inequalities are evaluated at rational points of the domain, which refutes but d
 """
 
 import itertools
-import pathlib
-import sys
-import tomllib
 
 from sympy import Rational, S, diff, expand, factorial, symbols, together
 
-FOLDER = pathlib.Path(__file__).resolve().parents[2] / "derivations" / "splines"
+from expected import compare
 
 s, x, y, m = symbols("s x y m")
 T = symbols("t0:8")
@@ -175,19 +172,5 @@ CHECKS = {
 }
 
 
-def main():
-    """Compares, says what differs, and ends with the number of differences."""
-    expected = {}
-    for file in sorted(FOLDER.glob("*.toml")):
-        for claim in tomllib.loads(file.read_text(encoding="utf-8")).get("claim", []):
-            expected[claim["id"].removeprefix("splines/")] = claim["expect"] in ("holds", "conditional")
-    differences = [f"{name}: stated on one side only" for name in expected.keys() ^ CHECKS.keys()]
-    for name in sorted(expected.keys() & CHECKS.keys()):
-        if bool(CHECKS[name]()) != expected[name]:
-            differences.append(f"{name}: expected {expected[name]}")
-    print(*differences, f"{len(expected)} claims, {len(differences)} differences", sep="\n")
-    return len(differences)
-
-
 if __name__ == "__main__":
-    sys.exit(min(main(), 1))
+    compare("splines", CHECKS)

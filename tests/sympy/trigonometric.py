@@ -8,13 +8,10 @@ which refutes but does not prove.
 """
 
 import itertools
-import pathlib
-import sys
-import tomllib
 
 from sympy import (Matrix, Rational, cos, diff, exp, expand, lambdify, pi, simplify, sin, solve, sqrt, symbols, tan)
 
-FOLDER = pathlib.Path(__file__).resolve().parents[2] / "derivations" / "trigonometric"
+from expected import compare
 
 t, y, z, r, h, v = symbols("t y z r h v", real=True)
 lam, mu, lam2, mu2 = symbols("lambda mu lambda2 mu2", real=True)
@@ -171,19 +168,5 @@ CHECKS = {
 }
 
 
-def main():
-    """Compares, says what differs, and ends with the number of differences."""
-    expected = {}
-    for file in sorted(FOLDER.glob("*.toml")):
-        for claim in tomllib.loads(file.read_text(encoding="utf-8")).get("claim", []):
-            expected[claim["id"].removeprefix("trigonometric/")] = claim["expect"] in ("holds", "conditional")
-    differences = [f"{name}: stated on one side only" for name in expected.keys() ^ CHECKS.keys()]
-    for name in sorted(expected.keys() & CHECKS.keys()):
-        if bool(CHECKS[name]()) != expected[name]:
-            differences.append(f"{name}: expected {expected[name]}")
-    print(*differences, f"{len(expected)} claims, {len(differences)} differences", sep="\n")
-    return len(differences)
-
-
 if __name__ == "__main__":
-    sys.exit(min(main(), 1))
+    compare("trigonometric", CHECKS)

@@ -78,6 +78,7 @@ never_wrong! {
     parts_and_multiples_of_angles_are_never_judged_wrongly: Angles,
     exponentials_and_their_order_are_never_judged_wrongly: Exponentials,
     splines_on_knots_are_never_judged_wrongly: Splines,
+    smooth_functions_are_never_judged_wrongly: Functions,
 }
 
 /// The first claims of every kind.

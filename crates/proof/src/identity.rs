@@ -47,6 +47,8 @@ pub struct Combination<P> {
 pub enum Equations {
     /// Assumed, with eliminated symbols put in.
     Assumed,
+    /// The same, where one of them alone is not enough.
+    Together,
     /// The `given` ones as they stand: nothing is solved for.
     Given,
 }
@@ -105,6 +107,9 @@ impl<P> Combination<P> {
     pub fn steps(&self) -> Vec<String> {
         let step = match self.of {
             Equations::Assumed => "each difference is a multiple of an equation that is assumed",
+            Equations::Together => {
+                "each difference is a sum of multiples of the equations that are assumed"
+            }
             Equations::Given => "the difference is a combination of the given equations",
         };
         vec![step.to_owned()]

@@ -38,6 +38,17 @@ pub struct Ground<'a> {
     pub domain: Domain<'a>,
     /// How symbols were eliminated, in this order.
     pub eliminated: Vec<Elimination<Polynomial>>,
+    solving: Solving,
+}
+
+/// When an assumed equation is solved for a symbol.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Solving {
+    /// Whenever it is linear in one.
+    Always,
+    /// Only where the solution divides by nothing that may vanish: what the equation says there would be lost with it. Else
+    /// it stays a constraint.
+    Safely,
 }
 
 /// What a claim states, ready to be decided.
@@ -87,7 +98,7 @@ impl<'a> Ground<'a> {
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
     ) -> Result<Self, Fault> {
-        let mut ground = Self::assumed(claim, elaborator, fixed)?;
+        let mut ground = Self::assumed(claim, elaborator, fixed, Solving::Always)?;
         ground.solve(&ground.given(claim)?, claim)?;
         ground.bound_integers(claim, fixed);
         Ok(ground)
@@ -101,12 +112,14 @@ impl<'a> Ground<'a> {
         claim: &core::Claim,
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
+        solving: Solving,
     ) -> Result<Self, Fault> {
         let evaluator = Evaluator::with(elaborator);
         let mut ground = Self {
             domain: Domain::new(evaluator.declarations),
             evaluator: evaluator.fixing(fixed),
             eliminated: vec![],
+            solving,
         };
         for (name, value) in fixed {
             ground.keep_range(&Symbol::named(name), value);
@@ -315,6 +328,10 @@ impl<'a> Ground<'a> {
             .or_else(|| candidates.iter().find(|(_, c, _)| self.never_zero(c)))
             .or_else(|| candidates.first())
             .cloned();
+        let settled = |(_, coefficient, _): &(Symbol, Polynomial, Fraction)| {
+            coefficient.symbols().iter().all(is_number) || self.never_zero(coefficient)
+        };
+        let chosen = chosen.filter(|found| self.solving == Solving::Always || settled(found));
         let Some((symbol, coefficient, solution)) = chosen else {
             // It determines no symbol rationally; points have to satisfy it all the same.
             self.constrain(value, Relation::Equal);

@@ -12,6 +12,7 @@ pub mod decide;
 pub mod evaluate;
 pub mod evidence;
 pub mod formula;
+pub mod ideal;
 pub mod sample;
 pub mod statement;
 

@@ -5,7 +5,7 @@
 //! symbolically, or, where a symbolic degree cannot be carried, at small values of the integers.
 
 use crate::alternatives;
-use crate::case::Ground;
+use crate::case::{Ground, Solving};
 use crate::combination::multipliers;
 use crate::decide::contradiction::contradiction;
 use crate::decide::domain::Domain;
@@ -412,7 +412,8 @@ impl Decider<'_> {
             return None;
         }
         let fixed = instances::fixed(instance);
-        let ground = Ground::assumed(&self.claim, Rc::clone(&self.elaborator), &fixed).ok()?;
+        let elaborator = Rc::clone(&self.elaborator);
+        let ground = Ground::assumed(&self.claim, elaborator, &fixed, Solving::Always).ok()?;
         let (forms, unknowns) = (
             ground.given(&self.claim).ok()?,
             ground.unknowns(&self.claim).ok()?,
@@ -441,6 +442,34 @@ impl Decider<'_> {
             divisors: decide::witness::nonconstant(conditions),
             by,
         };
+        Some((ground, combination, open))
+    }
+
+    /// An equation as a combination of the assumed ones as they stand, where solving these would divide by what may vanish,
+    /// if it is one, with the conditions that it leaves.
+    fn uneliminated(
+        &self,
+        statement: &core::Statement,
+        instance: &Instance,
+    ) -> Option<(Ground<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
+        if !self.claim.unknowns.is_empty() {
+            return None;
+        }
+        let fixed = instances::fixed(instance);
+        let elaborator = Rc::clone(&self.elaborator);
+        let ground = Ground::assumed(&self.claim, elaborator, &fixed, Solving::Safely).ok()?;
+        let Ok(Statement::Compare {
+            relation: Relation::Equal,
+            left,
+            right,
+        }) = ground.evaluator.truth(statement)
+        else {
+            return None;
+        };
+        let (domain, evaluator) = (&ground.domain, &ground.evaluator);
+        let combination = equality::follows(&left, &right, domain, evaluator)
+            .or_else(|| equality::follows_from_several(&left, &right, domain, evaluator))?;
+        let open = open_conditions(conditions::separated(&combination.divisors), &ground);
         Some((ground, combination, open))
     }
 
@@ -518,6 +547,19 @@ impl Decider<'_> {
             let nonzero = nonzero(met, &weaker, &unsolved.domain);
             let combination = Proof::Combination(combination);
             return Ok(proved(unsolved, combination, (weaker, nonzero), vec![]));
+        }
+        if !conditions.is_empty()
+            && !ground.eliminated.is_empty()
+            && let Some((kept, combination, weaker)) = self.uneliminated(statement, instance)
+            && weaker
+                .iter()
+                .all(|condition| conditions.contains(condition))
+            && weaker.len() < conditions.len()
+        {
+            let met = conditions::separated(&combination.divisors);
+            let nonzero = nonzero(met, &weaker, &kept.domain);
+            let combination = Proof::Combination(combination);
+            return Ok(proved(kept, combination, (weaker, nonzero), vec![]));
         }
         let ranges = decide::ranges(&value, &ground.domain, &ground.evaluator)?;
         let nonzero = nonzero(met, &conditions, &ground.domain);

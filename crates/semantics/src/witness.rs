@@ -10,6 +10,7 @@ use crate::real::{Real, Reals};
 use std::sync::Arc;
 use torse_language::core::{Claim, Elaborator, Set, Statement};
 use torse_language::derivation::declarations::Declarations;
+use torse_language::notation;
 use torse_language::syntax::{Expr, Node, parse};
 
 /// The precision of numbers that are not exact, in bits.
@@ -81,8 +82,11 @@ fn name_of(claim: &Claim, expr: &Expr) -> Option<Name> {
         indices.splice(0..0, own.iter());
         head = inner;
     }
-    let Node::Name(name) = &head.node else {
-        return None;
+    let name = match &head.node {
+        Node::Name(name) => name.clone(),
+        // A smooth function at a place.
+        Node::Call(..) => notation::text(head),
+        _ => return None,
     };
     let indices: Vec<i64> = indices.into_iter().map(integer).collect::<Option<_>>()?;
     let declared = claim.symbols.get(name.as_str())?;

@@ -18,7 +18,7 @@ fn sampled() -> (Vec<(String, Survivor)>, usize) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../derivations");
     let papers = load(&folder).unwrap();
     let (mut found, mut decided) = (vec![], 0);
-    let ours = ["bezier", "trigonometric", "hyperbolic", "splines"];
+    let ours = ["bezier", "trigonometric", "hyperbolic", "splines", "torses"];
     for paper in papers
         .iter()
         .filter(|p| !ours.contains(&p.head.id.as_str()))

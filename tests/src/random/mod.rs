@@ -55,11 +55,13 @@ pub enum Kind {
     Exponentials,
     /// Splines, by a basis whose step depends on index and degree.
     Splines,
+    /// Arbitrary smooth functions and their derivatives.
+    Functions,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Polynomial,
         Self::Inequality,
         Self::Division,
@@ -75,6 +77,7 @@ impl Kind {
         Self::Angles,
         Self::Exponentials,
         Self::Splines,
+        Self::Functions,
     ];
 
     /// Its name.
@@ -96,6 +99,7 @@ impl Kind {
             Self::Angles => "angles",
             Self::Exponentials => "exponentials",
             Self::Splines => "splines",
+            Self::Functions => "functions",
         }
     }
 
@@ -119,6 +123,7 @@ impl Kind {
             Self::Angles => kinds::angles::claim,
             Self::Exponentials => kinds::exponentials::claim,
             Self::Splines => kinds::splines::claim,
+            Self::Functions => kinds::functions::claim,
         };
         let mut claim = make(&mut stream);
         claim.number = number;

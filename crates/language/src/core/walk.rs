@@ -33,6 +33,89 @@ impl Term {
         }
     }
 
+    /// The same term with its direct parts changed.
+    ///
+    /// # Errors
+    /// Those of `change`.
+    pub(crate) fn with_parts<E>(
+        &self,
+        change: &mut dyn FnMut(&Term) -> Result<Term, E>,
+    ) -> Result<Self, E> {
+        let mut all = |items: &[Term]| items.iter().map(&mut *change).collect::<Result<_, E>>();
+        let node = match &*self.node {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Variable(_) | Node::Vector(..) => {
+                return Ok(self.clone());
+            }
+            Node::Member(points, indices) => Node::Member(Arc::clone(points), all(indices)?),
+            Node::List(items) => Node::List(all(items)?),
+            Node::Apply(function, arguments) => Node::Apply(*function, all(arguments)?),
+            Node::Basis {
+                family,
+                index,
+                degree,
+                arguments,
+            } => Node::Basis {
+                family: Arc::clone(family),
+                arguments: all(arguments)?,
+                index: change(index)?,
+                degree: change(degree)?,
+            },
+            Node::Negative(inner) => Node::Negative(change(inner)?),
+            Node::Opened {
+                name,
+                origin,
+                closed,
+                body,
+            } => Node::Opened {
+                name: Arc::clone(name),
+                origin: Arc::clone(origin),
+                closed: *closed,
+                body: change(body)?,
+            },
+            Node::Binary(operator, a, b) => Node::Binary(*operator, change(a)?, change(b)?),
+            Node::Entry(of, indices) => Node::Entry(change(of)?, {
+                indices.iter().map(change).collect::<Result<_, E>>()?
+            }),
+            Node::Sum {
+                index,
+                low,
+                high,
+                term,
+            } => Node::Sum {
+                index: index.clone(),
+                low: change(low)?,
+                high: change(high)?,
+                term: change(term)?,
+            },
+            Node::Let {
+                variable,
+                value,
+                body,
+            } => Node::Let {
+                variable: variable.clone(),
+                value: change(value)?,
+                body: change(body)?,
+            },
+            Node::Derivative {
+                variable,
+                order,
+                body,
+                closed,
+                at,
+            } => Node::Derivative {
+                variable: variable.clone(),
+                order: change(order)?,
+                body: change(body)?,
+                closed: *closed,
+                at: change(at)?,
+            },
+        };
+        Ok(Self {
+            node: Arc::new(node),
+            place: self.place,
+        })
+    }
+
     /// Whether a built-in function is applied anywhere in the term. Shared parts are visited once.
     #[must_use]
     pub fn applies(&self, function: BuiltIn) -> bool {
@@ -132,33 +215,47 @@ impl Statement {
     /// The same statement with every term changed.
     #[must_use]
     pub fn mapped(&self, change: &dyn Fn(&Term) -> Term) -> Self {
-        match self {
+        let never = |term: &Term| Ok::<_, std::convert::Infallible>(change(term));
+        match self.try_mapped(&never) {
+            Ok(statement) => statement,
+        }
+    }
+
+    /// The same where a change may fail.
+    ///
+    /// # Errors
+    /// Those of `change`.
+    pub(crate) fn try_mapped<E>(
+        &self,
+        change: &dyn Fn(&Term) -> Result<Term, E>,
+    ) -> Result<Self, E> {
+        Ok(match self {
             Self::Compare {
                 relation,
                 left,
                 right,
             } => Self::Compare {
                 relation: *relation,
-                left: change(left),
-                right: change(right),
+                left: change(left)?,
+                right: change(right)?,
             },
             Self::Agrees {
                 value,
                 printed,
                 place,
             } => Self::Agrees {
-                value: change(value),
+                value: change(value)?,
                 printed: printed.clone(),
                 place: *place,
             },
             Self::Family(property, family) => Self::Family(*property, Arc::clone(family)),
             Self::Join(connective, a, b) => Self::Join(
                 *connective,
-                Box::new(a.mapped(change)),
-                Box::new(b.mapped(change)),
+                Box::new(a.try_mapped(change)?),
+                Box::new(b.try_mapped(change)?),
             ),
-            Self::Not(inner) => Self::Not(Box::new(inner.mapped(change))),
-        }
+            Self::Not(inner) => Self::Not(Box::new(inner.try_mapped(change)?)),
+        })
     }
 
     /// All terms, in the order of the text.

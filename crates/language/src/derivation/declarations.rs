@@ -121,6 +121,9 @@ pub struct Basis {
 #[derive(Debug, Clone, Default)]
 pub struct Declarations {
     symbols: BTreeMap<String, SymbolKind>,
+    /// Arbitrary smooth functions of one variable, by the dimension of their values, and what one of their derivatives
+    /// at a place is.
+    functions: BTreeMap<String, (Option<u8>, SymbolKind)>,
     bases: BTreeMap<String, Arc<Basis>>,
     definitions: BTreeMap<String, Definition>,
     /// Where declarations are from, as far as the files say it.
@@ -132,10 +135,38 @@ pub struct Declarations {
 }
 
 impl Declarations {
-    /// The kind of a symbol.
+    /// The kind of a symbol. The derivatives of a smooth function at a place, such as `c''(u)`, are symbols too.
     #[must_use]
     pub fn symbol(&self, name: &str) -> Option<&SymbolKind> {
-        self.symbols.get(name)
+        self.symbols.get(name).or_else(|| {
+            let (head, _) = name.split_once('(')?;
+            let (_, kind) = self.functions.get(head.trim_end_matches('\''))?;
+            Some(kind)
+        })
+    }
+
+    /// The dimension of the values of a smooth function: 1 for numbers, `None` for one generic coordinate.
+    #[must_use]
+    pub fn function(&self, name: &str) -> Option<Option<u8>> {
+        self.functions.get(name).map(|(dimension, _)| *dimension)
+    }
+
+    /// Whether there are smooth functions.
+    #[must_use]
+    pub fn has_functions(&self) -> bool {
+        !self.functions.is_empty()
+    }
+
+    /// Declares a smooth function, or replaces what the name meant.
+    pub fn declare_function(&mut self, name: &str, dimension: Option<u8>) {
+        let kind = match dimension {
+            Some(1) => SymbolKind::Real(Box::default()),
+            dimension => SymbolKind::Vector(dimension),
+        };
+        self.definitions.remove(name);
+        self.symbols.remove(name);
+        self.ranges.remove(name);
+        self.functions.insert(name.to_owned(), (dimension, kind));
     }
 
     /// The same with one symbol declared, or declared otherwise.
@@ -201,6 +232,7 @@ impl Declarations {
     /// Adds or replaces a definition; it hides a symbol of the same name.
     pub fn define(&mut self, name: String, definition: Definition) {
         self.symbols.remove(&name);
+        self.functions.remove(&name);
         self.ranges.remove(&name);
         self.wrong.remove(&name);
         self.definitions.insert(name, definition);
@@ -209,6 +241,7 @@ impl Declarations {
     /// Declares a number or replaces what the name meant; it may have any real value.
     pub fn declare_number(&mut self, name: String) {
         self.definitions.remove(&name);
+        self.functions.remove(&name);
         let anywhere = SymbolKind::Real(Box::default());
         self.symbols.insert(name, anywhere);
     }
@@ -216,6 +249,7 @@ impl Declarations {
     /// Adds or replaces a symbol; it hides a definition of the same name.
     pub fn declare(&mut self, name: &str, kind: SymbolKind) {
         self.definitions.remove(name);
+        self.functions.remove(name);
         self.symbols.insert(name.to_owned(), kind);
     }
 
@@ -223,6 +257,7 @@ impl Declarations {
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.symbols
             .keys()
+            .chain(self.functions.keys())
             .chain(self.bases.keys())
             .chain(self.definitions.keys())
             .map(String::as_str)
@@ -238,6 +273,19 @@ impl Declarations {
         errors: &mut Errors,
     ) {
         for (name, entry) in table {
+            if let Some(dimension) = &entry.function {
+                match smooth(source, name, entry, dimension) {
+                    Ok(dimension) => {
+                        self.wrong.remove(name);
+                        self.declare_function(name, dimension);
+                    }
+                    Err(error) => {
+                        errors.0.push(error);
+                        self.spoil([name.clone()]);
+                    }
+                }
+                continue;
+            }
             let (kind, place) = match symbol_kind(source, name, entry) {
                 Ok(found) => found,
                 Err(error) => {
@@ -461,6 +509,48 @@ fn basis(source: &Arc<Source>, name: &str, entry: &BasisEntry) -> Result<Basis, 
     })
 }
 
+/// The dimension of the values of a smooth function. Nothing else is said of it.
+fn smooth(
+    source: &Arc<Source>,
+    name: &str,
+    entry: &SymbolEntry,
+    values: &Spanned<Dimension>,
+) -> Result<Option<u8>, LoadError> {
+    let origin = Origin::range(source, values.span().start, values.span().end);
+    check_name(&origin, name)?;
+    if name.ends_with('\'') {
+        let message = format!(
+            "`{name}` is the derivative of another function: a name without primes is needed"
+        );
+        return Err(complaint(&origin, message));
+    }
+    let texts = [
+        &entry.interval,
+        &entry.integer,
+        &entry.printed,
+        &entry.printed_in,
+        &entry.ours,
+    ];
+    let more = texts.iter().any(|text| text.is_some())
+        || entry.vector.is_some()
+        || entry.family.is_some()
+        || entry.indices.is_some();
+    if more {
+        let message = format!(
+            "`{name}` is any smooth function: what is known of it at a place is assumed, `assume = ['{name}(u) > 0']`"
+        );
+        return Err(complaint(&origin, message));
+    }
+    Ok(dimension(values))
+}
+
+fn dimension(written: &Spanned<Dimension>) -> Option<u8> {
+    match written.get_ref() {
+        Dimension::Number(n) => Some(*n),
+        Dimension::Any(_) => None,
+    }
+}
+
 /// What a symbol is; it may say one thing only.
 fn symbol_kind(
     source: &Arc<Source>,
@@ -483,13 +573,11 @@ fn symbol_kind(
     let origin = Origin::range(source, place.start, place.end);
     check_name(&origin, name)?;
     if said.len() > 1 {
-        let message = format!("`{name}` can be one of `in`, `integer`, `vector` and `family` only");
+        let message = format!(
+            "`{name}` can be one of `in`, `integer`, `vector`, `family` and `function` only"
+        );
         return Err(complaint(&origin, message));
     }
-    let dimension = |d: &Spanned<Dimension>| match d.get_ref() {
-        Dimension::Number(n) => Some(*n),
-        Dimension::Any(_) => None,
-    };
     if let Some(text) = &entry.integer {
         let origin = Origin::of(source, text);
         let (least, most) = integer_range(text.get_ref()).ok_or_else(|| {

@@ -127,7 +127,9 @@ fn combination(
     match (wrong, gap, own.of) {
         (None, ..) => Ok(()),
         (Some(Wrong::NoEquation), Some(gap), _) => Err(gap.into()),
-        (Some(wrong), _, Equations::Assumed | Equations::Given) => Err(wrong.into()),
+        (Some(wrong), _, Equations::Assumed | Equations::Together | Equations::Given) => {
+            Err(wrong.into())
+        }
     }
 }
 

@@ -9,6 +9,7 @@ use super::value::Proof;
 use super::{Decision, Refutation, witness};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{NOWHERE, Value};
+use crate::ideal;
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
@@ -88,9 +89,12 @@ pub fn decide(
         Some(point) => {
             Decision::Refuted(Box::new(Refutation::at(point).with_sides(lefts, rights)))
         }
-        None => Decision::Open {
-            reason: "the two sides differ as formulas, but no point of the domain was found where they do".to_owned(),
-            tried: vec!["simple rational points of the domain".to_owned()],
+        None => match follows_from_several(left, right, domain, evaluator) {
+            Some(combination) => Decision::Proven(Proof::Combination(combination)),
+            None => Decision::Open {
+                reason: "the two sides differ as formulas, but no point of the domain was found where they do".to_owned(),
+                tried: vec!["simple rational points of the domain".to_owned()],
+            },
         },
     })
 }
@@ -104,37 +108,64 @@ pub(crate) fn vanishing(evaluator: &Evaluator<'_>) -> Vanishing {
 }
 
 /// Every difference as a multiple of an assumed equation, if it is one.
-fn follows(
+pub(crate) fn follows(
     left: &Value,
     right: &Value,
     domain: &Domain<'_>,
     evaluator: &Evaluator<'_>,
 ) -> Option<Combination<Polynomial>> {
-    let assumed: Vec<&Fraction> = domain
-        .constraints
-        .iter()
+    combined(left, right, domain, evaluator, |numerator, equations| {
+        let mut row = vec![Polynomial::zero(); equations.len()];
+        let quotients = equations.iter().map(|e| numerator.exact_quotient(e));
+        let mut found = row.iter_mut().zip(quotients);
+        let (slot, quotient) = found.find_map(|(slot, q)| Some((slot, q?)))?;
+        *slot = quotient;
+        Some(row)
+    })
+}
+
+/// Every difference as a sum of multiples of assumed equations, if that is found.
+pub(crate) fn follows_from_several(
+    left: &Value,
+    right: &Value,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Option<Combination<Polynomial>> {
+    combined(left, right, domain, evaluator, ideal::multipliers)
+}
+
+/// Every difference by the multipliers of the assumed equations.
+fn combined(
+    left: &Value,
+    right: &Value,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+    multipliers_of: impl Fn(&Polynomial, &[Polynomial]) -> Option<Vec<Polynomial>>,
+) -> Option<Combination<Polynomial>> {
+    let constraints = domain.constraints.iter();
+    let equations: Vec<Polynomial> = constraints
         .filter(|c| c.relation == Relation::Equal)
-        .map(|c| &c.value)
+        .map(|c| c.value.numerator().clone())
         .collect();
+    if equations.is_empty() {
+        return None;
+    }
     let (mut conditions, mut multipliers) = (vec![], vec![]);
     for (x, y) in left.entries().into_iter().zip(right.entries()) {
         let difference = x.minus(y).as_fraction()?.clone();
-        let mut row = vec![Polynomial::zero(); assumed.len()];
-        if !difference.is_zero() {
-            let numerator = difference.numerator();
-            let quotients = assumed
-                .iter()
-                .map(|c| numerator.exact_quotient(c.numerator()));
-            let mut found = row.iter_mut().zip(quotients);
-            let (slot, quotient) = found.find_map(|(slot, q)| Some((slot, q?)))?;
-            *slot = quotient;
-        }
-        multipliers.push(row);
+        multipliers.push(match difference.is_zero() {
+            true => vec![Polynomial::zero(); equations.len()],
+            false => multipliers_of(difference.numerator(), &equations)?,
+        });
         conditions.extend(difference.conditions().to_vec());
     }
-    (!assumed.is_empty()).then(|| Combination {
-        of: Equations::Assumed,
-        equations: assumed.iter().map(|c| c.numerator().clone()).collect(),
+    let used = |row: &Vec<Polynomial>| row.iter().filter(|m| !m.is_zero()).count();
+    Some(Combination {
+        of: match multipliers.iter().any(|row| used(row) > 1) {
+            true => Equations::Together,
+            false => Equations::Assumed,
+        },
+        equations,
         multipliers,
         divisors: witness::nonconstant(conditions),
         by: vanishing(evaluator),

@@ -4,7 +4,7 @@
 use num_traits::{One, Signed};
 use std::sync::Arc;
 use torse_algebra::{Affine, Angle, Exponent, Rational, Symbol, Unit, rational};
-use torse_language::syntax::{Expr, Node, Operator};
+use torse_language::syntax::{Expr, Node, Operator, parse};
 
 /// A summand with its sign apart.
 #[derive(Debug, Clone)]
@@ -101,7 +101,7 @@ pub(super) fn symbol(symbol: &Symbol) -> Expr {
         }
     };
     match symbol {
-        Symbol::Named(name) => Expr::name(name),
+        Symbol::Named(name) => named(name),
         Symbol::Pi => Expr::name("pi"),
         Symbol::Root(prime) => applied("sqrt", integer(i64::from(*prime))),
         Symbol::Sin(name, a) => applied("sin", angle(name, a)),
@@ -109,8 +109,16 @@ pub(super) fn symbol(symbol: &Symbol) -> Expr {
         Symbol::Exp(exponent) => applied("exp", exponent_of(exponent)),
         Symbol::Indexed(name, index) => {
             let index = index.iter().map(affine).collect();
-            Expr::made(Node::Index(Arc::new(Expr::name(name)), index))
+            Expr::made(Node::Index(Arc::new(named(name)), index))
         }
+    }
+}
+
+/// A declared name, or a smooth function at a place: `c''(u)`.
+fn named(name: &str) -> Expr {
+    match name.contains('(') {
+        true => parse(name).unwrap_or_else(|_| Expr::name(name)),
+        false => Expr::name(name),
     }
 }
 

@@ -5,5 +5,6 @@ mod domain;
 mod instances;
 mod laws;
 mod net;
+mod smooth;
 mod support;
 mod values;

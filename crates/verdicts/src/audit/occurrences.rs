@@ -180,7 +180,11 @@ fn free_names<'e>(expr: &'e Expr, declarations: &Declarations, found: &mut BTree
                     "D" => *i == 1,
                     "at" => *i == usize::from(arguments.len() > 1),
                     "sum" => *i == 0,
-                    _ => function || declarations.basis(name).is_some(),
+                    _ => {
+                        function
+                            || declarations.basis(name).is_some()
+                            || declarations.function(name).is_some()
+                    }
                 };
                 bound && matches!(argument.node, Node::Name(_))
             };

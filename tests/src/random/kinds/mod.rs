@@ -7,6 +7,7 @@ pub mod decimals;
 pub mod degree;
 pub mod division;
 pub mod exponentials;
+pub mod functions;
 pub mod given;
 pub mod inequality;
 pub mod integers;

@@ -8,6 +8,7 @@ mod binders;
 mod built_in;
 mod families;
 mod parts;
+mod smooth;
 
 use super::{Family, Node, Points, Set, Statement, Term, Variable};
 use crate::derivation::declarations::{Declarations, Definition, SymbolKind};
@@ -17,6 +18,7 @@ use crate::syntax::{self, Connective, Expr, Place};
 use binders::{Local, Scope};
 use built_in::NAMES;
 use parts::Parts;
+use smooth::At;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -70,6 +72,8 @@ pub struct Elaborator<'a> {
     families: RefCell<BTreeMap<String, Arc<Family>>>,
     points: RefCell<BTreeMap<String, Arc<Points>>>,
     parts: RefCell<Parts>,
+    /// Where smooth functions were taken, by the text of the place.
+    places: RefCell<BTreeMap<Arc<str>, BTreeMap<String, At>>>,
 }
 
 type Outcome<T> = Result<T, Fault>;
@@ -87,6 +91,7 @@ impl<'a> Elaborator<'a> {
             families: RefCell::default(),
             points: RefCell::default(),
             parts: RefCell::default(),
+            places: RefCell::default(),
         }
     }
 
@@ -102,7 +107,11 @@ impl<'a> Elaborator<'a> {
     /// [`Fault`] for undeclared names, what stands at the wrong place, and wrong numbers of arguments.
     pub fn meaning(&self, expr: &Expr) -> Outcome<Meaning> {
         self.nodes.set(0);
-        self.open(expr, &Scope::default())
+        Ok(match self.open(expr, &Scope::default())? {
+            Meaning::Term(term) => Meaning::Term(self.in_jets(term)?),
+            Meaning::Statement(statement) => Meaning::Statement(self.statement_in_jets(statement)?),
+            Meaning::Function(function) => Meaning::Function(function),
+        })
     }
 
     /// The core of a formula.
@@ -111,7 +120,7 @@ impl<'a> Elaborator<'a> {
     /// As [`Elaborator::meaning`].
     pub fn term(&self, expr: &Expr) -> Outcome<Term> {
         self.nodes.set(0);
-        self.term_in(expr, &Scope::default())
+        self.in_jets(self.term_in(expr, &Scope::default())?)
     }
 
     /// The core of a statement.
@@ -120,7 +129,7 @@ impl<'a> Elaborator<'a> {
     /// As [`Elaborator::meaning`].
     pub fn statement(&self, expr: &Expr) -> Outcome<Statement> {
         self.nodes.set(0);
-        self.statement_in(expr, &Scope::default())
+        self.statement_in_jets(self.statement_in(expr, &Scope::default())?)
     }
 
     /// The basis family of this name.
@@ -287,6 +296,9 @@ impl<'a> Elaborator<'a> {
                 ));
             }
             None => {}
+        }
+        if let Some(dimension) = self.declarations.function(name) {
+            return Ok(Meaning::Function(self.smooth(name, dimension, place)));
         }
         if name == "pi" {
             return term(Node::Pi);

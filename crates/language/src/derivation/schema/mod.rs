@@ -47,6 +47,9 @@ pub struct SymbolEntry {
     pub family: Option<Spanned<Dimension>>,
     /// The range of each index of a family: `["0..k"]`.
     pub indices: Option<Vec<Text>>,
+    /// Any smooth function of one variable: the dimension of its values, 1 for numbers, or `"any"` for one generic
+    /// coordinate.
+    pub function: Option<Spanned<Dimension>>,
     /// The words of the paper that say so.
     pub printed: Option<Text>,
     /// The claim in whose print they stand; the claim itself if left out.
