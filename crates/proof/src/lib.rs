@@ -48,6 +48,7 @@ pub mod ratio;
 pub mod sign;
 pub mod symbol;
 mod text;
+pub mod wronskian;
 
 pub use evidence::Evidence;
 pub use polynomial::Polynomial;
