@@ -5,7 +5,10 @@ use super::{SHAPES, Unfit};
 use crate::polynomial::Polynomial;
 use crate::symbol::{Angle, Symbol, Unit};
 use std::sync::Arc;
+use torse_language::core::Set;
+use torse_language::derivation::declarations::Bound;
 use torse_numbers::Rational;
+use torse_numbers::rational::integer;
 
 /// Seeds as polynomials in the variable, its sine and cosine of a quarter turn, pi, and parameters that run through [0, 1].
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,6 +25,23 @@ const TURN: Angle = Angle {
 };
 
 impl Seeds {
+    /// The seeds of a family whose symbols live in these sets, the variable in a part of [0, 1].
+    ///
+    /// # Errors
+    /// [`Unfit::Make`].
+    pub fn declared<'s>(
+        functions: &[Polynomial],
+        variable: &str,
+        set: &dyn Fn(&str) -> Option<&'s Set>,
+    ) -> Result<Self, Unfit> {
+        let range = |name: &str| range(set(name)?);
+        let (low, high) = range(variable).ok_or(Unfit::Make("a variable without finite range"))?;
+        if low < integer(0) || high > integer(1) {
+            return Err(Unfit::Make("a variable outside of [0, 1]"));
+        }
+        Self::new(functions, variable, &range)
+    }
+
     /// The seeds with every other symbol mapped from its range to [0, 1].
     ///
     /// # Errors
@@ -129,6 +149,15 @@ impl Seeds {
         all.into_iter()
             .find(|exchange| self.exchanged(*exchange) == mirrored)
     }
+}
+
+/// Both ends of an interval, if they are rational.
+fn range(set: &Set) -> Option<(Rational, Rational)> {
+    let Set::Real(interval) = set else {
+        return None;
+    };
+    let end = |bound: &Option<Bound>| bound.as_ref()?.value.as_rational().cloned();
+    Some((end(&interval.lower)?, end(&interval.upper)?))
 }
 
 /// The polynomials with symbols replaced.
