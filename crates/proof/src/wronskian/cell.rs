@@ -28,6 +28,7 @@ use super::orders::Orders;
 use super::tables::{differences, newton};
 use super::{MAX_DEGREE, Unfit};
 use std::cmp::Ordering;
+use torse_numbers::planted::{Planted, planted};
 use torse_numbers::rational::integer;
 use torse_numbers::{Ball, Rational};
 
@@ -149,7 +150,7 @@ impl<'a> Front<'a> {
                         let coefficient = Ball::dot(weights.iter().zip(&values), BITS);
                         (&coefficient - &error).sign() == Some(Ordering::Greater)
                     };
-                    if !table.iter().all(positive) {
+                    if !table.iter().all(positive) && !planted(Planted::CoefficientUnlooked) {
                         return Err(self.sign(rank, cell));
                     }
                 }
