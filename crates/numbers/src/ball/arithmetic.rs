@@ -112,8 +112,16 @@ impl Ball {
         let (mut least, mut greatest) = (Integer::ZERO, Integer::ZERO);
         for (a, b) in pairs {
             let (mut own, mut other) = (None, None);
-            let a = if a.bits == bits { a } else { own.insert(a.rescaled(bits)) };
-            let b = if b.bits == bits { b } else { other.insert(b.rescaled(bits)) };
+            let a = if a.bits == bits {
+                a
+            } else {
+                own.insert(a.rescaled(bits))
+            };
+            let b = if b.bits == bits {
+                b
+            } else {
+                other.insert(b.rescaled(bits))
+            };
             let (lo, hi) = extremes(a, b);
             least += lo;
             greatest += hi;

@@ -42,7 +42,10 @@ pub(super) fn orders(
                 true => None,
                 false => {
                     let terms = parts(&coefficient, &operator.seeds)?;
-                    let terms = terms.into_iter().flat_map(|part| part.terms).collect::<Vec<_>>();
+                    let terms = terms
+                        .into_iter()
+                        .flat_map(|part| part.terms)
+                        .collect::<Vec<_>>();
                     let series = taylor(&terms, LENGTH);
                     let order = series.iter().position(|c| !c.is_zero());
                     Some(order.unwrap_or(LENGTH))

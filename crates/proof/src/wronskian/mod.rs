@@ -66,7 +66,9 @@ pub enum Unfit {
     #[error("a cell has impossible data")]
     Cell,
     /// A coefficient is not shown to be positive on a cell.
-    #[error("determinant {rank}: a Bernstein coefficient is not shown to be positive up to {until}")]
+    #[error(
+        "determinant {rank}: a Bernstein coefficient is not shown to be positive up to {until}"
+    )]
     Sign {
         /// The size of the determinant.
         rank: usize,

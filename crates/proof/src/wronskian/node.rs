@@ -45,7 +45,14 @@ impl<'a> Places<'a> {
             exponents.map(|e| ball(&share(n).pow(e))).collect()
         };
         let weights = |i| (0..=degree).map(|j| ball(&weight(i, j, degree))).collect();
-        let table = |rank| newton(&number(most), &Rational::zero(), operator.total * rank, BITS);
+        let table = |rank| {
+            newton(
+                &number(most),
+                &Rational::zero(),
+                operator.total * rank,
+                BITS,
+            )
+        };
         Self {
             operator,
             degree,
@@ -102,7 +109,13 @@ impl<'a> Places<'a> {
             differences(row);
         }
         let unit = vec![vec![ball(&integer(1))]];
-        let table_of = |place: usize| if self.operator.used[place] { table } else { &unit };
+        let table_of = |place: usize| {
+            if self.operator.used[place] {
+                table
+            } else {
+                &unit
+            }
+        };
         let mut half: Grid = vec![vec![]; rows + 1];
         for b in 0..=columns {
             let mut column: Vec<Ball> = grid.iter().filter_map(|row| row.get(b).cloned()).collect();
@@ -113,7 +126,9 @@ impl<'a> Places<'a> {
         }
         let whole = |row: &Vec<Ball>| {
             let weights = table_of(1).iter();
-            weights.map(|weights| Ball::dot(weights.iter().zip(row), BITS)).collect()
+            weights
+                .map(|weights| Ball::dot(weights.iter().zip(row), BITS))
+                .collect()
         };
         half.iter().map(whole).collect()
     }
@@ -146,7 +161,11 @@ impl<'a> Places<'a> {
         }
         let all = self.operator.parts.iter().flatten().flat_map(|p| &p.terms);
         let most = all.fold([0; 3], |most, term| {
-            [most[0].max(term.x), most[1].max(term.sine), most[2].max(term.cosine)]
+            [
+                most[0].max(term.x),
+                most[1].max(term.sine),
+                most[2].max(term.cosine),
+            ]
         });
         let powers: Vec<Vec<Vec<Ball>>> = [&line, &sine, &cosine]
             .into_iter()
@@ -267,7 +286,11 @@ impl<'a> Places<'a> {
 /// The product of truncated series.
 fn product(a: &[Ball], b: &[Ball]) -> Vec<Ball> {
     let mut result = vec![ball(&Rational::zero()); a.len()];
-    for (i, x) in a.iter().enumerate().filter(|(_, x)| x.sign() != Some(std::cmp::Ordering::Equal)) {
+    for (i, x) in a
+        .iter()
+        .enumerate()
+        .filter(|(_, x)| x.sign() != Some(std::cmp::Ordering::Equal))
+    {
         for (slot, y) in result.iter_mut().skip(i).zip(b) {
             *slot = &*slot + &(x * y);
         }

@@ -114,7 +114,8 @@ pub(super) fn weight(i: usize, j: usize, k: usize) -> Rational {
 
 /// A function by monomials in the parameters.
 pub(super) fn parts(function: &Polynomial, seeds: &Seeds) -> Result<Vec<Part>, Unfit> {
-    let other = || Unfit::Make("a function that is no polynomial in x, sin(pi/2*x) and cos(pi/2*x)");
+    let other =
+        || Unfit::Make("a function that is no polynomial in x, sin(pi/2*x) and cos(pi/2*x)");
     let x = seeds.x();
     let [sine, cosine] = seeds.turn();
     let mut parts: Vec<Part> = vec![];

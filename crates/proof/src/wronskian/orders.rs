@@ -78,7 +78,9 @@ impl Orders {
     /// The order of one coefficient; nothing for one that is zero.
     pub fn get(&self, rank: usize, a: usize, b: usize) -> Option<usize> {
         let rows = rank.checked_sub(1).and_then(|place| self.0.get(place));
-        *rows.and_then(|rows| rows.get(a)?.get(b)).unwrap_or(&Some(0))
+        *rows
+            .and_then(|rows| rows.get(a)?.get(b))
+            .unwrap_or(&Some(0))
     }
 }
 

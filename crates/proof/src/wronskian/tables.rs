@@ -8,7 +8,12 @@ use torse_numbers::rational::integer;
 use torse_numbers::{Ball, Rational};
 
 /// The Bernstein coefficients of degree `degree` on [0, 1] of `binom(scale*t + shift, m)`, m = 0..degree: by coefficient, then by m.
-pub(super) fn newton(scale: &Rational, shift: &Rational, degree: usize, bits: usize) -> Vec<Vec<Ball>> {
+pub(super) fn newton(
+    scale: &Rational,
+    shift: &Rational,
+    degree: usize,
+    bits: usize,
+) -> Vec<Vec<Ball>> {
     let number = |n: usize| integer(i64::try_from(n).unwrap_or(0));
     let mut own = vec![integer(1)];
     let mut columns = vec![];
@@ -78,8 +83,14 @@ mod tests {
         let mut values: Vec<Ball> = (0..4).map(square).collect();
         differences(&mut values);
         let table = newton(&integer(3), &integer(0), 3, bits);
-        let found: Vec<Ball> = table.iter().map(|row| Ball::dot(row.iter().zip(&values), bits)).collect();
-        for (ball, exact) in found.iter().zip([integer(0), integer(0), third, integer(1)]) {
+        let found: Vec<Ball> = table
+            .iter()
+            .map(|row| Ball::dot(row.iter().zip(&values), bits))
+            .collect();
+        for (ball, exact) in found
+            .iter()
+            .zip([integer(0), integer(0), third, integer(1)])
+        {
             assert!(ball.contains(&exact), "{ball} {exact}");
             assert!(ball.is_within(0) && ball.width() < ratio(1, 1 << 40).unwrap());
         }

@@ -24,8 +24,8 @@ pub mod sign;
 pub mod value;
 pub mod variation;
 pub mod witness;
-mod wronskian;
 mod words;
+mod wronskian;
 
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{Statement, Value};

@@ -14,8 +14,8 @@ use torse_proof::proof::Proof;
 use torse_proof::proof::ground::{Determining, Ground};
 use torse_proof::proof::refutation::Refuted;
 use torse_proof::sign::{Certificate, Coordinate, Factor, Shown, Sign};
-use torse_proof::{Polynomial, Ratio, Symbol};
 use torse_proof::wronskian::{Cell, Exchange, Wronskians};
+use torse_proof::{Polynomial, Ratio, Symbol};
 use torse_verdicts::grounds::Grounds;
 
 type P = Polynomial;
@@ -615,9 +615,12 @@ fn total_positivity() {
             ("a disc that is too large", &|f| {
                 cell(f).radius = integer(8);
             }),
-            ("a determinant that is too large to be multiplied out", &|f| {
-                wronskians(f).degrees[1].front.exact.push(4);
-            }),
+            (
+                "a determinant that is too large to be multiplied out",
+                &|f| {
+                    wronskians(f).degrees[1].front.exact.push(4);
+                },
+            ),
         ],
     );
 }

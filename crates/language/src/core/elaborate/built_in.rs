@@ -2,7 +2,9 @@
 
 use super::binders::{Local, Scope, Use};
 use super::{Elaborator, Lambda, Meaning, Outcome, wrong};
-use crate::core::{BuiltIn, Degrees, Family, FamilyProperty, Node, Printed, Statement, Term, Variable};
+use crate::core::{
+    BuiltIn, Degrees, Family, FamilyProperty, Node, Printed, Statement, Term, Variable,
+};
 use crate::fault::{Fault, Problem};
 use crate::syntax::{self, Expr, Operator, Place};
 use std::sync::Arc;
