@@ -206,9 +206,9 @@ impl<'a> Front<'a> {
             for term in parts.iter().flat_map(|part| &part.terms) {
                 let size = num_traits::Signed::abs(&term.coefficient);
                 let size = size * power(&far, term.x) * power(&pi, term.pi);
-                norm = norm + size * power(&turn, term.sine + term.cosine);
+                norm += size * power(&turn, term.sine + term.cosine);
             }
-            row = row + norm * weight(i, rank, self.degree) * integer(1 << i);
+            row += norm * weight(i, rank, self.degree) * integer(1 << i);
         }
         Ok((0..rank).fold(integer(1), |bound, _| bound * &row))
     }

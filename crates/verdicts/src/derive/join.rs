@@ -20,6 +20,7 @@ use std::sync::Arc;
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::derivation::declarations::Declarations;
 use torse_language::syntax::{Expr, Operator};
+use torse_prove::decide::conditions::separated;
 use torse_prove::formula;
 
 /// A solution is written out if no point takes more nodes than this.
@@ -256,12 +257,10 @@ impl<'a> Join<'a> {
     fn denominators(&self) -> Vec<Polynomial> {
         let entries = self.a.iter().chain(&self.b).flatten();
         let all = entries.flat_map(|f| f.conditions().to_vec());
-        let mut all: Vec<Polynomial> = all
+        let all: Vec<Polynomial> = all
             .filter(|p| self.second.can_vanish(p, self.rows.len() - 1))
             .collect();
-        all.sort();
-        all.dedup();
-        all
+        separated(&all)
     }
 
     /// The solution with names for the coefficients, and the divisors by name.
