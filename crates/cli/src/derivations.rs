@@ -85,7 +85,8 @@ impl Derivations {
         Ok(Source::new(&paper.id, paper.doi.as_deref(), &digest))
     }
 
-    fn find(&self) -> Result<PathBuf, Failure> {
+    /// The folder of derivations.
+    pub fn find(&self) -> Result<PathBuf, Failure> {
         match &self.folder {
             Some(path) if path.is_dir() => Ok(path.clone()),
             Some(path) => Err(Failure::NotAFolder { path: path.clone() }),

@@ -26,6 +26,7 @@ mod selection;
 mod terminal;
 mod verdicts;
 mod verify;
+mod watch;
 
 use clap::{Parser, Subcommand};
 use exit::{Exit, Failure};
@@ -51,6 +52,7 @@ const EXAMPLES: &str = "\
 Examples:
   torse verify                           all claims of all papers
   torse verify gbt-developable/thm-4     the claims of one theorem
+  torse verify my-paper --watch          again after every change of its files
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse erratum gbt-surfaces             the corrections, ready to be sent

@@ -114,7 +114,8 @@ fn in_full<'a>(
     }
 }
 
-fn unexpected<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
+/// The claims whose verdicts are not what their files expect, if there are any.
+pub fn unexpected<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
     let differing: Vec<String> = outcomes
         .filter(|outcome| !outcome.as_expected())
         .filter_map(|outcome| {

@@ -6,6 +6,7 @@ use crate::exit::{Exit, Failure};
 use crate::format::Format;
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
+use crate::watch::Watch;
 use crate::{figures, guard, proofs, terminal, verdicts};
 use clap::Args;
 use std::path::PathBuf;
@@ -35,6 +36,10 @@ pub struct Verify {
     /// Write what each verdict rests on into this folder, as JSON: a file a paper, whole or not at all
     #[arg(long, value_name = "DIR")]
     proofs: Option<PathBuf>,
+    /// Verify again whenever a derivation file changes, and show what differs; Ctrl-C ends it. Only papers with changed files
+    /// are decided again
+    #[arg(long, conflicts_with_all = ["format", "against", "proofs", "timings"])]
+    watch: bool,
     /// List the ten slowest claims on standard error
     #[arg(long)]
     timings: bool,
@@ -52,12 +57,21 @@ Examples:
   torse verify gbt-developable hermite-developable/ex-4
   torse verify --format json > verdicts.json
   torse verify --against verdicts.json
+  torse verify my-paper --watch
   torse verify hermite-developable --proofs my-proofs
   torse verify --timings --derivations my-papers";
 
 impl Verify {
     /// Decides, prints, and says how it went.
     pub fn run(&self) -> Result<Exit, Failure> {
+        if self.watch {
+            let watch = Watch {
+                derivations: &self.derivations,
+                names: &self.names,
+                budget: self.budget,
+            };
+            return watch.run();
+        }
         let (papers, mut mistakes) = self.derivations.select(&self.names)?;
         let before = self.against.as_deref().map(Verdicts::read).transpose()?;
         let run = Run::of(&papers, self.budget, &mut mistakes);

@@ -45,6 +45,8 @@ pub enum Planted {
     RoundingTooWide,
     /// A candidate for a correction is not proved.
     CorrectionUnproved,
+    /// A coefficient of a determinant is taken for positive on a cell without a look.
+    CoefficientUnlooked,
     /// The checker of proofs reads a difference as a sum.
     DifferenceReadAsSum,
 }

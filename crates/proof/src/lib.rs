@@ -25,6 +25,7 @@
 //! | `excluded` | hypotheses say that the difference is not zero | [`order::Excluded`] |
 //! | `enclosure` | printed numbers are the values, rounded or cut off | [`enclosure::Enclosure`] |
 //! | `nonnegative`, `powers` | properties of a basis at every degree | [`family`] |
+//! | `wronskians` | total positivity at some degrees, by positive determinants on cells | [`wronskian`] |
 //! | `on` | a proof with its ground: eliminated symbols, constraints, conditions | [`proof::ground::Ground`] |
 //! | `both`, `clauses`, `parts`, `instances` | conjunctions, of halves, clauses, parts of the domain, values of integers | [`proof::Proof`] |
 //! | `alternative`, `conclusion` | one part of `or`, perhaps where the others fail; the end of `implies` | [`proof::Proof`] |
@@ -48,6 +49,7 @@ pub mod ratio;
 pub mod sign;
 pub mod symbol;
 mod text;
+pub mod wronskian;
 
 pub use evidence::Evidence;
 pub use polynomial::Polynomial;

@@ -329,7 +329,7 @@ impl<'a> Ground<'a> {
             .or_else(|| candidates.first())
             .cloned();
         let settled = |(_, coefficient, _): &(Symbol, Polynomial, Fraction)| {
-            coefficient.symbols().iter().all(is_number) || self.never_zero(coefficient)
+            coefficient.symbols().iter().all(Symbol::is_number) || self.never_zero(coefficient)
         };
         let chosen = chosen.filter(|found| self.solving == Solving::Always || settled(found));
         let Some((symbol, coefficient, solution)) = chosen else {

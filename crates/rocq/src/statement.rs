@@ -507,7 +507,7 @@ fn property_of(
                 function.argument()
             )
         }
-        FamilyProperty::VariationDiminishing => {
+        FamilyProperty::VariationDiminishing(_) => {
             return Err(Gap::Theory("total positivity and variation diminution"));
         }
     };

@@ -1,7 +1,7 @@
 //! Properties of a basis family at one point: at its shape parameters, and at small degrees.
 //!
 //! A property speaks about every degree and all values of the variables; a point has one value of each. At a point are
-//! judged, for the degree of the seeds and the next ones:
+//! judged, for the degree of the seeds and the next ones, or for the degrees that the statement names:
 //!
 //! - *nonnegative*: the signs of all functions at the value of the variable;
 //! - *independent*: functions are independent if the determinant of their values at as many arguments is not zero
@@ -48,12 +48,18 @@ pub(crate) fn judge(
         .map(|v| at.point_value(&Name::Symbol(Arc::from(v.name()))))
         .collect::<Result<_, _>>()?;
     let least = i64::from(family.degree);
+    let degrees = match property {
+        FamilyProperty::VariationDiminishing(Some(degrees)) => {
+            i64::from(degrees.least)..=i64::from(degrees.most)
+        }
+        _ => least..=least + DEGREES - 1,
+    };
     let mut all = Judgement::True;
-    for degree in least..least + DEGREES {
+    for degree in degrees {
         let found = match property {
             FamilyProperty::Nonnegative => nonnegative(family, degree, &values, at)?,
             FamilyProperty::Independent => independent(family, degree, &values, claim, at)?,
-            FamilyProperty::VariationDiminishing => {
+            FamilyProperty::VariationDiminishing(_) => {
                 diminishing(family, degree, &values, claim, at)?
             }
         };

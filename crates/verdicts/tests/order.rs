@@ -32,6 +32,17 @@ variable = "x"
 degree = 1
 seeds = ['x', '1 - x']
 step = ['x', '1 - x']
+[basis.q]
+variable = "x"
+parameters = ["mu"]
+degree = 2
+seeds = ['(1 - sin(pi/2*x))*(1 - mu*sin(pi/2*x))', 'sin(pi/2*x) + mu*sin(pi/2*x)*(1 - sin(pi/2*x)) - 1 + cos(pi/2*x)', '1 - cos(pi/2*x)']
+step = ['1 - x', 'x']
+[basis.sharp]
+variable = "x"
+degree = 1
+seeds = ['1 - x^2', 'x^2']
+step = ['1 - x^3', 'x^3']
 [basis.hump]
 variable = "x"
 degree = 1
@@ -221,6 +232,26 @@ fn variation_diminution_is_proved_for_powers_and_refuted_by_a_curve() {
     assert_eq!(open.verdict, Verdict::Undecided, "{open:?}");
     let first = "degree 1: totally positive for all shape parameters, by certificates of sign for all 3 minors";
     assert!(open.steps.contains(&first.to_owned()), "{open:?}");
+}
+
+#[test]
+fn variation_diminution_is_proved_degree_by_degree_for_one_function_of_a_parameter() {
+    let proved = outcome("some", "states = 'variation_diminishing(q, 2, 5)'");
+    assert_eq!(
+        (proved.verdict, proved.evidence),
+        (Verdict::Holds, Some(Evidence::Inequality)),
+        "{proved:?}"
+    );
+    assert!(proved.replay.unwrap().replayed);
+    assert!(proved.net.unwrap().decided >= 20);
+    // A line that the curve crosses twice and its polygon once; no degree that is not spoken of refutes.
+    let refuted = outcome("hump", "states = 'variation_diminishing(hump, 1, 2)'");
+    assert_eq!(refuted.verdict, Verdict::False, "{refuted:?}");
+    let high = outcome("high", "states = 'variation_diminishing(q, 2, 11)'");
+    assert_eq!(high.verdict, Verdict::Undecided, "{high:?}");
+    let other = outcome("other", "states = 'variation_diminishing(sharp, 1, 2)'");
+    assert_eq!(other.verdict, Verdict::Undecided, "{other:?}");
+    assert!(other.steps[0].contains("is not 1 - x and x"), "{other:?}");
 }
 
 /// Each of these rests on the sign of a fraction between -1 and 0.

@@ -39,6 +39,11 @@ variable = "x"
 degree = 2
 seeds = ['(1 - x)^2', '2*x*(1 - x)', 'x^2']
 step = ['1 - x', 'x']
+[basis.H]
+variable = "x"
+degree = 1
+seeds = ['1 - x - 6*x*(1 - x)*(1 - 2*x)', 'x + 6*x*(1 - x)*(1 - 2*x)']
+step = ['1 - x', 'x']
 "#;
 
 /// What shows that the verdict cannot be.
@@ -175,6 +180,12 @@ const CASES: &[Case] = &[
     case(
         Planted::RoundingTooWide,
         "states = 'agrees(pi, 3.15)'",
+        False,
+        Caught::Net,
+    ),
+    case(
+        Planted::CoefficientUnlooked,
+        "states = 'variation_diminishing(H, 1, 2)'",
         False,
         Caught::Net,
     ),

@@ -1,6 +1,10 @@
 //! `torse derive` and `torse recheck`.
 
 use crate::support::{claim, mini, on, repository};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use tempfile::TempDir;
 
 #[test]
 fn the_c3_join_of_symbolic_degrees_is_printed_in_every_language() {
@@ -75,4 +79,86 @@ fn verdicts_are_judged_again_and_counted() {
     );
     let replayed = "3 proofs replayed by a checker without search, 0 out of its reach";
     assert!(ran.out.contains(replayed), "{}", ran.out);
+}
+
+/// Trigonometric in radians, hyperbolic, rational, polynomial, with parameters that are called as the derivation calls its own.
+const FAMILIES: &str = r#"
+[symbols]
+t = { in = "[0, pi/2]" }
+lambda = { in = "[0, 1]" }
+gamma = { in = "[0, 1]" }
+m = { in = "[0, 1]" }
+k = { in = "(0, inf)" }
+Q = { in = "(0, inf)" }
+n = { integer = ">= 2" }
+
+[basis.trigonometric]
+variable = "t"
+parameters = ["lambda"]
+degree = 2
+seeds = ['(1 - sin(t))*(1 - lambda*sin(t))', '1 - (1 - sin(t))*(1 - lambda*sin(t)) - (1 - cos(t))', '1 - cos(t)']
+step = ['cos(t)^2', 'sin(t)^2']
+
+[basis.hyperbolic]
+variable = "x"
+parameters = ["k"]
+degree = 2
+seeds = ['(cosh(k*(1 - x)) - 1)/(cosh(k) - 1)', '1 - (cosh(k*(1 - x)) - 1)/(cosh(k) - 1) - (cosh(k*x) - 1)/(cosh(k) - 1)', '(cosh(k*x) - 1)/(cosh(k) - 1)']
+step = ['1 - x', 'x']
+
+[basis.rational]
+variable = "x"
+parameters = ["Q"]
+degree = 2
+seeds = ['(1 - x)^2/((1 - x)^2 + 2*Q*x*(1 - x) + x^2)', '2*Q*x*(1 - x)/((1 - x)^2 + 2*Q*x*(1 - x) + x^2)', 'x^2/((1 - x)^2 + 2*Q*x*(1 - x) + x^2)']
+step = ['1 - x', 'x']
+
+[basis.named]
+variable = "x"
+parameters = ["lambda", "gamma", "m"]
+degree = 2
+seeds = ['(1 - x)^2*(1 + lambda*x)*(1 + gamma*x)', '1 - (1 - x)^2*(1 + lambda*x)*(1 + gamma*x) - x^2*(1 + m*(1 - x))', 'x^2*(1 + m*(1 - x))']
+step = ['1 - x', 'x']
+"#;
+
+#[test]
+fn what_is_printed_of_other_families_runs_and_agrees() {
+    let folder = mini(&(FAMILIES.to_owned() + &claim("one", "x - x == 0", "")));
+    let code = TempDir::new().unwrap();
+    for basis in ["trigonometric", "hyperbolic", "rational", "named"] {
+        for join in ["", "c", "g1", "farin-boehm", "beta"] {
+            // A step of second order at the ends leaves the third derivative without its point.
+            let mut command = vec!["derive", "mini", basis];
+            match join {
+                "" => command.extend(["--order", "3"]),
+                "c" => command.extend(["--join", join, "--order", "2"]),
+                _ => command.extend(["--join", join]),
+            }
+            for (language, ending) in [("sympy", "py"), ("rust", "rs")] {
+                command.extend(["--language", language]);
+                let ran = on(folder.path(), &command);
+                assert_eq!(ran.code, Some(0), "{basis} {join}: {}", ran.err);
+                let file = format!("{basis}_{}.{ending}", join.replace('-', "_"));
+                fs::write(code.path().join(file), ran.out).unwrap();
+                command.truncate(command.len() - 2);
+            }
+        }
+    }
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/command/derived.py");
+    let sympy = Command::new("python3")
+        .args(["-c", "import sympy"])
+        .output();
+    if !sympy.is_ok_and(|found| found.status.success()) {
+        eprintln!("not run: there is no SymPy");
+        return;
+    }
+    let run = Command::new("python3")
+        .arg(script)
+        .arg(code.path())
+        .output();
+    let run = run.unwrap();
+    let said = String::from_utf8_lossy(&run.stdout);
+    let errors = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.success(), "{said}{errors}");
+    assert!(said.contains("20 derivations agree"), "{said}");
 }

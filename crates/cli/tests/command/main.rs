@@ -15,3 +15,4 @@ mod prove;
 mod report;
 mod support;
 mod verify;
+mod watch;

@@ -270,8 +270,17 @@ pub enum FamilyProperty {
     Nonnegative,
     /// The functions are linearly independent.
     Independent,
-    /// A curve crosses no line more often than its control polygon.
-    VariationDiminishing,
+    /// A curve crosses no line more often than its control polygon: at every degree, or at these.
+    VariationDiminishing(Option<Degrees>),
+}
+
+/// Degrees of a basis family, both ends included.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Degrees {
+    /// The first, not below that of the seeds.
+    pub least: u8,
+    /// The last, not below the first.
+    pub most: u8,
 }
 
 /// The declared set of a symbol, as it stands in the derivation file.

@@ -31,9 +31,9 @@ fn difference(a: &Ball, b: &Ball) -> Ball {
     }
 }
 
-/// The extremes of `x y` over a rectangle are attained at its corners, and the signs tell at which.
-fn product(a: &Ball, b: &Ball) -> Ball {
-    let (lo, hi) = match (Side::of(a), Side::of(b)) {
+/// The extremes of `x y` over a rectangle are attained at its corners, and the signs tell at which; in units of `4^-bits`.
+fn extremes(a: &Ball, b: &Ball) -> (Integer, Integer) {
+    match (Side::of(a), Side::of(b)) {
         (Side::Right, _) => from_the_right(a, b),
         (_, Side::Right) => from_the_right(b, a),
         (Side::Left, _) => from_the_right(&-a, &-b),
@@ -42,11 +42,20 @@ fn product(a: &Ball, b: &Ball) -> Ball {
             (&a.lo * &b.hi).min(&a.hi * &b.lo),
             (&a.lo * &b.lo).max(&a.hi * &b.hi),
         ),
-    };
+    }
+}
+
+fn product(a: &Ball, b: &Ball) -> Ball {
+    let (lo, hi) = extremes(a, b);
+    rounded(&lo, &hi, a.bits)
+}
+
+/// From units of `4^-bits`, outward.
+fn rounded(lo: &Integer, hi: &Integer, bits: usize) -> Ball {
     Ball {
-        lo: shifted_down(&lo, a.bits, Toward::MinusInfinity),
-        hi: shifted_down(&hi, a.bits, Toward::PlusInfinity),
-        bits: a.bits,
+        lo: shifted_down(lo, bits, Toward::MinusInfinity),
+        hi: shifted_down(hi, bits, Toward::PlusInfinity),
+        bits,
     }
 }
 
@@ -87,6 +96,39 @@ fn from_the_right(x: &Ball, y: &Ball) -> (Integer, Integer) {
 }
 
 impl Ball {
+    /// The sum of the products of pairs, rounded once, with this many bits.
+    ///
+    /// ```
+    /// use torse_numbers::{Ball, rational::{integer, ratio}};
+    /// let ball = |n, d| Ball::from_rational(&ratio(n, d).unwrap(), 8);
+    /// let (row, column) = ([ball(1, 2), ball(-3, 4)], [ball(5, 1), ball(1, 256)]);
+    /// let sum = Ball::dot(row.iter().zip(&column), 8);
+    /// assert!(sum.contains(&(ratio(5, 2).unwrap() - ratio(3, 1024).unwrap())));
+    /// assert!(sum.width() <= ratio(1, 256).unwrap());
+    /// ```
+    #[must_use]
+    pub fn dot<'a>(pairs: impl IntoIterator<Item = (&'a Self, &'a Self)>, bits: usize) -> Self {
+        let bits = bits.min(Self::MAX_BITS);
+        let (mut least, mut greatest) = (Integer::ZERO, Integer::ZERO);
+        for (a, b) in pairs {
+            let (mut own, mut other) = (None, None);
+            let a = if a.bits == bits {
+                a
+            } else {
+                own.insert(a.rescaled(bits))
+            };
+            let b = if b.bits == bits {
+                b
+            } else {
+                other.insert(b.rescaled(bits))
+            };
+            let (lo, hi) = extremes(a, b);
+            least += lo;
+            greatest += hi;
+        }
+        rounded(&least, &greatest, bits)
+    }
+
     /// `self / divisor`, or nothing when the divisor contains zero.
     pub(super) fn quotient(&self, divisor: &Self) -> Option<Self> {
         let mut storage = None;

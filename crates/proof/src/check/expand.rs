@@ -367,6 +367,36 @@ impl<'a> Expander<'a> {
         Ok(functions)
     }
 
+    /// The two factors of the step and the seeds, at these arguments.
+    pub(super) fn factors_and_seeds(
+        &self,
+        family: &Family,
+        arguments: &[Value],
+    ) -> Result<([Quotient; 2], Vec<Quotient>), Beyond> {
+        self.opened_family(family, arguments, &Scope::OUTSIDE)
+    }
+
+    fn opened_family(
+        &self,
+        family: &Family,
+        arguments: &[Value],
+        scope: &Scope<'_>,
+    ) -> Result<([Quotient; 2], Vec<Quotient>), Beyond> {
+        let place = family.variables.len().saturating_sub(arguments.len());
+        if let (Some(variable), Some((value, rest))) =
+            (family.variables.get(place), arguments.split_first())
+        {
+            let inner = scope.with(variable.number(), value);
+            return self.opened_family(family, rest, &inner);
+        }
+        let seeds = family.seeds.iter().map(|seed| self.number(seed, scope));
+        let factors = [
+            self.number(&family.step.0, scope)?,
+            self.number(&family.step.1, scope)?,
+        ];
+        Ok((factors, seeds.collect::<Result<_, _>>()?))
+    }
+
     fn recursion(
         &self,
         family: &Family,

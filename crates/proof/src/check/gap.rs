@@ -1,6 +1,7 @@
 //! Why a proof is not accepted: it is wrong, or the checker does not reach so far.
 
 use crate::polynomial::Polynomial;
+use crate::wronskian::Unfit;
 use std::cell::Cell;
 
 /// What the checker says of a proof that it does not accept.
@@ -94,6 +95,9 @@ pub enum Wrong {
     /// The sides are not what the counterexample says.
     #[error("the sides have other values at the point")]
     Sides,
+    /// Total positivity is not shown.
+    #[error("total positivity is not shown: {0}")]
+    Wronskians(Unfit),
     /// The instances are not all there are.
     #[error("an instance is missing")]
     Instances,

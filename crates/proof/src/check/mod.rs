@@ -19,6 +19,7 @@ mod sign;
 mod statement;
 mod turn;
 mod value;
+mod variation;
 
 pub use gap::{Beyond, Unchecked, Work, Wrong};
 

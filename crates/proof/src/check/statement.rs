@@ -5,13 +5,14 @@ use super::ground::{Compared, Domain};
 use super::printed;
 use super::quotient::Quotient;
 use super::sign::Signs;
+use super::variation;
 use crate::enclosure::Enclosure;
 use crate::identity::{Combination, Equations, Identity, Vanishing};
 use crate::order::{Excluded, Order};
 use crate::polynomial::Polynomial;
 use crate::proof::Proof;
 use crate::proof::ground::Ground;
-use torse_language::core::Statement;
+use torse_language::core::{FamilyProperty, Statement};
 use torse_language::syntax::Relation;
 
 /// A single statement by its proof.
@@ -49,6 +50,10 @@ pub fn check(domain: &Domain<'_>, ground: &Ground<Polynomial>) -> Result<(), Unc
             }
             enclosure(domain, &values, own)?;
         }
+        (
+            Statement::Family(FamilyProperty::VariationDiminishing(Some(degrees)), family),
+            Proof::Wronskians(own),
+        ) => variation::check(domain, family, *degrees, own)?,
         (Statement::Family(..), Proof::Nonnegative(_) | Proof::Powers(_)) => {
             return Err(Beyond::Construct("a property of a basis").into());
         }

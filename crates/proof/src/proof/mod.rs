@@ -10,6 +10,7 @@ use crate::identity::{Combination, Identity};
 use crate::order::{Excluded, Order};
 use crate::polynomial::Polynomial;
 use crate::ratio::{Constraint, Ratio};
+use crate::wronskian::Wronskians;
 use ground::Ground;
 use refutation::Refuted;
 use serde::Serialize;
@@ -33,6 +34,8 @@ pub enum Proof<P> {
     Nonnegative(Nonnegative<P>),
     /// A basis diminishes variation.
     Powers(Powers<P>),
+    /// A basis diminishes variation at some degrees.
+    Wronskians(Wronskians),
     /// A proof with the ground on which it stands.
     On(Box<Ground<P>>),
     /// Both halves of `and`.
@@ -101,6 +104,7 @@ impl<P> Proof<P> {
             Self::Enclosure(proof) => Proof::Enclosure(proof.map(change)),
             Self::Nonnegative(proof) => Proof::Nonnegative(proof.map(change)),
             Self::Powers(proof) => Proof::Powers(proof.map(change)),
+            Self::Wronskians(proof) => Proof::Wronskians(proof.clone()),
             Self::On(ground) => Proof::On(Box::new(ground.map(change))),
             Self::Both(first, second) => Proof::Both(one(first), one(second)),
             Self::Parts(proofs) => Proof::Parts(all(proofs)),
@@ -148,7 +152,7 @@ impl<P> Proof<P> {
         match self {
             Self::Identity(proof) => proof.by.evidence(),
             Self::Combination(proof) => proof.by.evidence(),
-            Self::Order(_) | Self::Excluded(_) => Evidence::Inequality,
+            Self::Order(_) | Self::Excluded(_) | Self::Wronskians(_) => Evidence::Inequality,
             Self::Enclosure(proof) if proof.is_exact() => Evidence::Identity,
             Self::Enclosure(_) => Evidence::Enclosure,
             Self::Nonnegative(_) | Self::Powers(_) => Evidence::Induction,
@@ -227,6 +231,7 @@ impl Proof<Polynomial> {
             Self::Enclosure(proof) => proof.steps(),
             Self::Nonnegative(proof) => proof.steps(),
             Self::Powers(proof) => proof.steps(),
+            Self::Wronskians(proof) => proof.steps(),
             Self::On(ground) => {
                 let ranges = ground.ranges.iter().map(|range| range.text());
                 let steps = ground.proof.steps();

@@ -25,6 +25,7 @@ pub mod value;
 pub mod variation;
 pub mod witness;
 mod words;
+mod wronskian;
 
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{Statement, Value};
@@ -163,8 +164,8 @@ pub fn decide(
         } => match property {
             FamilyProperty::Nonnegative => family::nonnegative(basis, domain, evaluator),
             FamilyProperty::Independent => family::independent(basis, domain, evaluator),
-            FamilyProperty::VariationDiminishing => {
-                variation::diminishing(basis, domain, evaluator)
+            FamilyProperty::VariationDiminishing(degrees) => {
+                variation::diminishing(basis, *degrees, domain, evaluator)
             }
         },
         Statement::Join(Connective::And, a, b) => {

@@ -15,6 +15,8 @@
 //! minors that are polynomials, divisible by the differences of the places. Total positivity is then the
 //! nonnegativity of the quotients on a cube, for which there are certificates ([`super::sign`]).
 //!
+//! **Some degrees.** Where the statement names degrees, and the step is `1 - x`, `x`, Wronskians decide: [`super::wronskian`].
+//!
 //! **No induction.** The step multiplies the collocation matrix with different bidiagonal matrices at
 //! different places, and that need not keep it totally positive: from the rows (1, v) it leads to
 //! (1, u + v, u v), totally positive for increasing u and v only if u v is a convex function of u + v. So
@@ -27,11 +29,11 @@ use super::family::{DEGREES, family, functions, nonnegative_part, parameter_poin
 use super::order::{enclosure, truth};
 use super::sign;
 use super::value::{Proof, quotient};
-use super::{Decision, Refutation, witness};
+use super::{Decision, Refutation, witness, wronskian};
 use crate::evaluate::Evaluator;
 use torse_algebra::rational::integer;
 use torse_algebra::{Angle, Fraction, Matrix, Polynomial, Rational, Scalar as _, Symbol};
-use torse_language::core::Family;
+use torse_language::core::{Degrees, Family};
 use torse_language::derivation::declarations::{Bound, Interval, SymbolKind};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
@@ -48,6 +50,7 @@ const MAX_SEEDS: usize = 5;
 /// [`Fault`] when the seeds cannot be evaluated.
 pub fn diminishing(
     basis: &Family,
+    degrees: Option<Degrees>,
     domain: &Domain<'_>,
     evaluator: &Evaluator<'_>,
 ) -> Result<Decision, Fault> {
@@ -61,13 +64,19 @@ pub fn diminishing(
         (total - one.clone()).is_zero()
     };
     if !sum_to_one(&seeds) || !sum_to_one(&step) {
-        return Ok(not_affine(basis, domain, &step, &seeds));
+        return Ok(not_affine(basis, degrees, domain, &step, &seeds));
     }
     if let Some(powers) = powers(&step, &seeds, basis.variable(), domain) {
         return Ok(Decision::Proven(Proof::Powers(powers)));
     }
     let mut tried = vec![];
-    if let Some(minors) = totally_positive(&seeds, basis.variable(), domain) {
+    let mut reason = "total positivity is not proved for every degree".to_owned();
+    if let Some(degrees) = degrees {
+        match wronskian::positive(basis, degrees, &step, &seeds, domain) {
+            Ok(proof) => return Ok(Decision::Proven(Proof::Wronskians(proof))),
+            Err(why) => reason = format!("total positivity is not proved: {why}"),
+        }
+    } else if let Some(minors) = totally_positive(&seeds, basis.variable(), domain) {
         tried.push(format!(
             "degree {}: totally positive for all shape parameters, by certificates of sign for all {minors} minors",
             basis.degree
@@ -83,7 +92,7 @@ pub fn diminishing(
             std::cmp::Ordering::Greater
         }
     });
-    for raise in 0..DEGREES {
+    for raise in raises(basis, degrees) {
         let degree = basis.degree + raise;
         let row = functions(&step, &seeds, raise);
         for point in parameter_points(basis, domain) {
@@ -109,16 +118,26 @@ pub fn diminishing(
             "degree {degree}: the quotients of all pairs of functions are monotone at simple places"
         ));
     }
-    Ok(Decision::Open {
-        reason: "total positivity is not proved for every degree".to_owned(),
-        tried,
-    })
+    Ok(Decision::Open { reason, tried })
+}
+
+/// How far above the seeds refutations are sought: the first degrees of those that the statement is about.
+fn raises(basis: &Family, degrees: Option<Degrees>) -> std::ops::Range<u8> {
+    match degrees {
+        None => 0..DEGREES,
+        Some(degrees) => {
+            let first = degrees.least.saturating_sub(basis.degree);
+            let last = degrees.most.saturating_sub(basis.degree);
+            first..last.saturating_add(1).min(first.saturating_add(DEGREES))
+        }
+    }
 }
 
 /// Functions that do not sum to one move the curve of a constant polygon, or leave the unit interval: where a curve is on
 /// both sides of a level beyond all control values, it crosses a line that the polygon does not meet.
 fn not_affine(
     basis: &Family,
+    degrees: Option<Degrees>,
     domain: &Domain<'_>,
     step: &[Fraction; 2],
     seeds: &[Fraction],
@@ -126,7 +145,7 @@ fn not_affine(
     let variable = Symbol::named(basis.variable());
     let places = domain.candidates(&variable, Turns::Quarter(1));
     let (zero, one) = (Fraction::zero(), Fraction::integer(1));
-    for raise in 0..DEGREES {
+    for raise in raises(basis, degrees) {
         let row = functions(step, seeds, raise);
         let sum = row.iter().cloned().fold(zero.clone(), |sum, f| sum + f);
         let single = row.into_iter().enumerate();

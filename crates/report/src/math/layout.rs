@@ -364,6 +364,12 @@ impl Writer<'_> {
             ("nonnegative", [of]) => said("is nowhere negative", of),
             ("independent", [of]) => said("is linearly independent", of),
             ("variation_diminishing", [of]) => said("diminishes variation", of),
+            ("variation_diminishing", [of, least, most]) => {
+                let piece = said("diminishes variation at the degrees", of);
+                let range = [self.inner(least), Shown::Sign('–'), self.inner(most)];
+                let nodes = std::iter::once(piece.node).chain(range);
+                Piece::new(Level::Relation, Shown::row(nodes))
+            }
             ("D", [function, variable]) => self.derivative(function, variable, None),
             ("D", [function, variable, order]) => match plain_integer(order) {
                 Some(1) => self.derivative(function, variable, None),

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Polynomial, Rational, Symbol, rational};
 use torse_language::derivation::declarations::{Basis, Declarations, SymbolKind};
 use torse_language::syntax::{Expr, Node, Operator, Relation};
+use torse_prove::decide::conditions::separated;
 use torse_prove::decide::interval::exact;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;
@@ -412,8 +413,7 @@ pub fn end_derivatives(
             });
         }
     }
-    conditions.sort();
-    conditions.dedup();
+    let conditions = separated(&conditions);
     let bound = std::iter::once(curve.degree_at_least(reach));
     Ok(Derivation {
         title: format!(

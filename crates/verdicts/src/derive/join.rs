@@ -20,6 +20,7 @@ use std::sync::Arc;
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::derivation::declarations::Declarations;
 use torse_language::syntax::{Expr, Operator};
+use torse_prove::decide::conditions::separated;
 use torse_prove::formula;
 
 /// A solution is written out if no point takes more nodes than this.
@@ -53,7 +54,9 @@ pub fn continuity(
     let one = Fraction::integer(1);
     let rows = (0..=usize::from(order)).map(|j| vec![(j, one.clone())]);
     let title = format!("C{order} join of two curves of the family {basis}");
-    solved(declarations, basis, &title, &rows.collect::<Vec<_>>())
+    let family = Family::new(declarations, basis)?;
+    let names = family.names()?;
+    solved(&family, names, &title, &rows.collect::<Vec<_>>())
 }
 
 /// A join with geometric continuity of two plane families (or curves in homogeneous coordinates).
@@ -66,7 +69,15 @@ pub fn geometric(
     condition: Geometric,
 ) -> Result<Derivation, DeriveError> {
     let one = Fraction::integer(1);
-    let gamma = Fraction::named("gamma");
+    let family = Family::new(declarations, basis)?;
+    // The factors of the condition come after the names of the family, and give way to them.
+    let mut names = family.names()?;
+    let (gamma, lambda) = match condition {
+        Geometric::G1 => (names.fresh("gamma"), String::new()),
+        Geometric::FarinBoehm => (String::new(), String::new()),
+        Geometric::Beta => (names.fresh("gamma"), names.fresh("lambda")),
+    };
+    let gamma = Fraction::named(&gamma);
     let point = vec![(0, one.clone())];
     let tangent = vec![(1, gamma.clone())];
     let (title, rows) = match condition {
@@ -76,33 +87,28 @@ pub fn geometric(
             vec![point, vec![(1, one.clone())], vec![(2, one)]],
         ),
         Geometric::Beta => {
-            let curvature = vec![(1, Fraction::named("lambda")), (2, gamma.clone() * gamma)];
+            let curvature = vec![(1, Fraction::named(&lambda)), (2, gamma.clone() * gamma)];
             ("G2-beta join", vec![point, tangent, curvature])
         }
     };
     let title = format!("{title} of two plane families over the basis {basis}");
-    solved(declarations, basis, &title, &rows)
+    solved(&family, names, &title, &rows)
 }
 
 /// The row j of a condition: `F1^(j) = sum of factor F^(l)`.
 type Row = Vec<(usize, Fraction)>;
 
 fn solved(
-    declarations: &Declarations,
-    basis: &str,
+    family: &Family<'_>,
+    mut names: Names,
     title: &str,
     rows: &[Row],
 ) -> Result<Derivation, DeriveError> {
-    let family = Family::new(declarations, basis)?;
-    let mut names = family.names()?;
     let mut parameters = family.symbols()?;
     let factors = rows.iter().flatten().flat_map(|(_, f)| f.symbols());
     let mut chosen: Vec<String> = factors.map(|s| s.to_string()).collect();
     chosen.sort();
     chosen.dedup();
-    for name in &chosen {
-        names.fresh(name);
-    }
     let own = |names: &mut Names| -> Vec<String> {
         let renamed = family.basis.parameters.iter();
         renamed.map(|p| names.fresh(&format!("{p}1"))).collect()
@@ -247,6 +253,16 @@ impl<'a> Join<'a> {
         }
     }
 
+    /// What the derivatives at both ends are divided by, if it can vanish.
+    fn denominators(&self) -> Vec<Polynomial> {
+        let entries = self.a.iter().chain(&self.b).flatten();
+        let all = entries.flat_map(|f| f.conditions().to_vec());
+        let all: Vec<Polynomial> = all
+            .filter(|p| self.second.can_vanish(p, self.rows.len() - 1))
+            .collect();
+        separated(&all)
+    }
+
     /// The solution with names for the coefficients, and the divisors by name.
     fn abbreviated(&self, names: &mut Names) -> (Vec<Line>, Vec<Expr>) {
         let mut lines = vec![];
@@ -336,6 +352,8 @@ impl<'a> Join<'a> {
         }
         lines.extend(coefficients);
         lines.extend(points);
+        let others = self.denominators().into_iter();
+        divisors.extend(others.map(|p| nonzero(&p)));
         (lines, divisors)
     }
 }

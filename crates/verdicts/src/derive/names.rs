@@ -16,7 +16,8 @@ impl Names {
         }
     }
 
-    /// `wanted`, with as many underscores in front of its digits as it takes to be new.
+    /// `wanted`, with as many zeros in front of its digits as it takes to be new: what is typeset differs as well, and no language
+    /// makes such names of its own, as `lambda_` for a word that it keeps.
     pub fn fresh(&mut self, wanted: &str) -> String {
         let stem = wanted.trim_end_matches(|c: char| c.is_ascii_digit());
         let digits = wanted.get(stem.len()..).unwrap_or("");
@@ -24,7 +25,7 @@ impl Names {
         let mut marks = 0;
         while self.taken.contains(&name) {
             marks += 1;
-            name = format!("{stem}{}{digits}", "_".repeat(marks));
+            name = format!("{stem}{}{digits}", "0".repeat(marks));
         }
         self.taken.insert(name.clone());
         name
@@ -36,11 +37,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_taken_name_gets_underscores() {
+    fn a_taken_name_gets_zeros() {
         let mut names = Names::of(["m".to_owned(), "a11".to_owned()]);
-        assert_eq!(names.fresh("m"), "m_");
-        assert_eq!(names.fresh("m"), "m__");
-        assert_eq!(names.fresh("a11"), "a_11");
+        assert_eq!(names.fresh("m"), "m0");
+        assert_eq!(names.fresh("m"), "m00");
+        assert_eq!(names.fresh("a11"), "a011");
         assert_eq!(names.fresh("n"), "n");
     }
 }

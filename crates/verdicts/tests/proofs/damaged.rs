@@ -14,6 +14,7 @@ use torse_proof::proof::Proof;
 use torse_proof::proof::ground::{Determining, Ground};
 use torse_proof::proof::refutation::Refuted;
 use torse_proof::sign::{Certificate, Coordinate, Factor, Shown, Sign};
+use torse_proof::wronskian::{Cell, Exchange, Wronskians};
 use torse_proof::{Polynomial, Ratio, Symbol};
 use torse_verdicts::grounds::Grounds;
 
@@ -561,5 +562,65 @@ fn cases() {
                 std::mem::swap(first, second);
             }
         })],
+    );
+}
+
+fn wronskians(found: &mut Found) -> &mut Wronskians {
+    match &mut ground(found).proof {
+        Proof::Wronskians(own) => own,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn cell(found: &mut Found) -> &mut Cell {
+    &mut wronskians(found).degrees[0].front.cells[0]
+}
+
+#[test]
+fn total_positivity() {
+    rejected(
+        "states = 'variation_diminishing(G, 3, 4)'",
+        &[
+            ("a degree less", &|f| {
+                wronskians(f).degrees.pop();
+            }),
+            ("a degree for another", &|f| {
+                wronskians(f).degrees[1].degree = 5;
+            }),
+            ("half of the other end missing", &|f| {
+                wronskians(f).degrees[0].back = None;
+            }),
+            ("an exchange that is none", &|f| {
+                let exchange = Exchange {
+                    swapped: false,
+                    turned: [true, false],
+                };
+                wronskians(f).exchange = Some(exchange);
+            }),
+            ("a cell that ends early", &|f| {
+                cell(f).until = Rational::from_str("1/4").unwrap();
+            }),
+            ("a cell that ends late", &|f| {
+                cell(f).until = integer(1);
+            }),
+            ("no cells", &|f| {
+                wronskians(f).degrees[0].front.cells.clear();
+            }),
+            ("too few places", &|f| {
+                cell(f).nodes = 6;
+            }),
+            ("a disc that is no larger than the cell", &|f| {
+                cell(f).radius = Rational::from_str("1/4").unwrap();
+            }),
+            ("a disc that is too large", &|f| {
+                cell(f).radius = integer(8);
+            }),
+            (
+                "a determinant that is too large to be multiplied out",
+                &|f| {
+                    wronskians(f).degrees[1].front.exact.push(4);
+                },
+            ),
+        ],
     );
 }

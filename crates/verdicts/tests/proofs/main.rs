@@ -40,6 +40,12 @@ variable = "x"
 degree = 0
 seeds = ['1']
 step = ['1 - x', 'x']
+[basis.G]
+variable = "x"
+parameters = ["z"]
+degree = 2
+seeds = ['(1 - sin(pi/2*x))', '1 - (1 - sin(pi/2*x)) - (1 - cos(pi/2*x))*(1 + cos(pi/2*x) - 2*z*cos(pi/2*x))', '(1 - cos(pi/2*x))*(1 + cos(pi/2*x) - 2*z*cos(pi/2*x))']
+step = ['1 - x', 'x']
 "#;
 
 /// A claim with what the prover found.

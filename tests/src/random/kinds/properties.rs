@@ -96,8 +96,25 @@ fn diminishing(stream: &mut Stream) -> (String, String, Truth) {
     let scaled = (format!("{k}*(1 - x)"), format!("{k}*x"));
     let text = "variation_diminishing(g)".to_owned();
     let one = ["1".to_owned()];
-    match stream.below(5) {
+    match stream.below(7) {
         0 | 1 => (text, table(&one, stream.pick(&holds)), Truth::Holds),
+        // Two functions, of which the second has the slope 1 + c (1 - 6 x + 6 x^2), at least 1 - c/2 and 1 + c: at degree one the
+        // question is whether it rises.
+        5 | 6 => {
+            let c = stream.integer(-2, 6);
+            let last = format!("x + ({c})*x*(1 - x)*(1 - 2*x)");
+            let seeds = [format!("1 - ({last})"), last];
+            let truth = match c {
+                -1..=2 => Truth::Holds,
+                _ => Truth::Fails(format!(
+                    "the slope is {} or {}",
+                    1 + c,
+                    1.0 - c as f64 / 2.0
+                )),
+            };
+            let text = "variation_diminishing(g, 1, 1)".to_owned();
+            (text, table(&seeds, ("1 - x", "x")), truth)
+        }
         2 => (text, BERNSTEIN.to_owned(), Truth::Holds),
         3 => {
             let truth =

@@ -2,7 +2,9 @@
 
 use super::binders::{Local, Scope, Use};
 use super::{Elaborator, Lambda, Meaning, Outcome, wrong};
-use crate::core::{BuiltIn, FamilyProperty, Node, Printed, Statement, Term, Variable};
+use crate::core::{
+    BuiltIn, Degrees, Family, FamilyProperty, Node, Printed, Statement, Term, Variable,
+};
 use crate::fault::{Fault, Problem};
 use crate::syntax::{self, Expr, Operator, Place};
 use std::sync::Arc;
@@ -39,6 +41,13 @@ pub(super) const NAMES: [&str; 26] = [
 ];
 
 impl Elaborator<'_> {
+    fn named_family(&self, name: &Expr) -> Outcome<Arc<Family>> {
+        match &name.node {
+            syntax::Node::Name(basis) => self.family(basis, name.place),
+            _ => Err(wrong(name.place, "a formula", "the name of a basis")),
+        }
+    }
+
     pub(super) fn built_in(
         &self,
         name: &str,
@@ -109,15 +118,21 @@ impl Elaborator<'_> {
                 }));
             }
             ("nonnegative" | "independent" | "variation_diminishing", [family]) => {
-                let syntax::Node::Name(basis) = &family.node else {
-                    return Err(wrong(family.place, "a formula", "the name of a basis"));
-                };
                 let property = match name {
                     "nonnegative" => FamilyProperty::Nonnegative,
                     "independent" => FamilyProperty::Independent,
-                    _ => FamilyProperty::VariationDiminishing,
+                    _ => FamilyProperty::VariationDiminishing(None),
                 };
-                let family = self.family(basis, family.place)?;
+                let family = self.named_family(family)?;
+                return Ok(Meaning::Statement(Statement::Family(property, family)));
+            }
+            ("variation_diminishing", [family, least, most]) => {
+                let family = self.named_family(family)?;
+                let own = family.degree;
+                let least = degree(least, own, "a degree, a number not below that of the seeds")?;
+                let most = degree(most, least, "a degree, a number not below the first")?;
+                let degrees = Some(Degrees { least, most });
+                let property = FamilyProperty::VariationDiminishing(degrees);
                 return Ok(Meaning::Statement(Statement::Family(property, family)));
             }
             // The tangent is what it is defined to be, so that its poles are divisors like all others.
@@ -266,6 +281,18 @@ impl Elaborator<'_> {
             body: self.made(derivative, place),
         }
     }
+}
+
+/// A number that is a degree, not below another one.
+fn degree(number: &Expr, least: u8, wanted: &'static str) -> Outcome<u8> {
+    let value = match &number.node {
+        syntax::Node::Number { value, .. } if value.is_integer() => {
+            u8::try_from(&value.to_integer()).ok()
+        }
+        _ => None,
+    };
+    let value = value.filter(|value| *value >= least);
+    value.ok_or_else(|| wrong(number.place, "something else", wanted))
 }
 
 /// The printed numbers of `agrees`, with their digits.

@@ -1,0 +1,229 @@
+//! To which order the Bernstein coefficients of the determinants vanish at 0, exactly.
+//!
+//! Let `l_j = L[x^j]`, and take it apart by monomials of the parameters. A determinant `D_r` is a Wronskian of `l_0, ..., l_r` and
+//! linear in each; so what stands before a monomial in it is a sum of Wronskians of one part of each `l_j`. A Wronskian of
+//! functions that vanish to the orders `n_0, n_1, ...` vanishes to the order `sum (n_j - j)` at least, for each of its terms
+//! does. If two of these orders are equal, one of the two functions may be replaced by a combination of both that vanishes to one
+//! order more, without changing the Wronskian: this is used for the last two. The Bernstein coefficient (A, B) is a combination
+//! of what stands before `u^i v^j` with i at most A and j at most B. The same is true at the other corners of the box, where
+//! parameters are subtracted from one, and the best of the bounds counts.
+
+use super::operator::{Operator, Part, Term, weight};
+use super::{Exchange, SHAPES, Unfit, exact};
+use crate::polynomial::Polynomial;
+use crate::symbol::Symbol;
+use torse_numbers::Rational;
+use torse_numbers::rational::integer;
+
+/// More than any order that is used: of what does not occur at all.
+const NEVER: usize = usize::MAX / 4;
+
+/// Lower bounds of the orders at 0 of the Bernstein coefficients, by rank from 1 on, of the degrees `total * rank`; nothing for one
+/// that is zero.
+pub(super) struct Orders(Vec<Vec<Vec<Option<usize>>>>);
+
+impl Orders {
+    /// Of all determinants of one degree; those of these ranks are multiplied out.
+    ///
+    /// # Errors
+    /// [`Unfit::Order`] if some `L[x^j]` does not vanish to the order j, [`Unfit::Rank`] for a rank that is too large.
+    pub fn new(operator: &Operator, degree: usize, exact: &[u8]) -> Result<Self, Unfit> {
+        let size = |rank: usize, place: usize| match operator.used[place] {
+            true => operator.total * rank + 1,
+            false => 1,
+        };
+        let start = |rank| vec![vec![0; size(rank, 1)]; size(rank, 0)];
+        let mut all: Vec<Vec<Vec<usize>>> = (1..=degree).map(start).collect();
+        for turned in [[false, false], [true, false], [false, true], [true, true]] {
+            if (0..SHAPES).any(|place| turned[place] && !operator.used[place]) {
+                continue;
+            }
+            let exchange = Exchange {
+                swapped: false,
+                turned,
+            };
+            let own = Operator::new(operator.seeds.exchanged(exchange))?;
+            let columns = columns(&own, degree)?;
+            for (rank, bounds) in (1..).zip(&mut all) {
+                let powers = powers(&columns[..=rank], operator.total * rank);
+                let (rows, width) = (bounds.len(), bounds[0].len());
+                for (a, row) in bounds.iter_mut().enumerate() {
+                    for (b, bound) in row.iter_mut().enumerate() {
+                        let a = if turned[0] { rows - 1 - a } else { a };
+                        let b = if turned[1] { width - 1 - b } else { b };
+                        let below = powers.iter().take(a + 1).flat_map(|p| p.iter().take(b + 1));
+                        *bound = (*bound).max(below.copied().min().unwrap_or(0));
+                    }
+                }
+            }
+        }
+        let known = |order: usize| Some(order).filter(|order| *order < NEVER).or(Some(0));
+        let mut all: Vec<Vec<Vec<Option<usize>>>> = all
+            .into_iter()
+            .map(|rows| {
+                let row = |row: Vec<usize>| row.into_iter().map(known).collect();
+                rows.into_iter().map(row).collect()
+            })
+            .collect();
+        for rank in exact {
+            let rank = usize::from(*rank);
+            let own = exact::orders(operator, degree, rank, [size(rank, 0), size(rank, 1)])?;
+            if let Some(slot) = all.get_mut(rank - 1) {
+                *slot = own;
+            }
+        }
+        Ok(Self(all))
+    }
+
+    /// The order of one coefficient; nothing for one that is zero.
+    pub fn get(&self, rank: usize, a: usize, b: usize) -> Option<usize> {
+        let rows = rank.checked_sub(1).and_then(|place| self.0.get(place));
+        *rows
+            .and_then(|rows| rows.get(a)?.get(b))
+            .unwrap_or(&Some(0))
+    }
+}
+
+/// The parts of one `l_j`: a monomial in the parameters, and the order to which it vanishes.
+type Column = Vec<([usize; SHAPES], usize)>;
+
+/// The parts of `l_0, ..., l_k`.
+fn columns(operator: &Operator, degree: usize) -> Result<Vec<Column>, Unfit> {
+    let length = degree + 2 * operator.order() + 2;
+    let expanded: Vec<Vec<([u32; SHAPES], Vec<Polynomial>)>> = operator
+        .parts
+        .iter()
+        .map(|parts| {
+            let one = |part: &Part| (part.shape, taylor(&part.terms, length));
+            parts.iter().map(one).collect()
+        })
+        .collect();
+    let column = |j: usize| {
+        let mut sums: Vec<([u32; SHAPES], Vec<Polynomial>)> = vec![];
+        let mut power = vec![Polynomial::zero(); length];
+        power[j] = Polynomial::one();
+        sums.push(([0; SHAPES], power));
+        for (i, parts) in (1..).zip(&expanded) {
+            let weight = weight(i, j, degree);
+            for (shape, series) in parts.iter().filter(|_| i <= j) {
+                let place = match sums.iter().position(|(own, _)| own == shape) {
+                    Some(place) => place,
+                    None => {
+                        sums.push((*shape, vec![Polynomial::zero(); length]));
+                        sums.len() - 1
+                    }
+                };
+                let moved = sums[place].1.iter_mut().skip(j - i);
+                for (slot, coefficient) in moved.zip(series) {
+                    slot.add(&coefficient.scaled(&weight));
+                }
+            }
+        }
+        let mut column = vec![];
+        for (shape, series) in sums {
+            if let Some(order) = series.iter().position(|c| !c.is_zero()) {
+                if order < j {
+                    return Err(Unfit::Order(u8::try_from(j).unwrap_or(u8::MAX)));
+                }
+                let shape = shape.map(|n| usize::try_from(n).unwrap_or(NEVER));
+                column.push((shape, order));
+            } else {
+                // As far as it was looked at; that is enough for a lower bound.
+                let shape = shape.map(|n| usize::try_from(n).unwrap_or(NEVER));
+                column.push((shape, length));
+            }
+        }
+        Ok(column)
+    };
+    (0..=degree).map(column).collect()
+}
+
+/// Lower bounds of the orders of what stands before `u^i v^j` in the Wronskian of these functions.
+fn powers(columns: &[Column], most: usize) -> Vec<Vec<usize>> {
+    let fresh = || vec![vec![NEVER; most + 1]; most + 1];
+    let mut all = fresh();
+    all[0][0] = 0;
+    let step = |all: &mut Vec<Vec<usize>>, parts: &[([usize; SHAPES], usize)]| {
+        let mut next = fresh();
+        for (i, row) in all.iter().enumerate() {
+            for (j, known) in row.iter().enumerate().filter(|(_, known)| **known < NEVER) {
+                for ([di, dj], more) in parts {
+                    if let Some(slot) = next.get_mut(i + di).and_then(|row| row.get_mut(j + dj)) {
+                        *slot = (*slot).min(known + more);
+                    }
+                }
+            }
+        }
+        *all = next;
+    };
+    let free = columns.len().saturating_sub(2);
+    for (j, column) in columns.iter().enumerate().take(free) {
+        let excess: Column = column.iter().map(|(shape, n)| (*shape, n - j)).collect();
+        step(&mut all, &excess);
+    }
+    if let Some([before, last]) = columns.get(free..) {
+        let pairs = before.iter().flat_map(|(a, n)| {
+            last.iter().map(move |(b, m)| {
+                let sum = n + m + usize::from(n == m);
+                ([a[0] + b[0], a[1] + b[1]], sum - free - (free + 1))
+            })
+        });
+        step(&mut all, &pairs.collect::<Column>());
+    }
+    all
+}
+
+/// The Taylor coefficients at 0, polynomials in pi.
+pub(super) fn taylor(terms: &[Term], length: usize) -> Vec<Polynomial> {
+    let (sine, cosine) = (turn(length, 1), turn(length, 0));
+    let mut total = vec![Polynomial::zero(); length];
+    for term in terms {
+        let mut series = vec![Polynomial::zero(); length];
+        let start = usize::try_from(term.x).unwrap_or(length);
+        if let Some(slot) = series.get_mut(start) {
+            // Later powers are beyond what is looked at.
+            let pi = Polynomial::symbol(Symbol::Pi).power(term.pi);
+            *slot = pi.scaled(&term.coefficient);
+        }
+        for (factor, exponent) in [(&sine, term.sine), (&cosine, term.cosine)] {
+            for _ in 0..exponent {
+                series = product(&series, factor);
+            }
+        }
+        for (slot, coefficient) in total.iter_mut().zip(&series) {
+            slot.add(coefficient);
+        }
+    }
+    total
+}
+
+/// The series of `sin(pi/2*x)`, which has odd powers, or of the cosine.
+fn turn(length: usize, odd: usize) -> Vec<Polynomial> {
+    let quarter = Polynomial::symbol(Symbol::Pi).scaled(&Rational::new(1.into(), 2.into()));
+    let mut power = Polynomial::one();
+    let mut all = vec![];
+    for n in 0..length {
+        if n > 0 {
+            let share = integer(i64::try_from(n).unwrap_or(1)).recip();
+            power = power.times(&quarter).scaled(&share);
+        }
+        all.push(match (n % 2 == odd, n % 4 < 2) {
+            (false, _) => Polynomial::zero(),
+            (true, true) => power.clone(),
+            (true, false) => power.negated(),
+        });
+    }
+    all
+}
+
+fn product(a: &[Polynomial], b: &[Polynomial]) -> Vec<Polynomial> {
+    let mut result = vec![Polynomial::zero(); a.len()];
+    for (i, x) in a.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
+        for (j, y) in b.iter().enumerate().filter(|(_, y)| !y.is_zero()) {
+            if let Some(slot) = result.get_mut(i + j) {
+                slot.add(&x.times(y));
+            }
+        }
+    }
+    result
+}
