@@ -1,7 +1,8 @@
 //! Properties of a basis family at one point: at its shape parameters, and at small degrees.
 //!
 //! A property speaks about every degree and all values of the variables; a point has one value of each. At a point are
-//! judged, for the degree of the seeds and the next ones, or for the degrees that the statement names:
+//! judged, for the degree of the seeds and the next ones, or for one of the degrees that the statement names, drawn by the
+//! values of the point:
 //!
 //! - *nonnegative*: the signs of all functions at the value of the variable;
 //! - *independent*: functions are independent if the determinant of their values at as many arguments is not zero
@@ -50,7 +51,9 @@ pub(crate) fn judge(
     let least = i64::from(family.degree);
     let degrees = match property {
         FamilyProperty::VariationDiminishing(Some(degrees)) => {
-            i64::from(degrees.least)..=i64::from(degrees.most)
+            let (least, most) = (i64::from(degrees.least), i64::from(degrees.most));
+            let drawn = least + stream_of(&values, 0).below("degree", most - least + 1);
+            drawn..=drawn
         }
         _ => least..=least + DEGREES - 1,
     };
@@ -151,9 +154,8 @@ fn diminishing(
 ) -> Result<Option<bool>, Gap> {
     let a = at.arithmetic;
     let rows = sampled(family, degree, values, ARGUMENTS, claim, at)?;
-    let text: Vec<String> = values.iter().map(ToString::to_string).collect();
     for polygon in 0..POLYGONS {
-        let stream = Stream::new(&text.join(","), polygon);
+        let stream = stream_of(values, polygon);
         let line = Rational::new((2 * stream.below("line", 4) + 1).into(), 2.into());
         let controls: Vec<Rational> = (0..=degree)
             .map(|i| integer(stream.below(&format!("control {i}"), 4)) - &line)
@@ -175,6 +177,12 @@ fn diminishing(
         }
     }
     Ok(Some(true))
+}
+
+/// Choices that the values of a point determine.
+fn stream_of(values: &[Real], number: u64) -> Stream {
+    let text: Vec<String> = values.iter().map(ToString::to_string).collect();
+    Stream::new(&text.join(","), number)
 }
 
 /// Changes of sign, zeros left out.
