@@ -1,7 +1,7 @@
 //! Small determinants multiplied out: which Bernstein coefficients vanish identically, and the orders of the others at 0.
 
 use super::operator::{Operator, parts, weight};
-use super::orders::taylor;
+use super::series::taylor;
 use super::{SHAPES, Unfit};
 use crate::polynomial::Polynomial;
 use crate::symbol::Symbol;

@@ -42,6 +42,7 @@ mod node;
 mod operator;
 mod orders;
 mod seeds;
+mod series;
 mod tables;
 
 pub use certificate::{AtDegree, Cell, Exchange, Half, Wronskians};
