@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
 From Bezier Require Part_Divisors.
 Open Scope R_scope.
 
@@ -8,5 +8,21 @@ Import Bezier.Part_Divisors.reach_positive.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met) | (exists (13); met) | (exists (1); met)]. Qed.
 End reach_positive.
+
+Module reach_open.
+Import Bezier.Part_Divisors.reach_open.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
+End reach_open.
+
+Module reach_ordered.
+Import Bezier.Part_Divisors.reach_ordered.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (2), (3), (4), (5); met) | (exists (0), (0), (0), (0); met) | (exists (13), (8), (8), (6); met) | (exists (1), (1), (1), (1); met)]. Qed.
+End reach_ordered.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
 From Bezier Require Part_The.
 Open Scope R_scope.
 
@@ -21,12 +21,18 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement kappa] in no; refuting (no ). Qed.
 End circle_kappa_slip.
 
+Module circle_middle.
+Import Bezier.Part_The.circle_middle.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement B kappa arc]; identity. Qed.
+End circle_middle.
+
 Module circle_outside.
 Import Bezier.Part_The.circle_outside.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B kappa arc]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B kappa arc]; first [(exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance B kappa arc]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End circle_outside.
 
 Module circle_exact_slip.

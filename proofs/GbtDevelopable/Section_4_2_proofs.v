@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
 From GbtDevelopable Require Section_4_2.
 Open Scope R_scope.
 
@@ -14,7 +14,7 @@ Import GbtDevelopable.Section_4_2.sec_4_2_Q2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement normal E3_2 midpoint]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal E3_2 midpoint]; first [(met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance normal E3_2 midpoint]; first [(met) | (met) | (met) | (met)]. Qed.
 End sec_4_2_Q2.
 
 Module sec_4_2_quadrants.
@@ -22,7 +22,7 @@ Import GbtDevelopable.Section_4_2.sec_4_2_quadrants.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement E3_0 normal E3_1 E3_2 E3_3 midpoint]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance E3_0 normal E3_1 E3_2 E3_3 midpoint]; first [(met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance E3_0 normal E3_1 E3_2 E3_3 midpoint]; first [(met) | (met) | (met) | (met)]. Qed.
 End sec_4_2_quadrants.
 
 Module sec_4_2_distances.
@@ -30,5 +30,5 @@ Import GbtDevelopable.Section_4_2.sec_4_2_distances.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement E3_0 normal E3_1 E3_2 E3_3 distance2]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance E3_0 normal E3_1 E3_2 E3_3 distance2]; first [(met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance E3_0 normal E3_1 E3_2 E3_3 distance2]; first [(met) | (met) | (met) | (met)]. Qed.
 End sec_4_2_distances.

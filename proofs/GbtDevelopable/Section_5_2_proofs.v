@@ -1,7 +1,15 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
 From GbtDevelopable Require Section_5_2.
 Open Scope R_scope.
+
+Module sec_5_2_meaning.
+Import GbtDevelopable.Section_5_2.sec_5_2_meaning.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement normal midpoint direction moment meet]; prepared; unknown h2'1; unknown h2'2; unknown h2'3; unknown h2'4; unknown d2'1; unknown d2'2; unknown d2'3; unknown d2'4; unknown dd2'1; unknown dd2'2; unknown dd2'3; unknown dd2'4; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal midpoint direction moment meet]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11; met) | (exists 7, 2, 11, 1, 7, 2, 11, 1, 8, 7, 9, 7, 8, 7, 9, 7, 4, 13, 8, 8, 4, 13, 8, 8; met)]. Qed.
+End sec_5_2_meaning.
 
 Module sec_5_2_index.
 Import GbtDevelopable.Section_5_2.sec_5_2_index.
@@ -14,7 +22,7 @@ Import GbtDevelopable.Section_5_2.thm_3_consts.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement c ck cl]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance c ck cl]; first [(exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance c ck cl]; first [(exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (0), (0); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_3_consts.
 
 Module thm_3_a.
@@ -22,8 +30,16 @@ Import GbtDevelopable.Section_5_2.thm_3_a.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g H2 H1]; prepared; unknown (P2 0%Z); finished. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H2 H1]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g H2 H1]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_3_a.
+
+Module thm_3_b.
+Import GbtDevelopable.Section_5_2.thm_3_b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ c]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ c]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_3_b.
 
 Module thm_3_necessary_surfaces.
 Import GbtDevelopable.Section_5_2.thm_3_necessary_surfaces.
@@ -36,11 +52,19 @@ Import GbtDevelopable.Section_5_2.eq_5_13.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); finished. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End eq_5_13.
 
 Module thm_3_proofref_as_numbered.
 Import GbtDevelopable.Section_5_2.thm_3_proofref_as_numbered.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement cl c ck farin_boehm] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else 0) ((-1) / 3) (1) (1) (0)). Qed.
+Proof. intro no; cbv beta zeta delta [statement cl c ck farin_boehm] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else 0) (0) (1) (1) (0)). Qed.
 End thm_3_proofref_as_numbered.
+
+Module thm_3_proofref_as_meant.
+Import GbtDevelopable.Section_5_2.thm_3_proofref_as_meant.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement c cl ck farin_boehm]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); unknown (P2 2%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance c cl ck farin_boehm]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_3_proofref_as_meant.

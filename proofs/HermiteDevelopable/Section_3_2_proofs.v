@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
 From HermiteDevelopable Require Section_3_2.
 Open Scope R_scope.
 
@@ -8,16 +8,64 @@ Import HermiteDevelopable.Section_3_2.eq_3_6_A_r1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
+Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_6_A_r1.
+
+Module eq_3_6_A_r2.
+Import HermiteDevelopable.Section_3_2.eq_3_6_A_r2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_6_A_r2.
+
+Module eq_3_6_A_r3.
+Import HermiteDevelopable.Section_3_2.eq_3_6_A_r3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_6_A_r3.
+
+Module eq_3_6_A_r4.
+Import HermiteDevelopable.Section_3_2.eq_3_6_A_r4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_6_A_r4.
+
+Module eq_3_6_A_r5.
+Import HermiteDevelopable.Section_3_2.eq_3_6_A_r5.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_6_A_r5.
 
 Module eq_3_6_C_r1.
 Import HermiteDevelopable.Section_3_2.eq_3_6_C_r1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance A36 quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
+Proof. cbv beta zeta delta [instance A36 quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_6_C_r1.
+
+Module eq_3_6_C_r3.
+Import HermiteDevelopable.Section_3_2.eq_3_6_C_r3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance A36 quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_6_C_r3.
+
+Module eq_3_6_C_r4.
+Import HermiteDevelopable.Section_3_2.eq_3_6_C_r4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance A36 quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_6_C_r4.
 
 Module eq_3_6_det.
 Import HermiteDevelopable.Section_3_2.eq_3_6_det.
@@ -48,5 +96,5 @@ Import HermiteDevelopable.Section_3_2.eq_3_6_system.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement A36 right_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance A36 right_]; first [(exists (2), (3), (4), (5), (6), (7), (8); met) | (exists (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
+Proof. cbv beta zeta delta [instance A36 right_]; first [(exists (2), (3), (4), (5), (6), (7), (8); met) | (exists (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9); met) | (exists (1), (1), (1), (1), (1), (1), (1); met)]. Qed.
 End eq_3_6_system.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
 From Hyperbolic Require Part_Catenoid.
 Open Scope R_scope.
 
@@ -20,9 +20,3 @@ Import Hyperbolic.Part_Catenoid.catenoid_gauss.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement X]; identity. Qed.
 End catenoid_gauss.
-
-Module catenoid_regular.
-Import Hyperbolic.Part_Catenoid.catenoid_regular.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement X]; ordered. Qed.
-End catenoid_regular.

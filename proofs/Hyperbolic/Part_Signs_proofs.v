@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
 From Hyperbolic Require Part_Signs.
 Open Scope R_scope.
 
@@ -15,24 +15,8 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no (0)). Qed.
 End fn_strict_slip.
 
-Module fn_bounded.
-Import Hyperbolic.Part_Signs.fn_bounded.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; ordered. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met)]. Qed.
-End fn_bounded.
-
 Module fn_tangent_line.
 Import Hyperbolic.Part_Signs.fn_tangent_line.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; ordered. Qed.
 End fn_tangent_line.
-
-Module fn_unit.
-Import Hyperbolic.Part_Signs.fn_unit.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; ordered. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
-End fn_unit.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Sums Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
 From Trigonometric Require Part_Joins.
 Open Scope R_scope.
 
@@ -8,13 +8,13 @@ Import Trigonometric.Part_Joins.quadratic_join.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement a c b G a_ c_ b_ F G_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a c b G a_ c_ b_ F G_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance a c b G a_ c_ b_ F G_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End quadratic_join.
 
 Module quadratic_join_slip.
 Import Trigonometric.Part_Joins.quadratic_join_slip.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement a c b G a_ c_ b_ F G_] in no; refuting (no (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (3/2) else 0) ((-1) / 3) (1) (0) ((-1) / 3)). Qed.
+Proof. intro no; cbv beta zeta delta [statement a c b G a_ c_ b_ F G_] in no; refuting (no (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (3/2) else 0) (0) (1) (0) (0)). Qed.
 End quadratic_join_slip.
 
 Module quadratic_join_slip_corrected.
@@ -22,5 +22,5 @@ Import Trigonometric.Part_Joins.quadratic_join_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement a c b G a_ c_ b_ F G_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a c b G a_ c_ b_ F G_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance a c b G a_ c_ b_ F G_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End quadratic_join_slip_corrected.

@@ -1,0 +1,34 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torses Require Part_Tangent.
+Open Scope R_scope.
+
+Module tangents_torse.
+Import Torses.Part_Tangent.tangents_torse.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+End tangents_torse.
+
+Module tangents_normal.
+Import Torses.Part_Tangent.tangents_normal.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage T; stage T_; staged_goal NT; identity. Qed.
+End tangents_normal.
+
+Module tangents_edge.
+Import Torses.Part_Tangent.tangents_edge.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage T; stage T_; staged_goal NT; identity. Qed.
+End tangents_edge.
+
+Module tangents_osculating.
+Import Torses.Part_Tangent.tangents_osculating.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage T; stage T_; staged_goal NT; identity. Qed.
+End tangents_osculating.
+
+Module tangents_metric_slip.
+Import Torses.Part_Tangent.tangents_metric_slip.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement T] in no; refuting (no (0) (0) (1) (1) (0) (1) 0 0 0 (0) (1)). Qed.
+End tangents_metric_slip.
