@@ -1081,10 +1081,10 @@ Check (Hyperbolic.Part_Parts_proofs.fn_tangent.met : Hyperbolic.Part_Parts.fn_ta
 Check (Hyperbolic.Part_Rates_proofs.fn_rate.proved : Hyperbolic.Part_Rates.fn_rate.statement).
 Check (Hyperbolic.Part_Rates_proofs.fn_rate.met : Hyperbolic.Part_Rates.fn_rate.instance).
 Check (Hyperbolic.Part_Rates_proofs.fn_growth.proved : Hyperbolic.Part_Rates.fn_growth.statement).
+Check (Hyperbolic.Part_Rates_proofs.fn_bell.proved : Hyperbolic.Part_Rates.fn_bell.statement).
 Check (Hyperbolic.Part_Rates_proofs.fn_damped.proved : Hyperbolic.Part_Rates.fn_damped.statement).
 Check (Hyperbolic.Part_Rates_proofs.fn_damped_slip.refuted : ~ Hyperbolic.Part_Rates.fn_damped_slip.statement).
 Check (Hyperbolic.Part_Rates_proofs.fn_damped_slip_corrected.proved : Hyperbolic.Part_Rates.fn_damped_slip_corrected.statement).
-Check (Hyperbolic.Part_Rates_proofs.fn_bell.proved : Hyperbolic.Part_Rates.fn_bell.statement).
 Check (Hyperbolic.Part_Signs_proofs.fn_positive.proved : Hyperbolic.Part_Signs.fn_positive.statement).
 Check (Hyperbolic.Part_Signs_proofs.fn_strict_slip.refuted : ~ Hyperbolic.Part_Signs.fn_strict_slip.statement).
 Check (Hyperbolic.Part_Signs_proofs.fn_tangent_line.proved : Hyperbolic.Part_Signs.fn_tangent_line.statement).
@@ -2252,10 +2252,10 @@ Definition theorem_981 := Hyperbolic.Part_Parts_proofs.fn_tangent.met.
 Definition theorem_982 := Hyperbolic.Part_Rates_proofs.fn_rate.proved.
 Definition theorem_983 := Hyperbolic.Part_Rates_proofs.fn_rate.met.
 Definition theorem_984 := Hyperbolic.Part_Rates_proofs.fn_growth.proved.
-Definition theorem_985 := Hyperbolic.Part_Rates_proofs.fn_damped.proved.
-Definition theorem_986 := Hyperbolic.Part_Rates_proofs.fn_damped_slip.refuted.
-Definition theorem_987 := Hyperbolic.Part_Rates_proofs.fn_damped_slip_corrected.proved.
-Definition theorem_988 := Hyperbolic.Part_Rates_proofs.fn_bell.proved.
+Definition theorem_985 := Hyperbolic.Part_Rates_proofs.fn_bell.proved.
+Definition theorem_986 := Hyperbolic.Part_Rates_proofs.fn_damped.proved.
+Definition theorem_987 := Hyperbolic.Part_Rates_proofs.fn_damped_slip.refuted.
+Definition theorem_988 := Hyperbolic.Part_Rates_proofs.fn_damped_slip_corrected.proved.
 Definition theorem_989 := Hyperbolic.Part_Signs_proofs.fn_positive.proved.
 Definition theorem_990 := Hyperbolic.Part_Signs_proofs.fn_strict_slip.refuted.
 Definition theorem_991 := Hyperbolic.Part_Signs_proofs.fn_tangent_line.proved.

@@ -26,6 +26,15 @@ forall (c : R) (y : R),
   Derive_n (fun y_ => exp (c * y_)) 2 y = c ^ 2 * exp (c * y) /\ Derive_n (fun c_ => exp (c_ * y)) 1 c = y * exp (c * y).
 End fn_growth.
 
+Module fn_bell.
+(* hyperbolic/fn.bell, Rates
+   printed: the second derivative of exp(-y²/2) is y² - 1 times exp(-y²/2)
+   stated: D(exp(-y^2/2), y, 2) == (y^2 - 1)*exp(-y^2/2) *)
+Definition statement : Prop :=
+forall (y : R),
+  Derive_n (fun y_ => exp (- y_ ^ 2 / 2)) 2 y = (y ^ 2 - 1) * exp (- y ^ 2 / 2).
+End fn_bell.
+
 Module fn_damped.
 (* hyperbolic/fn.damped, Rates
    printed: the second derivative of e^(-y) sin y is -2 e^(-y) cos y
@@ -52,12 +61,3 @@ Definition statement : Prop :=
 forall (y : R),
   Derive_n (fun y_ => exp (- y_) * sin y_) 2 y = - 2 * exp (- y) * cos y.
 End fn_damped_slip_corrected.
-
-Module fn_bell.
-(* hyperbolic/fn.bell, Rates
-   printed: the second derivative of exp(-y²/2) is y² - 1 times exp(-y²/2)
-   stated: D(exp(-y^2/2), y, 2) == (y^2 - 1)*exp(-y^2/2) *)
-Definition statement : Prop :=
-forall (y : R),
-  Derive_n (fun y_ => exp (- y_ ^ 2 / 2)) 2 y = (y ^ 2 - 1) * exp (- y ^ 2 / 2).
-End fn_bell.

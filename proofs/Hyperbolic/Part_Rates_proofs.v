@@ -17,6 +17,12 @@ Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 End fn_growth.
 
+Module fn_bell.
+Import Hyperbolic.Part_Rates.fn_bell.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+End fn_bell.
+
 Module fn_damped.
 Import Hyperbolic.Part_Rates.fn_damped.
 Theorem proved : statement.
@@ -34,9 +40,3 @@ Import Hyperbolic.Part_Rates.fn_damped_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 End fn_damped_slip_corrected.
-
-Module fn_bell.
-Import Hyperbolic.Part_Rates.fn_bell.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; identity. Qed.
-End fn_bell.
