@@ -38,19 +38,19 @@ impl Watching {
         Self { child, lines }
     }
 
-    /// The lines up to one with this text.
-    fn until(&self, text: &str) -> Vec<String> {
-        let (mut all, start) = (vec![], Instant::now());
+    /// The lines until each of these texts was in one, in any order: output and errors come on ways of their own.
+    fn until<const N: usize>(&self, texts: [&str; N]) -> Vec<String> {
+        let (mut all, start): (Vec<String>, _) = (vec![], Instant::now());
+        let is_told = |all: &[String], text: &str| all.iter().any(|line| line.contains(text));
         while start.elapsed() < PATIENCE {
-            if let Ok(line) = self.lines.recv_timeout(PATIENCE) {
-                let found = line.contains(text);
+            if let Ok(line) = self.lines.recv_timeout(Duration::from_secs(1)) {
                 all.push(line);
-                if found {
-                    return all;
-                }
+            }
+            if texts.iter().all(|text| is_told(&all, text)) {
+                return all;
             }
         }
-        unreachable!("no line with {text}: {all:#?}")
+        unreachable!("no lines with {texts:?}: {all:#?}")
     }
 }
 
@@ -67,20 +67,19 @@ fn a_changed_file_is_verified_again_and_a_wrong_one_ends_nothing() {
     let folder = mini(&one("x - x == 0"));
     let file = folder.path().join("mini/claims.toml");
     let watching = Watching::start(folder.path());
-    watching.until("watching");
+    watching.until(["watching"]);
     fs::write(&file, one("x - x == 1")).unwrap();
-    watching.until("changed: mini/claims.toml");
-    let told = watching.until("1 verdict is not the expected one");
-    let told = told.iter().find(|line| line.contains("mini/one")).unwrap();
-    assert!(
-        told.contains("holds (identity)") && told.contains("misprint"),
-        "{told}"
-    );
+    let told = watching.until([
+        "changed: mini/claims.toml",
+        "1 verdict is not the expected one",
+    ]);
+    let change = |line: &&String| line.contains("mini/one") && line.contains("misprint");
+    let told = told.iter().find(change).unwrap();
+    assert!(told.contains("holds (identity)"), "{told}");
     fs::write(&file, one("x -")).unwrap();
-    watching.until("claims.toml:");
-    watching.until("(gone)");
+    watching.until(["claims.toml:", "(gone)"]);
     fs::write(&file, one("x - x == 0")).unwrap();
-    watching.until("(new)");
+    watching.until(["(new)"]);
 }
 
 #[test]
