@@ -15,7 +15,7 @@
 //! minors that are polynomials, divisible by the differences of the places. Total positivity is then the
 //! nonnegativity of the quotients on a cube, for which there are certificates ([`super::sign`]).
 //!
-//! **Some degrees.** Where the statement names degrees, and the step is `1 - x`, `x`, Wronskians decide: [`super::wronskian`].
+//! **Some degrees.** Where the statement names degrees, and the step is `1 - x`, `x`, Wronskians decide: [`torse_proof::wronskian`].
 //!
 //! **No induction.** The step multiplies the collocation matrix with different bidiagonal matrices at
 //! different places, and that need not keep it totally positive: from the rows (1, v) it leads to
