@@ -1,7 +1,7 @@
 //! Positivity on cells of the variable.
 //!
 //! **A cell** of length h is mapped to [0, 1], and a Bernstein coefficient w is evaluated at the N places `(i + 1/2)/N`, divided by
-//! `x^o` on the first cell, where it vanishes at 0 to the order o (see [`super::orders`]). The polynomial p of degree N - 1
+//! `x^o` on the first cell, where it vanishes at 0 to the order o (which `orders` finds). The polynomial p of degree N - 1
 //! through these values has Bernstein coefficients on the cell; it differs from `f = w/x^o` by little: with a disc of radius R
 //! about the middle of the cell, more than the half length,
 //!
