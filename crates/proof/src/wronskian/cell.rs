@@ -25,6 +25,7 @@ use super::certificate::{Cell, Half};
 use super::node::{BITS, Grid, Places};
 use super::operator::{Operator, weight};
 use super::orders::Orders;
+use super::remembered::{Question, answer};
 use super::tables::{differences, newton};
 use super::{MAX_DEGREE, Unfit};
 use std::cmp::Ordering;
@@ -42,6 +43,7 @@ const MAX_RADIUS: i64 = 8;
 pub struct Front<'a> {
     operator: &'a Operator,
     degree: usize,
+    exact: Vec<u8>,
     places: Places<'a>,
     orders: Orders,
 }
@@ -59,6 +61,7 @@ impl<'a> Front<'a> {
         Ok(Self {
             operator,
             degree: own,
+            exact: exact.to_vec(),
             places: Places::new(operator, own),
             orders: Orders::new(operator, own, exact)?,
         })
@@ -86,6 +89,18 @@ impl<'a> Front<'a> {
     /// # Errors
     /// [`Unfit`].
     pub fn cell(&self, from: &Rational, cell: &Cell) -> Result<(), Unfit> {
+        let question = Question {
+            parts: self.operator.parts.clone(),
+            degree: self.degree,
+            exact: self.exact.clone(),
+            from: from.clone(),
+            cell: cell.clone(),
+            mistaken: planted(Planted::CoefficientUnlooked),
+        };
+        answer(question, || self.evaluated(from, cell))
+    }
+
+    fn evaluated(&self, from: &Rational, cell: &Cell) -> Result<(), Unfit> {
         let length = &cell.until - from;
         let half = &length * &Rational::new(1.into(), 2.into());
         let middle = from + &half;

@@ -41,6 +41,7 @@ mod exact;
 mod node;
 mod operator;
 mod orders;
+mod remembered;
 mod seeds;
 mod series;
 mod tables;

@@ -13,7 +13,7 @@ const MAX_ORDER: usize = 4;
 const MAX_TOTAL: usize = 2;
 
 /// A number times powers of x, sine, cosine and pi.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Term {
     pub coefficient: Rational,
     pub x: u32,
@@ -23,7 +23,7 @@ pub(super) struct Term {
 }
 
 /// What stands before one monomial in the shape parameters.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Part {
     pub shape: [u32; SHAPES],
     pub terms: Vec<Term>,
@@ -112,7 +112,7 @@ pub(super) fn weight(i: usize, j: usize, k: usize) -> Rational {
     }
 }
 
-/// A function by monomials in the parameters.
+/// A function by monomials in the parameters, in an order that names have no part in.
 pub(super) fn parts(function: &Polynomial, seeds: &Seeds) -> Result<Vec<Part>, Unfit> {
     let other =
         || Unfit::Make("a function that is no polynomial in x, sin(pi/2*x) and cos(pi/2*x)");
@@ -150,6 +150,11 @@ pub(super) fn parts(function: &Polynomial, seeds: &Seeds) -> Result<Vec<Part>, U
                 terms: vec![term],
             }),
         }
+    }
+    parts.sort_by_key(|part| part.shape);
+    for part in &mut parts {
+        let exponents = |term: &Term| [term.x, term.sine, term.cosine, term.pi];
+        part.terms.sort_by_key(exponents);
     }
     Ok(parts)
 }

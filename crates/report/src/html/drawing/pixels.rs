@@ -3,7 +3,7 @@
 //! A shaded view has one or two paints in many lights, which a palette of 256 colours holds with steps that are hardly seen,
 //! at a third of the size.
 
-use std::collections::BTreeMap;
+use std::collections::{HashMap, HashSet};
 
 /// Straight pixels of red, green, blue and alpha, row by row.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -12,9 +12,6 @@ pub(super) struct Pixels {
     height: u32,
     rgba: Vec<[u8; 4]>,
 }
-
-/// Colours of a palette.
-const MOST_COLOURS: usize = 256;
 
 impl Pixels {
     /// The pixels of a PNG file with 8 bits for each of the four.
@@ -107,48 +104,65 @@ impl Pixels {
 
     /// A PNG file with a palette: colours in steps of at least `finest`, the finest of which 256 suffice.
     pub fn indexed(&self, finest: u8) -> Option<Vec<u8>> {
-        for step in (finest.max(1)..=64).step_by(2) {
-            let mut palette = BTreeMap::new();
-            let coarse: Vec<[u8; 4]> = self
-                .rgba
-                .iter()
-                .map(|pixel| coarser(*pixel, step))
-                .collect();
-            for colour in &coarse {
-                let next = palette.len();
-                palette.entry(*colour).or_insert(next);
-            }
-            if palette.len() <= MOST_COLOURS {
-                return self.file(&palette, &coarse);
-            }
-        }
-        None
+        let mut met = HashSet::new();
+        let colours: Vec<[u8; 4]> = self
+            .rgba
+            .iter()
+            .filter(|pixel| met.insert(**pixel))
+            .copied()
+            .collect();
+        (finest.max(1)..=64)
+            .step_by(2)
+            .find_map(|step| self.file(&Palette::of(&colours, step)?))
     }
 
-    fn file(&self, palette: &BTreeMap<[u8; 4], usize>, coarse: &[[u8; 4]]) -> Option<Vec<u8>> {
-        let mut order: Vec<(&[u8; 4], &usize)> = palette.iter().collect();
-        order.sort_by_key(|(_, number)| **number);
-        let samples: Option<Vec<u8>> = coarse
-            .iter()
-            .map(|colour| u8::try_from(*palette.get(colour)?).ok())
-            .collect();
+    fn file(&self, palette: &Palette) -> Option<Vec<u8>> {
+        let samples = self.rgba.iter().map(|pixel| palette.places.get(pixel));
+        let samples: Option<Vec<u8>> = samples.map(Option::<&u8>::copied).collect();
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, self.width, self.height);
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_palette(
-            order
-                .iter()
-                .flat_map(|(c, _)| c.iter().take(3).copied())
-                .collect::<Vec<u8>>(),
-        );
-        encoder.set_trns(order.iter().map(|(c, _)| c[3]).collect::<Vec<u8>>());
+        let opaque = palette.colours.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]);
+        encoder.set_palette(opaque.collect::<Vec<u8>>());
+        encoder.set_trns(palette.colours.iter().map(|c| c[3]).collect::<Vec<u8>>());
         encoder.set_compression(png::Compression::High);
         encoder.set_filter(png::Filter::NoFilter);
         let mut writer = encoder.write_header().ok()?;
         writer.write_image_data(&samples?).ok()?;
         writer.finish().ok()?;
         Some(file)
+    }
+}
+
+/// Colours in steps, and which of them stands for which colour of a picture.
+struct Palette {
+    colours: Vec<[u8; 4]>,
+    places: HashMap<[u8; 4], u8>,
+}
+
+impl Palette {
+    /// One for these colours, in the order in which they are met; none if 256 do not suffice.
+    fn of(colours: &[[u8; 4]], step: u8) -> Option<Self> {
+        let mut numbers: HashMap<[u8; 4], u8> = HashMap::new();
+        let (mut own, mut places) = (vec![], HashMap::new());
+        for colour in colours {
+            let coarse = coarser(*colour, step);
+            let number = match numbers.get(&coarse) {
+                Some(number) => *number,
+                None => {
+                    let next = u8::try_from(own.len()).ok()?;
+                    own.push(coarse);
+                    numbers.insert(coarse, next);
+                    next
+                }
+            };
+            places.insert(*colour, number);
+        }
+        Some(Self {
+            colours: own,
+            places,
+        })
     }
 }
 
