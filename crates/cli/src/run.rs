@@ -1,13 +1,14 @@
-//! Deciding claims, with progress on the terminal.
+//! Deciding claims, verdicts first and corrections after them, with progress on the terminal.
 
 use crate::guard;
 use crate::mistakes::Mistakes;
 use crate::terminal::Progress;
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
-use torse_language::derivation::Paper;
-use torse_verdicts::engine::{STANDARD_WORK, decide_claim_within};
+use torse_language::derivation::{Claim, DerivationError, Paper};
+use torse_verdicts::engine::STANDARD_WORK;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
+use torse_verdicts::stage::Stage;
 
 /// The option that bounds the work on a claim.
 #[derive(Debug, Clone, Copy, clap::Args)]
@@ -26,7 +27,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Decides all claims of `papers`, of all papers at once. Claims whose formulas make no sense are mistakes of theirs,
+    /// Decides all claims of `papers`, of all papers at once, and then seeks corrections of those that are refuted. Claims whose formulas make no sense are mistakes of theirs,
     /// and have no outcome.
     pub fn of(papers: &[Paper], budget: Budget, mistakes: &mut Mistakes) -> Self {
         let claims: Vec<_> = papers
@@ -34,17 +35,30 @@ impl Run {
             .flat_map(|paper| paper.claims.iter().map(|claim| (&paper.head.id, claim)))
             .collect();
         let progress = Progress::new("deciding", claims.len());
-        let decided: Vec<_> = claims
+        let stages: Vec<_> = claims
             .par_iter()
             // A claim takes from microseconds to a second: each may go to whoever is free.
             .with_max_len(1)
             .map(|(slug, claim)| {
-                let start = Instant::now();
-                let outcome = guard::named(claim.entry.id.get_ref(), || {
-                    decide_claim_within(budget.units, slug, claim)
-                });
+                let decided = timed(claim, || Stage::verdict(budget.units, slug, claim));
                 progress.step();
-                outcome.map(|outcome| (outcome, start.elapsed()))
+                decided
+            })
+            .collect();
+        progress.finish();
+        let sought = |(stage, _): &Decided<'_>| stage.as_ref().is_ok_and(Stage::seeks_correction);
+        let progress = Progress::new("correcting", stages.iter().filter(|of| sought(of)).count());
+        let decided: Vec<_> = claims
+            .par_iter()
+            .zip(stages)
+            .with_max_len(1)
+            .map(|((_, claim), decided)| {
+                let (seeks, (stage, before)) = (sought(&decided), decided);
+                let (outcome, after) = timed(claim, || stage.and_then(Stage::complete));
+                if seeks {
+                    progress.step();
+                }
+                outcome.map(|outcome| (outcome, before + after))
             })
             .collect();
         progress.finish();
@@ -92,4 +106,14 @@ impl Run {
         slowest.truncate(count);
         slowest
     }
+}
+
+/// What the first stage of a claim found, and how long it took.
+type Decided<'c> = (Result<Stage<'c>, Box<DerivationError>>, Duration);
+
+/// Does something for a claim under the eyes of the guard, and says how long it took.
+fn timed<T>(claim: &Claim, job: impl FnOnce() -> T) -> (T, Duration) {
+    let start = Instant::now();
+    let done = guard::named(claim.entry.id.get_ref(), job);
+    (done, start.elapsed())
 }

@@ -9,6 +9,7 @@
 #![warn(missing_docs)]
 
 pub mod audit;
+mod concluded;
 mod condition;
 mod conjunction;
 pub mod consequences;
@@ -24,6 +25,7 @@ pub mod readings;
 pub mod recheck;
 pub mod repair;
 pub mod replay;
+pub mod stage;
 pub mod table;
 
 pub use outcome::{
