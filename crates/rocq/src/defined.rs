@@ -143,7 +143,7 @@ impl Context<'_> {
     }
 
     /// The premises of a term alone.
-    fn gathered(&mut self, term: &Term, outer: &mut Premises) -> Result<Vec<Code>, Gap> {
+    pub(crate) fn gathered(&mut self, term: &Term, outer: &mut Premises) -> Result<Vec<Code>, Gap> {
         let mut inner = Premises {
             found: vec![],
             seen: outer.seen,
@@ -192,23 +192,7 @@ impl Context<'_> {
                 }
             }
             Node::Apply(BuiltIn::Coefficients, arguments) => {
-                // A form that is linear in a symbol is defined whatever the symbol is.
-                let [forms, unknowns] = arguments.as_slice() else {
-                    return Err(Gap::Construct("`coefficients` of what is no list"));
-                };
-                let found = self.gathered(forms, premises)?;
-                let mut names = std::collections::BTreeSet::new();
-                unknowns.declared_names(&mut |name| {
-                    names.insert(Arc::clone(name));
-                });
-                for name in names {
-                    let name = self.symbol(&name)?;
-                    if found.iter().any(|premise| mentions(premise.text(), name)) {
-                        return Err(Gap::Construct(
-                            "forms that divide by what they are forms in",
-                        ));
-                    }
-                }
+                self.coefficients_defined(arguments, premises)?;
             }
             Node::Apply(BuiltIn::Inverse | BuiltIn::Solve, arguments) => {
                 if let Some(matrix) = arguments.first() {
@@ -323,7 +307,7 @@ impl Context<'_> {
 }
 
 /// Whether a name occurs in a text.
-fn mentions(text: &str, name: &str) -> bool {
+pub(crate) fn mentions(text: &str, name: &str) -> bool {
     let letter = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '\'';
     text.split(|c: char| !letter(c)).any(|word| word == name)
 }

@@ -12,14 +12,17 @@
     deny(clippy::unwrap_used, clippy::expect_used, clippy::panic)
 )]
 
+pub mod along;
 pub mod chapter;
 pub mod check;
 pub mod code;
 pub mod context;
 pub mod coqc;
 pub mod defined;
+pub mod degree;
 pub mod digest;
 pub mod folder;
+pub mod forms;
 pub mod gap;
 pub mod integer;
 pub mod library;

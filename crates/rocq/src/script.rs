@@ -58,11 +58,13 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
             Some(stages) => format!("cbv beta zeta delta [statement]; {stages}{tactic}"),
             None => format!("{}; {tactic}", open("statement")),
         },
-        _ => format!(
-            "{}; prepared; {}finished",
-            open("statement"),
-            unknowns.collect::<String>()
-        ),
+        _ => {
+            let stages = match staged(goal) {
+                Some(stages) => format!("cbv beta zeta delta [statement]; {stages}"),
+                None => format!("{}; ", open("statement")),
+            };
+            format!("{stages}prepared; {}finished", unknowns.collect::<String>())
+        }
     };
     let mut scripts = vec![Script {
         name: "proved",
