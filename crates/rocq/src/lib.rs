@@ -32,6 +32,7 @@ pub mod name;
 pub mod point;
 pub mod script;
 pub mod shape;
+pub mod solved;
 pub mod statement;
 pub mod task;
 pub mod trial;

@@ -11,7 +11,8 @@
 //!
 //! Every theorem with premises has a second one, `met`: values at which all premises are true.
 
-use crate::point::{Choice, first_values, point, value_at};
+use crate::point::{Choice, first_values, point, solved_point, value_at};
+use crate::solved::{Known, bound, known, value};
 use crate::task::{Evidence, Goal, Role};
 use torse_language::core::Set;
 
@@ -47,23 +48,24 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
             tactics,
         }];
     };
-    let unknowns = goal
-        .proposition
-        .unknowns
-        .iter()
-        .map(|unknown| format!("unknown {unknown}; "));
     let tactics = match goal.given {
-        _ if denies(goal) => format!("{}; {}", open("statement"), denied(goal, tactic)),
-        0 => match staged(goal).filter(|_| tactic == "identity") {
-            Some(stages) => format!("cbv beta zeta delta [statement]; {stages}{tactic}"),
+        _ if denies(goal) => {
+            let start = match staged(goal, "statement").filter(|_| goal.given > 0) {
+                Some(stages) => format!("{stages}unstaged"),
+                None => open("statement"),
+            };
+            format!("{start}; {}", denied(goal, tactic))
+        }
+        0 => match staged(goal, "statement").filter(|_| tactic == "identity") {
+            Some(stages) => format!("{stages}{tactic}"),
             None => format!("{}; {tactic}", open("statement")),
         },
         _ => {
-            let stages = match staged(goal) {
-                Some(stages) => format!("cbv beta zeta delta [statement]; {stages}"),
+            let start = match staged(goal, "statement") {
+                Some(stages) => stages,
                 None => format!("{}; ", open("statement")),
             };
-            format!("{stages}prepared; {}finished", unknowns.collect::<String>())
+            format!("{start}{}", given(goal))
         }
     };
     let mut scripts = vec![Script {
@@ -72,11 +74,23 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
         tactics,
     }];
     if !goal.proposition.premises.is_empty() {
-        let points: Vec<String> = [Choice::Generic, Choice::Zero, Choice::Varied, Choice::Same]
-            .iter()
-            .map(|choice| format!("({}met)", exists(&point(goal, *choice))))
+        let choices = [Choice::Generic, Choice::Zero, Choice::Varied, Choice::Same];
+        let solved = choices.map(|choice| solved_point(goal, choice));
+        let plain = choices.map(|choice| Some(point(goal, choice)));
+        let plain = plain
+            .into_iter()
+            .filter(|_| goal.proposition.alongs.is_empty());
+        let points: Vec<String> = solved
+            .into_iter()
+            .chain(plain)
+            .flatten()
+            .map(|values| format!("({}met)", exists(&values)))
             .collect();
-        let tactics = format!("{}; first [{}]", open("instance"), points.join(" | "));
+        let start = match staged(goal, "instance").filter(|_| goal.given > 0) {
+            Some(stages) => format!("{stages}unstaged; "),
+            None => format!("{}; ", open("instance")),
+        };
+        let tactics = format!("{start}first [{}]", points.join(" | "));
         scripts.push(Script {
             name: "met",
             says: "instance",
@@ -89,8 +103,53 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
 /// What is costly to compute as often as a definition occurs.
 const COSTLY: [&str; 3] = ["Derive", "inverse ", "solve "];
 
+/// The tactics for a statement about what `given` equations determine. Where the proof of the verdict has the values of the
+/// unknowns it is shown that the equations have no others; else they are solved.
+fn given(goal: &Goal) -> String {
+    let Some(known) = known(goal) else {
+        let unknowns = goal.proposition.unknowns.iter();
+        let unknowns = unknowns.map(|unknown| format!("unknown {unknown}; "));
+        return format!("prepared; {}finished", unknowns.collect::<String>());
+    };
+    let assertion = |known: &Known| {
+        let Known {
+            unknown,
+            above,
+            below,
+            ..
+        } = known;
+        format!("known ({unknown}) ({above}) ({below}); ")
+    };
+    let values: String = known.iter().map(assertion).collect();
+    let functions = functions(goal).unwrap_or_default();
+    format!("unstaged; {functions}prepared; {values}put_known; concluded")
+}
+
+/// The tactics that find the unknowns as functions of a symbol.
+fn functions(goal: &Goal) -> Option<String> {
+    let sets = |name: &str| goal.symbols.get(name).cloned();
+    let binders = &goal.proposition.binders;
+    let named = |name: &str, indices: &[&str]| bound(binders, &sets, name, indices);
+    let mut text = String::new();
+    for along in &goal.proposition.alongs {
+        let mut equations = vec![];
+        let mut closed = String::new();
+        for (unknown, function) in &along.functions {
+            let value = value(&goal.solved, unknown, &named)?;
+            equations.push(format!("{function} {} = {value}", along.name));
+            closed.push_str(&format!("function {function}; "));
+        }
+        text.push_str(&format!(
+            "computed; intros; along (forall {} : R, {}); {closed}",
+            along.name,
+            equations.join(" /\\ ")
+        ));
+    }
+    (!text.is_empty()).then(|| format!("{text}conclusion; "))
+}
+
 /// The definitions computed one after the other, and the last one where it stands; none where nothing in them is costly.
-fn staged(goal: &Goal) -> Option<String> {
+fn staged(goal: &Goal, what: &str) -> Option<String> {
     let definitions = &goal.proposition.definitions;
     let costly = |(_, text): &(String, String)| COSTLY.iter().any(|word| text.contains(word));
     let ((last, _), others) = definitions.split_last()?;
@@ -99,7 +158,7 @@ fn staged(goal: &Goal) -> Option<String> {
     }
     let stages = others.iter().map(|(name, _)| format!("stage {name}; "));
     Some(format!(
-        "{}staged_goal {last}; ",
+        "cbv beta zeta delta [{what}]; {}staged_goal {last}; ",
         stages.collect::<String>()
     ))
 }
@@ -111,11 +170,22 @@ fn denies(goal: &Goal) -> bool {
 
 /// The script where denials are said, together with others or alone: the inner statement fails at a point.
 fn denied(goal: &Goal, tactic: &str) -> String {
-    let choices = [Choice::Varied, Choice::Generic]
-        .map(|choice| format!("refuting (no {})", point(goal, choice).join(" ")));
+    let choices = [Choice::Varied, Choice::Generic];
+    let solved = choices.map(|choice| solved_point(goal, choice).filter(|_| goal.given > 0));
+    let plain = choices.map(|choice| Some(point(goal, choice)));
+    let points: Vec<String> = solved
+        .into_iter()
+        .chain(plain)
+        .flatten()
+        .map(|values| format!("refuting (no {})", values.join(" ")))
+        .collect();
+    let others = match goal.given {
+        0 => tactic.to_owned(),
+        _ => format!("({})", given(goal)),
+    };
     format!(
-        "intros; conjuncts; first [ intro no; first [ {} ] | {tactic} ]",
-        choices.join(" | ")
+        "intros; conjuncts; first [ intro no; first [ {} ] | {others} ]",
+        points.join(" | ")
     )
 }
 

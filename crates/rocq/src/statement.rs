@@ -1,7 +1,7 @@
 //! Claims as propositions: all symbols bound, then their declared sets, the hypotheses, the definedness of all terms and
 //! the conditions of the verdict as premises, then what is said.
 
-use crate::along::functions;
+use crate::along::{Along, functions};
 use crate::code::{Code, Level};
 use crate::context::Context;
 use crate::defined::Premises;
@@ -30,6 +30,8 @@ pub struct Proposition {
     pub unknowns: Vec<String>,
     /// Whether coefficients occur of forms that are not seen to be linear.
     pub unclear_forms: bool,
+    /// The unknowns as functions of symbols whose coefficients are asked for.
+    pub alongs: Vec<Along>,
 }
 
 /// A symbol that is bound.
@@ -84,6 +86,7 @@ pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Propositio
     let definitions = context.definitions().to_vec();
     Ok(Proposition {
         unclear_forms: context.unclear_forms(false),
+        alongs: context.alongs().to_vec(),
         definitions,
         binders,
         premises: kept,
@@ -376,6 +379,7 @@ pub(crate) fn said(context: &mut Context<'_>, statement: &Statement, claim: &Cla
                 conclusion,
                 unknowns: vec![],
                 unclear_forms: false,
+                alongs: vec![],
             };
             Ok(Code::new(
                 format!("~ ({})", whole.universal()),
