@@ -249,6 +249,11 @@ impl<'a> Context<'a> {
         name
     }
 
+    /// A name may be given again.
+    pub fn free(&mut self, name: &str) {
+        self.names.release(name);
+    }
+
     /// A name for a definition: no symbol and no variable has it, and none will.
     fn fresh_definition(&mut self, like: &str) -> String {
         let mut like = identifier(like);

@@ -44,8 +44,9 @@ impl Degrees<'_> {
             Node::Symbol(name) | Node::Vector(name, _) => Some(u32::from(name == self.symbol)),
             Node::Variable(variable) => self.variables.get(&variable.number()).copied(),
             Node::Member(points, indices) => {
+                // Members are free of each other: another one has degree zero, and this bound is no less.
                 self.without(indices)?;
-                (points.name != *self.symbol).then_some(0)
+                Some(u32::from(points.name == *self.symbol))
             }
             Node::Negative(inner) | Node::Opened { body: inner, .. } => self.of(inner),
             Node::Binary(operator, a, b) => match operator {

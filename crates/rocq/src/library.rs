@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 12] = [
+pub const LIBRARY: [(&str, &str); 13] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -43,5 +43,9 @@ pub const LIBRARY: [(&str, &str); 12] = [
     (
         "Torse/Solved.v",
         include_str!("../../../proofs/Torse/Solved.v"),
+    ),
+    (
+        "Torse/Forms.v",
+        include_str!("../../../proofs/Torse/Forms.v"),
     ),
 ];

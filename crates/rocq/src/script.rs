@@ -3,9 +3,11 @@
 //! | verdict rests on | emitter | what the tactic does |
 //! |---|---|---|
 //! | identity | `stage`, `identity` | computes sums, bases and matrices, derivatives and special angles; then `field`, modulo s^2 + c^2 = 1 |
-//! | `given` equations | `prepared`, `unknown` | the same in the equations, which are solved for the unknowns one after the other |
+//! | `given` equations | `prepared`, `known` | the same in the equations; the values of the unknowns, which the proof of the verdict has, follow from them and are put in |
+//! | the same, without values | `prepared`, `unknown` | the equations are solved for the unknowns one after the other |
 //! | induction | `symbolic` | reads a curve of symbolic degree as ((1 - x) + x E)^n of its seeds: end values, recursion, unity |
 //! | inequality, enclosure | `ordered` | enclosures of closed numbers by rational arithmetic; linear and polynomial arithmetic |
+//! | identity, coefficients of members | `formed` | a coefficient is the difference of two values of its form |
 //! | witness | `refuting` | the statement at the witness, which computes to something false |
 //! | a denial | `refuting` | the denied statement at values that are different enough |
 //!
@@ -195,8 +197,14 @@ fn emitter(goal: &Goal) -> Option<&'static str> {
         .symbols
         .values()
         .any(|set| matches!(set, Set::Integer { .. }));
+    let text = |word: &str| {
+        let texts = goal.proposition.definitions.iter().map(|(_, text)| text);
+        let conclusion = goal.proposition.conclusion.text();
+        conclusion.contains(word) || texts.into_iter().any(|text| text.contains(word))
+    };
     match (goal.role, goal.evidence) {
         (Role::Refuted, _) => None,
+        _ if text("update1 ") || text("update2 ") => Some("formed"),
         (_, Evidence::Inequality | Evidence::Enclosure) => Some("ordered"),
         (_, Evidence::Induction) => Some("symbolic"),
         _ if integers => Some("symbolic"),
