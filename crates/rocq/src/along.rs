@@ -66,7 +66,10 @@ impl Context<'_> {
                 ));
             };
             let own = self.symbol(declared)?.to_owned();
-            functions.push((Arc::clone(declared), self.fresh(&format!("{own}_of_{name}"))));
+            functions.push((
+                Arc::clone(declared),
+                self.fresh(&format!("{own}_of_{name}")),
+            ));
         }
         let along = Along {
             symbol: Arc::clone(symbol),
@@ -101,19 +104,28 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
         if !matches!(context.symbols.get(&along.symbol), Some(Set::Real(interval)) if interval.lower.is_none() && interval.upper.is_none())
             && !matches!(context.symbols.get(&along.symbol), Some(Set::Vector(None)))
         {
-            return Err(Gap::Theory("coefficients of symbols of an interval along equations"));
+            return Err(Gap::Theory(
+                "coefficients of symbols of an interval along equations",
+            ));
         }
-        let given = claim.hypotheses.iter().filter(|h| h.source == Source::Given);
+        let given = claim
+            .hypotheses
+            .iter()
+            .filter(|h| h.source == Source::Given);
         for hypothesis in given {
             let defined = crate::statement::defined(context, [&hypothesis.statement])?;
             let moves = |text: &str| {
                 mentions(text, &along.name)
                     || along.functions.iter().any(|(unknown, _)| {
-                        context.symbol(unknown).is_ok_and(|name| mentions(text, name))
+                        context
+                            .symbol(unknown)
+                            .is_ok_and(|name| mentions(text, name))
                     })
             };
             if defined.iter().any(|premise| moves(premise.text())) {
-                return Err(Gap::Theory("equations that divide by what moves along them"));
+                return Err(Gap::Theory(
+                    "equations that divide by what moves along them",
+                ));
             }
             let before = context.moved(along.values());
             let equations = crate::statement::said(context, &hypothesis.statement, claim);

@@ -83,7 +83,11 @@ impl Context<'_> {
         let update = match indices {
             [_] => "update1",
             [_, _] => "update2",
-            _ => return Err(Gap::Construct("`coefficients` of members with many indices")),
+            _ => {
+                return Err(Gap::Construct(
+                    "`coefficients` of members with many indices",
+                ));
+            }
         };
         if points.dimension.is_some_and(|dimension| dimension > 1) {
             return Err(Gap::Construct("`coefficients` of members that are vectors"));

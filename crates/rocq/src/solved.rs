@@ -26,11 +26,19 @@ pub fn solutions(proof: &Proof<Polynomial>) -> Vec<Solved> {
     match proof {
         Proof::On(ground) => {
             let own = of_ground(ground);
-            if own.is_empty() { solutions(&ground.proof) } else { own }
+            if own.is_empty() {
+                solutions(&ground.proof)
+            } else {
+                own
+            }
         }
         Proof::Both(a, b) => {
             let first = solutions(a);
-            if first.is_empty() { solutions(b) } else { first }
+            if first.is_empty() {
+                solutions(b)
+            } else {
+                first
+            }
         }
         Proof::Parts(parts) | Proof::Clauses(parts) => {
             let mut found = parts.iter().map(solutions);
@@ -113,7 +121,11 @@ pub fn bound(
     indices: &[&str],
 ) -> Option<String> {
     let binder = binders.iter().find(|b| &*b.symbol == name)?;
-    let place = |text: &str| binder.names.get(text.parse::<usize>().ok()?.checked_sub(1)?);
+    let place = |text: &str| {
+        binder
+            .names
+            .get(text.parse::<usize>().ok()?.checked_sub(1)?)
+    };
     let first = binder.names.first()?;
     match (sets(name)?, indices) {
         (Set::Integer { .. }, []) => Some(format!("IZR {first}")),
@@ -179,7 +191,10 @@ pub fn value(
     unknown: &str,
     named: &dyn Fn(&str, &[&str]) -> Option<String>,
 ) -> Option<String> {
-    let (place, own) = solved.iter().enumerate().find(|(_, s)| s.unknown == unknown)?;
+    let (place, own) = solved
+        .iter()
+        .enumerate()
+        .find(|(_, s)| s.unknown == unknown)?;
     // A value is in terms of what was not solved for then.
     let later = solved.get(place + 1..).unwrap_or_default();
     let inner = |name: &str, indices: &[&str]| {

@@ -316,7 +316,11 @@ fn conjuncts(statement: &Statement) -> Vec<&Statement> {
 }
 
 /// What a statement says.
-pub(crate) fn said(context: &mut Context<'_>, statement: &Statement, claim: &Claim) -> Result<Code, Gap> {
+pub(crate) fn said(
+    context: &mut Context<'_>,
+    statement: &Statement,
+    claim: &Claim,
+) -> Result<Code, Gap> {
     match statement {
         Statement::Compare {
             relation,

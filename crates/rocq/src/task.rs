@@ -167,7 +167,9 @@ fn goal(
     // That a form is linear is what its coefficients being equal to something without the symbol says; a refutation would
     // have to show it besides, where it is not plain.
     if proposition.unclear_forms && role == Role::Refuted {
-        return Err(Gap::Theory("refutations of coefficients of forms that are not plainly linear"));
+        return Err(Gap::Theory(
+            "refutations of coefficients of forms that are not plainly linear",
+        ));
     }
     let short = finding
         .id
