@@ -9,6 +9,7 @@ use crate::context::{Context, Kind, Local};
 use crate::gap::Gap;
 use crate::integer::{affine, literal};
 use crate::shape::Shape;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_language::core::{BuiltIn, Family, Node, Points, Term, Variable};
 use torse_language::syntax::Operator;
@@ -22,6 +23,8 @@ const MAX_TERMS: usize = 100_000;
 pub struct Premises {
     found: Vec<Code>,
     seen: usize,
+    /// Definitions whose premises are found already, by their address: they have no variable of a binder.
+    opened: BTreeSet<usize>,
 }
 
 impl Premises {
@@ -132,7 +135,13 @@ impl Context<'_> {
                 }
                 self.basis_defined(family, degree, arguments, premises)
             }
-            Node::Opened { body, .. } => self.defined(body, premises),
+            Node::Opened { body, closed, .. } => {
+                let address = Arc::as_ptr(&term.node).addr();
+                if *closed && !premises.opened.insert(address) {
+                    return Ok(());
+                }
+                self.defined(body, premises)
+            }
             _ => {
                 for part in term.parts() {
                     self.defined(part, premises)?;
@@ -145,8 +154,8 @@ impl Context<'_> {
     /// The premises of a term alone.
     pub(crate) fn gathered(&mut self, term: &Term, outer: &mut Premises) -> Result<Vec<Code>, Gap> {
         let mut inner = Premises {
-            found: vec![],
             seen: outer.seen,
+            ..Premises::default()
         };
         self.defined(term, &mut inner)?;
         outer.seen = inner.seen;
