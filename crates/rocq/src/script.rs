@@ -43,7 +43,11 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
         false => format!("cbv beta zeta delta [{what} {}]", names.join(" ")),
     };
     let Some(tactic) = emitter(goal) else {
-        let tactics = format!("intro no; {} in no; {}", open("statement"), refuting(goal));
+        let start = match staged(goal, "statement").filter(|_| inverts(goal)) {
+            Some(stages) => format!("unfold not; {stages}unstaged; intro no"),
+            None => format!("intro no; {} in no", open("statement")),
+        };
+        let tactics = format!("{start}; {}", refuting(goal));
         return vec![Script {
             name: "refuted",
             says: "~ statement",
@@ -52,7 +56,7 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
     };
     let tactics = match goal.given {
         _ if denies(goal) => {
-            let start = match staged(goal, "statement").filter(|_| goal.given > 0) {
+            let start = match staged(goal, "statement").filter(|_| inverts(goal) || goal.given > 0) {
                 Some(stages) => format!("{stages}unstaged"),
                 None => open("statement"),
             };
@@ -67,7 +71,8 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
                 Some(stages) => stages,
                 None => format!("{}; ", open("statement")),
             };
-            format!("{start}{}", given(goal))
+            let (first, last) = given(goal);
+            format!("{start}{first}; {last}")
         }
     };
     let mut scripts = vec![Script {
@@ -77,18 +82,11 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
     }];
     if !goal.proposition.premises.is_empty() {
         let choices = [Choice::Generic, Choice::Zero, Choice::Varied, Choice::Same];
-        let solved = choices.map(|choice| solved_point(goal, choice));
-        let plain = choices.map(|choice| Some(point(goal, choice)));
-        let plain = plain
-            .into_iter()
-            .filter(|_| goal.proposition.alongs.is_empty());
-        let points: Vec<String> = solved
-            .into_iter()
-            .chain(plain)
-            .flatten()
-            .map(|values| format!("({}met)", exists(&values)))
+        let points: Vec<String> = points(goal, &choices)
+            .iter()
+            .map(|values| format!("({}met)", exists(values)))
             .collect();
-        let start = match staged(goal, "instance").filter(|_| goal.given > 0) {
+        let start = match staged(goal, "instance").filter(|_| inverts(goal) || goal.given > 0) {
             Some(stages) => format!("{stages}unstaged; "),
             None => format!("{}; ", open("instance")),
         };
@@ -106,12 +104,15 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
 const COSTLY: [&str; 3] = ["Derive", "inverse ", "solve "];
 
 /// The tactics for a statement about what `given` equations determine. Where the proof of the verdict has the values of the
-/// unknowns it is shown that the equations have no others; else they are solved.
-fn given(goal: &Goal) -> String {
+/// unknowns it is shown that the equations have no others; else they are solved. The last one closes the goals that are left.
+fn given(goal: &Goal) -> (String, &'static str) {
     let Some(known) = known(goal) else {
         let unknowns = goal.proposition.unknowns.iter();
         let unknowns = unknowns.map(|unknown| format!("unknown {unknown}; "));
-        return format!("prepared; {}finished", unknowns.collect::<String>());
+        return (
+            format!("prepared; {}put_in", unknowns.collect::<String>()),
+            "finished",
+        );
     };
     let assertion = |known: &Known| {
         let Known {
@@ -124,7 +125,10 @@ fn given(goal: &Goal) -> String {
     };
     let values: String = known.iter().map(assertion).collect();
     let functions = functions(goal).unwrap_or_default();
-    format!("unstaged; {functions}prepared; {values}put_known; concluded")
+    (
+        format!("unstaged; {functions}prepared; {values}put_known"),
+        "concluded",
+    )
 }
 
 /// The tactics that find the unknowns as functions of a symbol.
@@ -150,6 +154,13 @@ fn functions(goal: &Goal) -> Option<String> {
     (!text.is_empty()).then(|| format!("{text}conclusion; "))
 }
 
+/// Whether matrices are inverted, which nobody computes at each use.
+fn inverts(goal: &Goal) -> bool {
+    let inverted = |text: &str| ["inverse ", "solve "].iter().any(|word| text.contains(word));
+    let mut definitions = goal.proposition.definitions.iter();
+    definitions.any(|(_, text)| inverted(text))
+}
+
 /// The definitions computed one after the other, and the last one where it stands; none where nothing in them is costly.
 fn staged(goal: &Goal, what: &str) -> Option<String> {
     let definitions = &goal.proposition.definitions;
@@ -172,23 +183,30 @@ fn denies(goal: &Goal) -> bool {
 
 /// The script where denials are said, together with others or alone: the inner statement fails at a point.
 fn denied(goal: &Goal, tactic: &str) -> String {
-    let choices = [Choice::Varied, Choice::Generic];
-    let solved = choices.map(|choice| solved_point(goal, choice).filter(|_| goal.given > 0));
-    let plain = choices.map(|choice| Some(point(goal, choice)));
-    let points: Vec<String> = solved
-        .into_iter()
-        .chain(plain)
-        .flatten()
+    let points: Vec<String> = points(goal, &[Choice::Varied, Choice::Generic])
+        .iter()
         .map(|values| format!("refuting (no {})", values.join(" ")))
         .collect();
-    let others = match goal.given {
-        0 => tactic.to_owned(),
-        _ => format!("({})", given(goal)),
+    let (first, others) = match goal.given {
+        0 => ("intros".to_owned(), tactic),
+        _ => given(goal),
     };
     format!(
-        "intros; conjuncts; first [ intro no; first [ {} ] | {others} ]",
+        "{first}; conjuncts; first [ intro no; first [ {} ] | {others} ]",
         points.join(" | ")
     )
+}
+
+/// Points to try: with the values of the unknowns where the proof of the verdict has them.
+fn points(goal: &Goal, choices: &[Choice]) -> Vec<Vec<String>> {
+    let solved = choices.iter().map(|choice| solved_point(goal, *choice));
+    match solved.collect::<Option<Vec<_>>>() {
+        Some(points) => points,
+        None if goal.proposition.alongs.is_empty() => {
+            choices.iter().map(|choice| point(goal, *choice)).collect()
+        }
+        None => vec![],
+    }
 }
 
 /// The tactic that proves a statement; none for a refutation.
