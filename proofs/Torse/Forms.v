@@ -1,5 +1,5 @@
 (* Coefficients of members of families in linear forms: nobody has to read it. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Solved.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved.
 From Coq Require Import FunctionalExtensionality Lra Lia.
 Open Scope R_scope.
 

@@ -1,6 +1,6 @@
 (* Equations with solutions that are known: nobody has to read it.
    The values of the unknowns come from the proof of the verdict; what is shown is that the equations have no others. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals.
 From Coq Require Import FunctionalExtensionality Lra Lia.
 Open Scope R_scope.
 

@@ -246,6 +246,10 @@ fn within(interval: &Interval, choice: Choice, count: i64) -> String {
     let value: Rational = match (lower.and_then(rational_end), upper.and_then(rational_end)) {
         (Some(low), Some(high)) => between(&low, &high),
         (Some(low), None) if choice == Choice::Zero && lower.is_some_and(|b| b.closed) => low,
+        (Some(low), None) if choice == Choice::Varied => low + rational::integer(scattered(count)),
+        (None, Some(high)) if choice == Choice::Varied => {
+            high - rational::integer(scattered(count))
+        }
         (Some(low), None) => low + &one,
         (None, Some(high)) => high - &one,
         (None, None) if choice == Choice::Zero => rational::integer(0),

@@ -56,7 +56,8 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
     };
     let tactics = match goal.given {
         _ if denies(goal) => {
-            let start = match staged(goal, "statement").filter(|_| inverts(goal) || goal.given > 0) {
+            let start = match staged(goal, "statement").filter(|_| inverts(goal) || goal.given > 0)
+            {
                 Some(stages) => format!("{stages}unstaged"),
                 None => open("statement"),
             };
@@ -156,7 +157,11 @@ fn functions(goal: &Goal) -> Option<String> {
 
 /// Whether matrices are inverted, which nobody computes at each use.
 fn inverts(goal: &Goal) -> bool {
-    let inverted = |text: &str| ["inverse ", "solve "].iter().any(|word| text.contains(word));
+    let inverted = |text: &str| {
+        ["inverse ", "solve "]
+            .iter()
+            .any(|word| text.contains(word))
+    };
     let mut definitions = goal.proposition.definitions.iter();
     definitions.any(|(_, text)| inverted(text))
 }
