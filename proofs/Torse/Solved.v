@@ -11,7 +11,16 @@ Ltac unstaged := repeat match goal with E : ?c = _ |- _ => is_const c; clear E e
 
 (* ---- unknowns ---- *)
 (* the unknown x is n / d: a linear combination of the equations, in which products of symbols count as one *)
-Ltac determined := apply value_of; [different | lra].
+Lemma cancelled c x y : c <> 0 -> c * x = c * y -> x = y.
+Proof. intros N E. apply Rmult_eq_reg_l with c; assumption. Qed.
+(* a factor that the value has lost *)
+Ltac cancel := multimatch goal with
+  | H : ?c <> 0 |- _ => apply (cancelled c); [exact H|]
+  | H : ?c > 0 |- _ => apply (cancelled c); [lra|]
+  | H : 0 < ?c |- _ => apply (cancelled c); [lra|]
+  | H : ?a <> ?b |- _ => apply (cancelled (a - b)); [let E := fresh in intro E; apply H; lra|]
+  end.
+Ltac determined := apply value_of; [different | first [lra | cancel; lra | cancel; cancel; lra]].
 Ltac known x n d := let E := fresh "known" in assert (E : x = n / d) by determined.
 (* the equations that determined x have done their work *)
 Ltac spent x E := repeat match goal with H : ?A = ?B |- _ =>
