@@ -12,7 +12,8 @@ use crate::defined::mentions;
 use crate::gap::Gap;
 use crate::statement::Binder;
 use std::sync::Arc;
-use torse_language::core::{Claim, Node, Set, Source, Term};
+use torse_language::core::{Claim, Node, Set, Source, Statement, Term};
+use torse_language::syntax::{Connective, Relation};
 
 /// The type of such a function.
 pub const FUNCTION: &str = "R -> R";
@@ -113,6 +114,11 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
             .iter()
             .filter(|h| h.source == Source::Given);
         for hypothesis in given {
+            if !is_equation(&hypothesis.statement) {
+                return Err(Gap::Theory(
+                    "coefficients along what is more than equations",
+                ));
+            }
             let defined = crate::statement::defined(context, [&hypothesis.statement])?;
             let moves = |text: &str| {
                 mentions(text, &along.name)
@@ -135,4 +141,13 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
         }
     }
     Ok(all)
+}
+
+/// Whether a statement says equations and nothing else: only these hold for every value of the symbol.
+fn is_equation(statement: &Statement) -> bool {
+    match statement {
+        Statement::Join(Connective::And, a, b) => is_equation(a) && is_equation(b),
+        Statement::Compare { relation, .. } => *relation == Relation::Equal,
+        _ => false,
+    }
 }
