@@ -35,14 +35,25 @@ Ltac changed := repeat match goal with
 Ltac units ::= repeat match goal with
   | |- context [unit ?i ?j] => first [ rewrite (unit_one i j) by lia | rewrite (unit_zero i j) by lia ]
   end; changed.
-(* each coefficient is the difference of two values of its form *)
 Ltac evaluated := cbv beta; derivatives; operators; ends; special; tidied; maxes; units; members; numbers.
+(* each form with its members told apart, as a function of the one that moves, and its derivative; where small degrees are
+   told apart the coefficient is the difference of two values of its form *)
+Ltac slope_as f p :=
+  let g := fresh "g" in let E := fresh in
+  evar (g : R -> R);
+  assert (E : forall t, f t = g t) by (let t := fresh "t" in intro t; evaluated; subst g; reflexivity);
+  subst g; rewrite (Derive_n_ext f _ 1 p E); clear E; cbv beta; derivatives.
 Ltac slopes := repeat match goal with
   | |- context [Derive_n ?f 1 ?p] =>
       match f with context [update1] => idtac | context [update2] => idtac end;
-      rewrite (slope f p) by (let t := fresh "t" in intro t; evaluated; equal)
+      first [ slope_as f p
+            | rewrite (slope f p) by (let t := fresh "t" in intro t; evaluated; equal) ]
   end.
-Ltac formed := computed; intros;
+(* integers that are given as numbers *)
+Ltac numbered := repeat match goal with
+  | H : IZR ?n = IZR _ |- _ => is_var n; apply eq_IZR in H; subst n
+  end.
+Ltac formed := computed; intros; numbered;
   repeat match goal with H : context [Derive_n _ _ _] |- _ => revert H end;
   closed_parts; slopes; evaluated; intros; equations; substituted; divisors; facts; parts; conjuncts;
   lazymatch goal with
