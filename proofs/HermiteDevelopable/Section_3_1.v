@@ -1813,87 +1813,6 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3
   (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3).
 End ex_3_1_p1u.
 
-Module ex_3_1_p0.
-(* hermite-developable/ex-3.1.p0, Sect. 3.1, example
-   printed: p_0 = < 75, 30, 45 >
-   stated: agrees(p0, [75, 30, 45]) *)
-Definition q0 : list R :=
-  [- 20; 60; 45].
-Definition q1 : list R :=
-  [- 20; - 50; 45].
-Definition q0u : list R :=
-  [0; - 30; 60].
-Definition q1u : list R :=
-  [0; - 50; - 60].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
-  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition k : R :=
-  2.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition o : list R :=
-  [170; 0; 45].
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
-  vsub (vsub (vadd (q3 A B C_ E_ u) (vDerive 3 (fun u_ => q3 A B C_ E_ u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (n : Z) : list R :=
-  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
-Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
-  cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
-Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
-  cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
-Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
-  cubic_part A B C_ E_ p0 p0u p1 p1u 1%Z.
-Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
-  cubic_part A B C_ E_ p0 p0u p1 p1u 0%Z.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
-  let p0 := [p0'1; p0'2; p0'3] in
-  let p0u := [p0u'1; p0u'2; p0u'3] in
-  let p1 := [p1'1; p1'2; p1'3] in
-  let p1u := [p1u'1; p1u'2; p1u'3] in
-  det (cubic_data A B C_ E_) <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3 ->
-  (entry p0 1 = 75 /\ entry p0 2 = 30) /\ entry p0 3 = 45.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
-  let p0 := [p0'1; p0'2; p0'3] in
-  let p0u := [p0u'1; p0u'2; p0u'3] in
-  let p1 := [p1'1; p1'2; p1'3] in
-  let p1u := [p1u'1; p1u'2; p1u'3] in
-  det (cubic_data A B C_ E_) <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3).
-End ex_3_1_p0.
-
 Module ex_3_1_parallel.
 (* hermite-developable/ex-3.1.parallel, Sect. 3.1, example, with the section's assumption Gamma_1 // Gamma_2
    printed: Two cubic Hermite curves p_3(u) and q_3(u) in the parallel plane [...] between the parallel planes Gamma_1 // Gamma_2
@@ -2092,3 +2011,84 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3
   (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3) /\
   (narrow_criterion A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion_ A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion__ A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion___ A B C_ E_ w0 w0u w1 w1u = zeros 3).
 End ex_3_1_width.
+
+Module ex_3_1_p0.
+(* hermite-developable/ex-3.1.p0, Sect. 3.1, example
+   printed: p_0 = < 75, 30, 45 >
+   stated: agrees(p0, [75, 30, 45]) *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition q1 : list R :=
+  [- 20; - 50; 45].
+Definition q0u : list R :=
+  [0; - 30; 60].
+Definition q1u : list R :=
+  [0; - 50; - 60].
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition k : R :=
+  2.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition o : list R :=
+  [170; 0; 45].
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ u) (vDerive 3 (fun u_ => q3 A B C_ E_ u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3 ->
+  (entry p0 1 = 75 /\ entry p0 2 = 30) /\ entry p0 3 = 45.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3).
+End ex_3_1_p0.
