@@ -2113,26 +2113,79 @@ exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (n
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
 End thm_2_4_sufficient_quintic.
 
-Module thm_2_a1_sign.
-(* gbt-surfaces/thm-2.a1.sign, Sect. 2.2, coefficients after eq. (6)
-   printed: The divisor a_1 of (5) is positive where the second segment has degree 4 or more; at degree 3 it is zero for μ_1 = -1, ν_1 = 1 alone.
-   stated: a1 > 0 and at(a1, n, 3) == 4*pi*(1 + mu1) + pi^2*(1 - nu1) *)
-Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a1_ (mu1 : R) (nu1 : R) (n : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Module thm_2_c1.
+(* gbt-surfaces/thm-2.c1, Sect. 2.2, coefficients after eq. (6)
+   printed: c_1 = 4(n-2)(n-3)(2(n-4) + 3π(1+μ_1))
+   read as: What b_1 has beside its last term.
+   stated: b1 - 6*(n - 2)*pi^2*(1 - nu1) == 4*(n - 2)*(n - 3)*(2*(n - 4) + 3*pi*(1 + mu1)) *)
+Definition b1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - nu1).
 Definition statement : Prop :=
 forall (n : Z) (mu1 : R) (nu1 : R),
   (-1) <= mu1 <= 1 ->
-  (4 <= n)%Z ->
+  (3 <= n)%Z ->
   (-1) <= nu1 <= 1 ->
-  a1 mu1 n nu1 > 0 /\ a1_ mu1 nu1 3%Z = 4 * PI * (1 + mu1) + PI ^ 2 * (1 - nu1).
+  b1 mu1 n nu1 - 6 * (IZR n - 2) * PI ^ 2 * (1 - nu1) = 4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
 Definition instance : Prop :=
 exists (n : Z) (mu1 : R) (nu1 : R),
   (-1) <= mu1 <= 1 /\
-  (4 <= n)%Z /\
+  (3 <= n)%Z /\
   (-1) <= nu1 <= 1.
-End thm_2_a1_sign.
+End thm_2_c1.
+
+Module thm_2_a2.
+(* gbt-surfaces/thm-2.a2, Sect. 2.2, coefficients after eq. (6)
+   printed: a_2 = 4(m-2)(m-3 + π(1+ν))
+   read as: The coefficient of the second difference in four times the second derivative; the term with 1 - mu stands apart, as in (5).
+   stated: coefficients([4*F''(1) + pi^2*(1 - mu)*(Q[m-1] - Q[m-2])], [Q[m-2]])[1,1] == 4*(m - 2)*(m - 3 + pi*(1 + nu)) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition statement : Prop :=
+forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  entry (row [[Derive_n (fun t => 4 * (let z := 1%Z in Derive_n (fun z_ => F (update1 Q (m - 2)%Z t) m mu nu z_) 2 (IZR z)) + PI ^ 2 * (1 - mu) * ((update1 Q (m - 2)%Z t) (m - 1)%Z - (update1 Q (m - 2)%Z t) (m - 2)%Z)) 1 (Q (m - 2)%Z)]] 1) 1 = 4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition instance : Prop :=
+exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  (0 <= m - 1 <= m)%Z /\
+  (0 <= m - 2 <= m)%Z.
+End thm_2_a2.
+
+Module thm_2_b1.
+(* gbt-surfaces/thm-2.b1, Sect. 2.2, coefficients after eq. (6)
+   printed: b_1 = 4(n-2)(n-3)(2(n-4) + 3π(1+μ_1)) + 6(n-2)π^2 (1-ν_1)
+   read as: The coefficient of Q_{13} in eight times the third derivative, the factor with which (6) has it.
+   stated: coefficients([8*F1'''(0)], [Q1[3]])[1,1] == 4*(n - 2)*(n - 3)*(2*(n - 4) + 3*pi*(1 + mu1)) + 6*(n - 2)*pi^2*(1 - nu1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 3 <= n)%Z ->
+  entry (row [[Derive_n (fun t => 8 * (let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 3%Z t) mu1 n nu1 z_) 3 (IZR z))) 1 (Q1 3%Z)]] 1) 1 = 4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - nu1).
+Definition instance : Prop :=
+exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (0 <= 3 <= n)%Z.
+End thm_2_b1.
 
 Module thm_2_b1_sign.
 (* gbt-surfaces/thm-2.b1.sign, Sect. 2.2, coefficients after eq. (6)
@@ -2155,22 +2208,204 @@ exists (n : Z) (mu1 : R) (nu1 : R),
   (-1) <= nu1 <= 1.
 End thm_2_b1_sign.
 
-Module thm_2_c1.
-(* gbt-surfaces/thm-2.c1, Sect. 2.2, coefficients after eq. (6)
-   printed: c_1 = 4(n-2)(n-3)(2(n-4) + 3π(1+μ_1))
-   read as: What b_1 has beside its last term.
-   stated: b1 - 6*(n - 2)*pi^2*(1 - nu1) == 4*(n - 2)*(n - 3)*(2*(n - 4) + 3*pi*(1 + mu1)) *)
+Module thm_2_4_cubic.
+(* gbt-surfaces/thm-2.4.cubic, Sect. 2.2, Theorem 2, item 4, eq. (6) as a system
+   printed: For a cubic second segment with ν_1 = 1 the divisor b_1 of (6) is zero: the third derivative at its start does not contain Q_{13}.
+   stated: b1 == 0 and coefficients([F1'''(0)], [Q1[3]])[1,1] == 0 *)
 Definition b1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - nu1).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
-forall (n : Z) (mu1 : R) (nu1 : R),
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
   (-1) <= mu1 <= 1 ->
   (3 <= n)%Z ->
   (-1) <= nu1 <= 1 ->
-  b1 mu1 n nu1 - 6 * (IZR n - 2) * PI ^ 2 * (1 - nu1) = 4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
+  IZR n = 3 ->
+  nu1 = 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 3 <= n)%Z ->
+  b1 mu1 n nu1 = 0 /\ entry (row [[Derive_n (fun t => let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 3%Z t) mu1 n nu1 z_) 3 (IZR z)) 1 (Q1 3%Z)]] 1) 1 = 0.
+Definition instance : Prop :=
+exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu1 <= 1 /\
+  IZR n = 3 /\
+  nu1 = 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (0 <= 3 <= n)%Z.
+End thm_2_4_cubic.
+
+Module thm_2_a1.
+(* gbt-surfaces/thm-2.a1, Sect. 2.2, coefficients after eq. (6)
+   printed: a_1 = 4(n-2)(n-3 + π(1+μ_1)) + π^2 (1-ν_1)
+   read as: The coefficient of Q_{12} in four times the second derivative, the factor with which (5) has it.
+   stated: coefficients([4*F1''(0)], [Q1[2]])[1,1] == 4*(n - 2)*(n - 3 + pi*(1 + mu1)) + pi^2*(1 - nu1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 2 <= n)%Z ->
+  entry (row [[Derive_n (fun t => 4 * (let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 2%Z t) mu1 n nu1 z_) 2 (IZR z))) 1 (Q1 2%Z)]] 1) 1 = 4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition instance : Prop :=
+exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (0 <= 2 <= n)%Z.
+End thm_2_a1.
+
+Module thm_2_a1_sign.
+(* gbt-surfaces/thm-2.a1.sign, Sect. 2.2, coefficients after eq. (6)
+   printed: The divisor a_1 of (5) is positive where the second segment has degree 4 or more; at degree 3 it is zero for μ_1 = -1, ν_1 = 1 alone.
+   stated: a1 > 0 and at(a1, n, 3) == 4*pi*(1 + mu1) + pi^2*(1 - nu1) *)
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a1_ (mu1 : R) (nu1 : R) (n : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition statement : Prop :=
+forall (n : Z) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (4 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  a1 mu1 n nu1 > 0 /\ a1_ mu1 nu1 3%Z = 4 * PI * (1 + mu1) + PI ^ 2 * (1 - nu1).
 Definition instance : Prop :=
 exists (n : Z) (mu1 : R) (nu1 : R),
   (-1) <= mu1 <= 1 /\
-  (3 <= n)%Z /\
+  (4 <= n)%Z /\
   (-1) <= nu1 <= 1.
-End thm_2_c1.
+End thm_2_a1_sign.
+
+Module thm_2_b2.
+(* gbt-surfaces/thm-2.b2, Sect. 2.2, coefficients after eq. (6)
+   printed: b_2 = 4(m-2)(m-3)(2(m-4) + 3π(1+ν))
+   read as: In (6) the third difference alone contains Q_{m-3}: b_2 is minus its coefficient in eight times the third derivative.
+   stated: -coefficients([8*F'''(1)], [Q[m-3]])[1,1] == 4*(m - 2)*(m - 3)*(2*(m - 4) + 3*pi*(1 + nu)) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition statement : Prop :=
+forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (0 <= m - 3 <= m)%Z ->
+  - entry (row [[Derive_n (fun t => 8 * (let z := 1%Z in Derive_n (fun z_ => F (update1 Q (m - 3)%Z t) m mu nu z_) 3 (IZR z))) 1 (Q (m - 3)%Z)]] 1) 1 = 4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)).
+End thm_2_b2.
+
+Module thm_2_b2_true.
+(* gbt-surfaces/thm-2.b2.true, Sect. 2.2, coefficients after eq. (6)
+   printed: The coefficient of the third difference that the C3 join has.
+   stated: -coefficients([8*F'''(1)], [Q[m-3]])[1,1] == b2_true *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
+Definition statement : Prop :=
+forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (0 <= m - 3 <= m)%Z ->
+  - entry (row [[Derive_n (fun t => 8 * (let z := 1%Z in Derive_n (fun z_ => F (update1 Q (m - 3)%Z t) m mu nu z_) 3 (IZR z))) 1 (Q (m - 3)%Z)]] 1) 1 = b2_true m mu nu.
+Definition instance : Prop :=
+exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  (0 <= m - 3 <= m)%Z.
+End thm_2_b2_true.
+
+Module thm_2_b3.
+(* gbt-surfaces/thm-2.b3, Sect. 2.2, coefficients after eq. (6)
+   printed: b_3 = (3c_1 + 12(n-2)π^2 (1 - μ_1 - ν_1))
+   read as: Minus the coefficient of Q_{12} in eight times the third derivative.
+   stated: -coefficients([8*F1'''(0)], [Q1[2]])[1,1] == 3*c1 + 12*(n - 2)*pi^2*(1 - mu1 - nu1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition c1 (mu1 : R) (n : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 2 <= n)%Z ->
+  - entry (row [[Derive_n (fun t => 8 * (let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 2%Z t) mu1 n nu1 z_) 3 (IZR z))) 1 (Q1 2%Z)]] 1) 1 = 3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - nu1).
+End thm_2_b3.
+
+Module thm_2_b3_corrected.
+(* gbt-surfaces/thm-2.b3 (corrected), Sect. 2.2, coefficients after eq. (6)
+   printed: b_3 = (3c_1 + 12(n-2)π^2 (1 - μ_1 - ν_1))
+   read as: Minus the coefficient of Q_{12} in eight times the third derivative.
+   stated: -coefficients([8*F1'''(0)], [Q1[2]])[1,1] == 3*c1 + 12*(n - 2)*pi^2*(1 + mu1 - nu1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition c1 (mu1 : R) (n : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 2 <= n)%Z ->
+  - entry (row [[Derive_n (fun t => 8 * (let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 2%Z t) mu1 n nu1 z_) 3 (IZR z))) 1 (Q1 2%Z)]] 1) 1 = 3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 + mu1 - nu1).
+Definition instance : Prop :=
+exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (0 <= 2 <= n)%Z.
+End thm_2_b3_corrected.
+
+Module thm_2_b3_true.
+(* gbt-surfaces/thm-2.b3.true, Sect. 2.2, coefficients after eq. (6)
+   printed: The coefficient that the C3 join has.
+   stated: -coefficients([8*F1'''(0)], [Q1[2]])[1,1] == b3_true *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition c1 (mu1 : R) (n : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
+Definition b3_true (mu1 : R) (n : Z) (nu1 : R) : R :=
+  3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 + mu1 - nu1).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 2 <= n)%Z ->
+  - entry (row [[Derive_n (fun t => 8 * (let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 2%Z t) mu1 n nu1 z_) 3 (IZR z))) 1 (Q1 2%Z)]] 1) 1 = b3_true mu1 n nu1.
+Definition instance : Prop :=
+exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (0 <= 2 <= n)%Z.
+End thm_2_b3_true.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms.
 From GbtSurfaces Require Section_2_2.
 Open Scope R_scope.
 
@@ -216,3 +216,31 @@ Proof. cbv beta zeta delta [statement b1]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance b1]; first [(exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (0), (0); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_2_c1.
+
+Module thm_2_4_cubic.
+Import GbtSurfaces.Section_2_2.thm_2_4_cubic.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b1 f F1]; formed. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b1 f F1]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), (1); met) | (exists (3)%Z, (fun _ => 0), (0), (1); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), (1); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), (1); met)]. Qed.
+End thm_2_4_cubic.
+
+Module thm_2_a1.
+Import GbtSurfaces.Section_2_2.thm_2_a1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F1]; formed. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F1]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_a1.
+
+Module thm_2_b2.
+Import GbtSurfaces.Section_2_2.thm_2_b2.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f F] in no; refuting (no ((3))%Z (fun i0 => 0) (0) (1)). Qed.
+End thm_2_b2.
+
+Module thm_2_b3.
+Import GbtSurfaces.Section_2_2.thm_2_b3.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f F1 c1] in no; refuting (no ((3))%Z (fun i0 => 0) (1) (1)). Qed.
+End thm_2_b3.

@@ -862,3 +862,1233 @@ Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
   0 <= u <= 1.
 End ex_3_1_shapes.
+
+Module eq_3_5_B.
+(* hermite-developable/eq-3.5.B, Sect. 3.1, eq. (3.5), column of unknowns
+   printed: B = (p_1, p_0^u, p_1^u, p_0^u)
+   stated: cubic_system*[p1, p0u, p1u, p0] == A35*[p1, p0u, p1u, p0u] *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
+  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
+Definition A35 (k : R) : list (list R) :=
+  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  0 < k ->
+  k <> 1 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  mvec (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) [p1; p0u; p1u; p0] = mvec (A35 k) [p1; p0u; p1u; p0u].
+End eq_3_5_B.
+
+Module eq_3_5_B_corrected.
+(* hermite-developable/eq-3.5.B (corrected), Sect. 3.1, eq. (3.5), column of unknowns
+   printed: B = (p_1, p_0^u, p_1^u, p_0^u)
+   stated: cubic_system*[p1, p0u, p1u, p0] == A35*[p1, p0u, p1u, p0] *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
+  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
+Definition A35 (k : R) : list (list R) :=
+  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  0 < k ->
+  k <> 1 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  mvec (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) [p1; p0u; p1u; p0] = mvec (A35 k) [p1; p0u; p1u; p0].
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  0 < k /\
+  k <> 1 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0.
+End eq_3_5_B_corrected.
+
+Module eq_3_5_k.
+(* hermite-developable/eq-3.5.k, Sect. 3.1, sentence after (3.5)
+   printed: Due to det(A) = k^4 and the defined developable surfaces are positioned in the same side to the summit point O, we elect the value k > 0 and k != 1
+   read as: the points of both curves on one generatrix are on the same side of the summit for k > 0, and only then; the curves are apart for k != 1, and only then
+   stated: dot(q3(u) - o, p3(u) - o) == k*dot(p3(u) - o, p3(u) - o) and cross(q3(u) - o, p3(u) - o) == 0 and q3(u) - p3(u) == (k - 1)*(p3(u) - o) *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ q0 q0u q1 q1u u) (vDerive 3 (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (u : R),
+  let o := [o'1; o'2; o'3] in
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  let q0 := [q0'1; q0'2; q0'3] in
+  let q0u := [q0u'1; q0u'2; q0u'3] in
+  let q1 := [q1'1; q1'2; q1'3] in
+  let q1u := [q1u'1; q1u'2; q1u'3] in
+  0 <= u <= 1 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = zeros 3 /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = zeros 3 /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = zeros 3 /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = zeros 3 ->
+  dot (vsub (q3 A B C_ E_ q0 q0u q1 q1u u) o) (vsub (p3 A B C_ E_ p0 p0u p1 p1u u) o) = k * dot (vsub (p3 A B C_ E_ p0 p0u p1 p1u u) o) (vsub (p3 A B C_ E_ p0 p0u p1 p1u u) o) /\ cross (vsub (q3 A B C_ E_ q0 q0u q1 q1u u) o) (vsub (p3 A B C_ E_ p0 p0u p1 p1u u) o) = zeros 3 /\ vsub (q3 A B C_ E_ q0 q0u q1 q1u u) (p3 A B C_ E_ p0 p0u p1 p1u u) = vscale (k - 1) (vsub (p3 A B C_ E_ p0 p0u p1 p1u u) o).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (u : R),
+  let o := [o'1; o'2; o'3] in
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  let q0 := [q0'1; q0'2; q0'3] in
+  let q0u := [q0u'1; q0u'2; q0u'3] in
+  let q1 := [q1'1; q1'2; q1'3] in
+  let q1u := [q1u'1; q1u'2; q1u'3] in
+  0 <= u <= 1 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = zeros 3 /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = zeros 3 /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = zeros 3 /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = zeros 3).
+End eq_3_5_k.
+
+Module eq_3_5_sol_p1.
+(* hermite-developable/eq-3.5.sol.p1, Sect. 3.1, solutions of (3.5)
+   printed: p_1 = (q_1 + (k - 1) o)/k
+   stated: p1 == (q1 + (k - 1)*o)/k *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ ->
+  k <> 0 ->
+  p1 = (q1 + (k - 1) * o) / k.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_) /\
+  k <> 0.
+End eq_3_5_sol_p1.
+
+Module eq_3_5_sol_p0u.
+(* hermite-developable/eq-3.5.sol.p0u, Sect. 3.1, solutions of (3.5)
+   printed: p_0^u = q_0^u/k
+   stated: p0u == q0u/k *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ ->
+  k <> 0 ->
+  p0u = q0u / k.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_) /\
+  k <> 0.
+End eq_3_5_sol_p0u.
+
+Module eq_3_5_sol_p1u.
+(* hermite-developable/eq-3.5.sol.p1u, Sect. 3.1, solutions of (3.5)
+   printed: p_1^u = q_1^u/k
+   stated: p1u == q1u/k *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ ->
+  k <> 0 ->
+  p1u = q1u / k.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_) /\
+  k <> 0.
+End eq_3_5_sol_p1u.
+
+Module eq_3_5_sol_p0.
+(* hermite-developable/eq-3.5.sol.p0, Sect. 3.1, solutions of (3.5)
+   printed: p_0 = (q_0 + (k - 1) o)/k
+   stated: p0 == (q0 + (k - 1)*o)/k *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ ->
+  k <> 0 ->
+  p0 = (q0 + (k - 1) * o) / k.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_) /\
+  k <> 0.
+End eq_3_5_sol_p0.
+
+Module sec_3_1_conclusion.
+(* hermite-developable/sec-3.1.conclusion, Sect. 3.1, paragraph 'It can conclude that'
+   printed: using two cubic Hermite curves p_3(u) and q_3(u) in the parallel planes Gamma_1 // Gamma_2, correspondingly, can be designed a cubic developable Hermite surface D_3(u, v) = (1 - v) p_3(u) + v q_3(u) through the steps
+   read as: in coordinates in which the parallel planes are planes x = const: q has free data in the plane x = h, p follows by step 3
+   stated: q3'(u)[1] == 0 and p3'(u)[1] == 0 and h - p3(u)[1] == (1 - 1/k)*(h - o[1]) and det([p3'(u), q3'(u), q3(u) - p3(u)]) == 0 *)
+Definition q0 (h : R) (y0 : R) (z0 : R) : list R :=
+  [h; y0; z0].
+Definition q1 (h : R) (y1 : R) (z1 : R) : list R :=
+  [h; y1; z1].
+Definition q0u (y2 : R) (z2 : R) : list R :=
+  [0; y2; z2].
+Definition q1u (y3 : R) (z3 : R) : list R :=
+  [0; y3; z3].
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (u : R) : list R :=
+  hermite3 A B C_ E_ u (q0 h y0 z0) (q1 h y1 z1) (q0u y2 z2) (q1u y3 z3).
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ h y0 y1 y2 y3 z0 z1 z2 z3 u) (vDerive 3 (fun u_ => q3 A B C_ E_ h y0 y1 y2 y3 z0 z1 z2 z3 u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
+  cubic_part A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
+  cubic_part A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
+  cubic_part A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
+  cubic_part A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (u : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R),
+  let o := [o'1; o'2; o'3] in
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  0 <= u <= 1 ->
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 = zeros 3 /\ cubic_criterion__ A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 = zeros 3 /\ cubic_criterion___ A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 = zeros 3 /\ cubic_criterion____ A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 = zeros 3 ->
+  k <> 0 ->
+  entry (vDerive 3 (fun u_ => q3 A B C_ E_ h y0 y1 y2 y3 z0 z1 z2 z3 u_) 1 u) 1 = 0 /\ entry (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) 1 = 0 /\ h - entry (p3 A B C_ E_ p0 p0u p1 p1u u) 1 = (1 - 1 / k) * (h - entry o 1) /\ det [vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u; vDerive 3 (fun u_ => q3 A B C_ E_ h y0 y1 y2 y3 z0 z1 z2 z3 u_) 1 u; vsub (q3 A B C_ E_ h y0 y1 y2 y3 z0 z1 z2 z3 u) (p3 A B C_ E_ p0 p0u p1 p1u u)] = 0.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (u : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R),
+  let o := [o'1; o'2; o'3] in
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  0 <= u <= 1 /\
+  k > 0 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 = zeros 3 /\ cubic_criterion__ A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 = zeros 3 /\ cubic_criterion___ A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 = zeros 3 /\ cubic_criterion____ A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 = zeros 3) /\
+  k <> 0.
+End sec_3_1_conclusion.
+
+Module sec_3_1_tension.
+(* hermite-developable/sec-3.1.tension, Sect. 3.1, paragraph after the steps
+   printed: q_0^{u*} = k_1 q_0^u and q_1^{u*} = k_2 q_1^u, then in step (3), it finds the values p_0^u = [k_1 q_0^u]/k and p_1^u = [k_2 q_1^u]/k
+   stated: p0u == k1*q0u/k and p1u == k2*q1u/k *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 (k1 * q0u) (k2 * q1u).
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ k1 k2 q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ k1 k2 q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ ->
+  k <> 0 ->
+  p0u = k1 * q0u / k /\ p1u = k2 * q1u / k.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_) /\
+  k <> 0.
+End sec_3_1_tension.
+
+Module ex_3_1_arrange.
+(* hermite-developable/ex-3.1.arrange, Sect. 3.1, last paragraph
+   printed: the determination of the point O and the parameter k can arrange the position of control points p_0, p_1, and the measure of generatrix g between the parallel planes Gamma_1 // Gamma_2
+   stated: p0 == solved0 and p1 == solved1 and coefficients([p0, p1], [o]) == [[(k - 1)/k], [(k - 1)/k]] and not D(solved0, k) == 0 and not D(solved1, k) == 0 and q3(u) - p3(u) == (1 - 1/k)*(q3(u) - o) *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
+Definition solved0 (k : R) (o : R) (q0 : R) : R :=
+  (q0 + (k - 1) * o) / k.
+Definition solved1 (k : R) (o : R) (q1 : R) : R :=
+  (q1 + (k - 1) * o) / k.
+Definition solved0_ (o : R) (q0 : R) (k : R) : R :=
+  (q0 + (k - 1) * o) / k.
+Definition solved1_ (o : R) (q1 : R) (k : R) : R :=
+  (q1 + (k - 1) * o) / k.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) (p1_of_o : R -> R) (p0u_of_o : R -> R) (p1u_of_o : R -> R) (p0_of_o : R -> R),
+  0 <= u <= 1 ->
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ ->
+  k <> 0 ->
+  p1_of_o o = p1 ->
+  p0u_of_o o = p0u ->
+  p1u_of_o o = p1u ->
+  p0_of_o o = p0 ->
+  (forall o : R, cubic_criterion A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_) ->
+  p0 = solved0 k o q0 /\ p1 = solved1 k o q1 /\ [[Derive_n (fun o => (p0_of_o o)) 1 o]; [Derive_n (fun o => (p1_of_o o)) 1 o]] = [[(k - 1) / k]; [(k - 1) / k]] /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
+  0 <= u <= 1 ->
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ ->
+  locally k (fun k_ => k_ <> 0) ->
+  Derive_n (fun k_ => solved0_ o q0 k_) 1 k = 0) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
+  0 <= u <= 1 ->
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ ->
+  locally k (fun k_ => k_ <> 0) ->
+  Derive_n (fun k_ => solved1_ o q1 k_) 1 k = 0) /\ q3 A B C_ E_ q0 q0u q1 q1u u - p3 A B C_ E_ p0 p0u p1 p1u u = (1 - 1 / k) * (q3 A B C_ E_ q0 q0u q1 q1u u - o).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) (p1_of_o : R -> R) (p0u_of_o : R -> R) (p1u_of_o : R -> R) (p0_of_o : R -> R),
+  0 <= u <= 1 /\
+  k > 0 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_) /\
+  k <> 0 /\
+  p1_of_o o = p1 /\
+  p0u_of_o o = p0u /\
+  p1u_of_o o = p1u /\
+  p0_of_o o = p0 /\
+  (forall o : R, cubic_criterion A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_).
+End ex_3_1_arrange.
+
+Module ex_3_1_p1.
+(* hermite-developable/ex-3.1.p1, Sect. 3.1, example
+   printed: p_1 = < 75, -25, 45 >
+   stated: agrees(p1, [75, -25, 45]) *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition q1 : list R :=
+  [- 20; - 50; 45].
+Definition q0u : list R :=
+  [0; - 30; 60].
+Definition q1u : list R :=
+  [0; - 50; - 60].
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition k : R :=
+  2.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition o : list R :=
+  [170; 0; 45].
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ u) (vDerive 3 (fun u_ => q3 A B C_ E_ u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3 ->
+  (entry p1 1 = 75 /\ entry p1 2 = (-25)) /\ entry p1 3 = 45.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3).
+End ex_3_1_p1.
+
+Module ex_3_1_p0u.
+(* hermite-developable/ex-3.1.p0u, Sect. 3.1, example
+   printed: p_0^u = < 0, -15, 30 >
+   stated: agrees(p0u, [0, -15, 30]) *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition q1 : list R :=
+  [- 20; - 50; 45].
+Definition q0u : list R :=
+  [0; - 30; 60].
+Definition q1u : list R :=
+  [0; - 50; - 60].
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition k : R :=
+  2.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition o : list R :=
+  [170; 0; 45].
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ u) (vDerive 3 (fun u_ => q3 A B C_ E_ u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3 ->
+  (entry p0u 1 = 0 /\ entry p0u 2 = (-15)) /\ entry p0u 3 = 30.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3).
+End ex_3_1_p0u.
+
+Module ex_3_1_p1u.
+(* hermite-developable/ex-3.1.p1u, Sect. 3.1, example
+   printed: p_1^u = < 0, -25, -30 >
+   stated: agrees(p1u, [0, -25, -30]) *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition q1 : list R :=
+  [- 20; - 50; 45].
+Definition q0u : list R :=
+  [0; - 30; 60].
+Definition q1u : list R :=
+  [0; - 50; - 60].
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition k : R :=
+  2.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition o : list R :=
+  [170; 0; 45].
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ u) (vDerive 3 (fun u_ => q3 A B C_ E_ u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3 ->
+  (entry p1u 1 = 0 /\ entry p1u 2 = (-25)) /\ entry p1u 3 = (-30).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3).
+End ex_3_1_p1u.
+
+Module ex_3_1_parallel.
+(* hermite-developable/ex-3.1.parallel, Sect. 3.1, example, with the section's assumption Gamma_1 // Gamma_2
+   printed: Two cubic Hermite curves p_3(u) and q_3(u) in the parallel plane [...] between the parallel planes Gamma_1 // Gamma_2
+   read as: all four data sets of Fig. 2: q_0 is the same in them; q_1 is in the plane x = -20, the tangent vectors have no x-coordinate, the summit and k > 0 are any
+   stated: q3'(u)[1] == 0 and p3'(u)[1] == 0 and p3(0)[1] == o[1] + (-20 - o[1])/k *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition q1 (y1 : R) (z1 : R) : list R :=
+  [- 20; y1; z1].
+Definition q0u (y2 : R) (z2 : R) : list R :=
+  [0; y2; z2].
+Definition q1u (y3 : R) (z3 : R) : list R :=
+  [0; y3; z3].
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 (q1 y1 z1) (q0u y2 z2) (q1u y3 z3).
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ y1 y2 y3 z1 z2 z3 u) (vDerive 3 (fun u_ => q3 A B C_ E_ y1 y2 y3 z1 z2 z3 u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 0%Z.
+Definition cubic_basis_ (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [IZR u ^ 3; IZR u ^ 2; IZR u; 1].
+Definition hermite3_ (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis_ A B C_ E_ u) a b s t.
+Definition p3_ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : Z) : list R :=
+  hermite3_ A B C_ E_ u p0 p1 p0u p1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R),
+  let o := [o'1; o'2; o'3] in
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  0 <= u <= 1 ->
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 = zeros 3 /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 = zeros 3 /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 = zeros 3 /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 = zeros 3 ->
+  k <> 0 ->
+  entry (vDerive 3 (fun u_ => q3 A B C_ E_ y1 y2 y3 z1 z2 z3 u_) 1 u) 1 = 0 /\ entry (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) 1 = 0 /\ entry (p3_ A B C_ E_ p0 p0u p1 p1u 0%Z) 1 = entry o 1 + (- 20 - entry o 1) / k.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R),
+  let o := [o'1; o'2; o'3] in
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  0 <= u <= 1 /\
+  k > 0 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 = zeros 3 /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 = zeros 3 /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 = zeros 3 /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 = zeros 3) /\
+  k <> 0.
+End ex_3_1_parallel.
+
+Module ex_3_1_width.
+(* hermite-developable/ex-3.1.width, Sect. 3.1, example, k = 3/2
+   printed: If we determine k = 3/2, then the surface's width (generatrix measure) changes as shown in Figure (2b)
+   stated: q3(u) - narrow(u) == 2/3*(q3(u) - p3(u)) and dot(q3(u) - narrow(u), q3(u) - narrow(u)) < dot(q3(u) - p3(u), q3(u) - p3(u)) *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition q1 : list R :=
+  [- 20; - 50; 45].
+Definition q0u : list R :=
+  [0; - 30; 60].
+Definition q1u : list R :=
+  [0; - 50; - 60].
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition k : R :=
+  2.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition o : list R :=
+  [170; 0; 45].
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ u) (vDerive 3 (fun u_ => q3 A B C_ E_ u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 0%Z.
+Definition narrow (A : R) (B : R) (C_ : R) (E_ : R) (w0 : list R) (w0u : list R) (w1 : list R) (w1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u w0 w1 w0u w1u.
+Definition narrow_gap (A : R) (B : R) (C_ : R) (E_ : R) (w0 : list R) (w0u : list R) (w1 : list R) (w1u : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ u) (vDerive 3 (fun u_ => q3 A B C_ E_ u_) 1 u)) (vscale (3 / 2) (vadd (narrow A B C_ E_ w0 w0u w1 w1u u) (vDerive 3 (fun u_ => narrow A B C_ E_ w0 w0u w1 w1u u_) 1 u)))) (vscale (1 - 3 / 2) o).
+Definition narrow_part (A : R) (B : R) (C_ : R) (E_ : R) (w0 : list R) (w0u : list R) (w1 : list R) (w1u : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => narrow_gap A B C_ E_ w0 w0u w1 w1u u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition narrow_criterion (A : R) (B : R) (C_ : R) (E_ : R) (w0 : list R) (w0u : list R) (w1 : list R) (w1u : list R) : list R :=
+  narrow_part A B C_ E_ w0 w0u w1 w1u 3%Z.
+Definition narrow_criterion_ (A : R) (B : R) (C_ : R) (E_ : R) (w0 : list R) (w0u : list R) (w1 : list R) (w1u : list R) : list R :=
+  narrow_part A B C_ E_ w0 w0u w1 w1u 2%Z.
+Definition narrow_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (w0 : list R) (w0u : list R) (w1 : list R) (w1u : list R) : list R :=
+  narrow_part A B C_ E_ w0 w0u w1 w1u 1%Z.
+Definition narrow_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (w0 : list R) (w0u : list R) (w1 : list R) (w1u : list R) : list R :=
+  narrow_part A B C_ E_ w0 w0u w1 w1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (u : R) (w0'1 w0'2 w0'3 : R) (w0u'1 w0u'2 w0u'3 : R) (w1'1 w1'2 w1'3 : R) (w1u'1 w1u'2 w1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  let w0 := [w0'1; w0'2; w0'3] in
+  let w0u := [w0u'1; w0u'2; w0u'3] in
+  let w1 := [w1'1; w1'2; w1'3] in
+  let w1u := [w1u'1; w1u'2; w1u'3] in
+  0 <= u <= 1 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3 ->
+  narrow_criterion A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion_ A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion__ A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion___ A B C_ E_ w0 w0u w1 w1u = zeros 3 ->
+  vsub (q3 A B C_ E_ u) (narrow A B C_ E_ w0 w0u w1 w1u u) = vscale (2 / 3) (vsub (q3 A B C_ E_ u) (p3 A B C_ E_ p0 p0u p1 p1u u)) /\ dot (vsub (q3 A B C_ E_ u) (narrow A B C_ E_ w0 w0u w1 w1u u)) (vsub (q3 A B C_ E_ u) (narrow A B C_ E_ w0 w0u w1 w1u u)) < dot (vsub (q3 A B C_ E_ u) (p3 A B C_ E_ p0 p0u p1 p1u u)) (vsub (q3 A B C_ E_ u) (p3 A B C_ E_ p0 p0u p1 p1u u)).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (u : R) (w0'1 w0'2 w0'3 : R) (w0u'1 w0u'2 w0u'3 : R) (w1'1 w1'2 w1'3 : R) (w1u'1 w1u'2 w1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  let w0 := [w0'1; w0'2; w0'3] in
+  let w0u := [w0u'1; w0u'2; w0u'3] in
+  let w1 := [w1'1; w1'2; w1'3] in
+  let w1u := [w1u'1; w1u'2; w1u'3] in
+  0 <= u <= 1 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3) /\
+  (narrow_criterion A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion_ A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion__ A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion___ A B C_ E_ w0 w0u w1 w1u = zeros 3).
+End ex_3_1_width.
+
+Module ex_3_1_p0.
+(* hermite-developable/ex-3.1.p0, Sect. 3.1, example
+   printed: p_0 = < 75, 30, 45 >
+   stated: agrees(p0, [75, 30, 45]) *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition q1 : list R :=
+  [- 20; - 50; 45].
+Definition q0u : list R :=
+  [0; - 30; 60].
+Definition q1u : list R :=
+  [0; - 50; - 60].
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition k : R :=
+  2.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition o : list R :=
+  [170; 0; 45].
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ u) (vDerive 3 (fun u_ => q3 A B C_ E_ u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3 ->
+  (entry p0 1 = 75 /\ entry p0 2 = 30) /\ entry p0 3 = 45.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3).
+End ex_3_1_p0.

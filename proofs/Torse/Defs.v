@@ -106,6 +106,11 @@ Definition factorial (n : Z) : R := INR (fact (Z.to_nat n)).
 Definition vDerive (n : nat) (f : R -> list R) (order : nat) (x : R) : list R :=
   map (fun i => Derive_n (fun t => nth i (f t) 0) order x) (seq 0 n).
 
+(* a family of numbers with another number for one of its members *)
+Definition update1 (P : Z -> R) (i : Z) (t : R) : Z -> R := fun j => if (j =? i)%Z then t else P j.
+Definition update2 (P : Z -> Z -> R) (i j : Z) (t : R) : Z -> Z -> R :=
+  fun k l => if ((k =? i) && (l =? j))%Z%bool then t else P k l.
+
 (* ---- printed decimals: the value rounded, or cut off ---- *)
 
 (* p is printed without a minus sign and with d digits after the point *)

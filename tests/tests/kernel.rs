@@ -33,6 +33,7 @@ fn finding<'a>(id: String, claim: &'a Claim, evidence: Evidence) -> Finding<'a> 
         conditions: vec![],
         correction: None,
         witness: vec![],
+        solved: vec![],
     }
 }
 

@@ -16,8 +16,10 @@ use torse_report::{ReportError, write_file};
 use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Fingerprints, Limits};
 use torse_rocq::folder::{self, ACCEPTED, Folder, Theorem, UNPROVED};
 use torse_rocq::merge;
+use torse_rocq::solved::{Solved, solutions};
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
+use torse_verdicts::grounds::Grounds;
 use torse_verdicts::outcome::Outcome;
 
 /// Write statements and proofs of verdicts for the Rocq kernel, and have them checked.
@@ -312,6 +314,15 @@ fn finding<'c>(id: String, claim: &'c Claim, outcome: &Outcome) -> Finding<'c> {
             .witness
             .as_ref()
             .map_or_else(Vec::new, |witness| witness.at.clone()),
+        solved: outcome.grounds.as_deref().map_or_else(Vec::new, solved),
+    }
+}
+
+/// What the proof of a verdict has from `given` equations.
+fn solved(grounds: &Grounds) -> Vec<Solved> {
+    match grounds.plain() {
+        Grounds::Proof { of, .. } => solutions(&of),
+        Grounds::Refutation(_) => vec![],
     }
 }
 

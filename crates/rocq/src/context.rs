@@ -4,6 +4,7 @@
 //! Every opened definition and every basis family becomes a `Definition` of its own, with the symbols and variables that
 //! occur in it as arguments: the statement then reads like the claim, and parts that occur often are written once.
 
+use crate::along::Along;
 use crate::code::Code;
 use crate::gap::Gap;
 use crate::name::{Names, identifier};
@@ -87,8 +88,16 @@ pub struct Context<'a> {
     definitions: Vec<(String, String)>,
     /// How many bytes were written.
     bytes: usize,
-    /// Whether coefficients of forms occur.
-    coefficients: bool,
+    /// Whether coefficients occur of forms that are not seen to be linear.
+    unclear_forms: bool,
+    /// What the `given` equations determine.
+    unknowns: Vec<Term>,
+    /// What stands for symbols in place of their names.
+    moved: Vec<(Arc<str>, String)>,
+    /// The unknowns as functions of symbols.
+    alongs: Vec<Along>,
+    /// How many definitions are being written inside of each other.
+    depth: u32,
 }
 
 impl<'a> Context<'a> {
@@ -109,8 +118,61 @@ impl<'a> Context<'a> {
             texts: BTreeMap::new(),
             definitions: vec![],
             bytes: 0,
-            coefficients: false,
+            unclear_forms: false,
+            unknowns: vec![],
+            moved: vec![],
+            alongs: vec![],
+            depth: 0,
         }
+    }
+
+    /// The same where equations determine these unknowns.
+    #[must_use]
+    pub fn with_unknowns(mut self, unknowns: &[Term]) -> Self {
+        self.unknowns = unknowns.to_vec();
+        self
+    }
+
+    /// What the `given` equations determine.
+    #[must_use]
+    pub fn unknowns(&self) -> &[Term] {
+        &self.unknowns
+    }
+
+    /// Whether a term has an unknown, or a part or member of the vector or family of one.
+    #[must_use]
+    pub fn has_unknowns(&self, term: &Term) -> bool {
+        let mut names = BTreeSet::new();
+        for unknown in &self.unknowns {
+            unknown.declared_names(&mut |name| {
+                names.insert(Arc::clone(name));
+            });
+        }
+        let mut found = false;
+        term.declared_names(&mut |name| found |= names.contains(name));
+        found
+    }
+
+    /// The unknowns as functions of symbols, as far as they were asked for.
+    #[must_use]
+    pub fn alongs(&self) -> &[Along] {
+        &self.alongs
+    }
+
+    /// Functions of one more symbol.
+    pub fn add_along(&mut self, along: Along) {
+        self.alongs.push(along);
+    }
+
+    /// Lets texts stand for symbols from here on, and says which did before.
+    pub fn moved(&mut self, values: Vec<(Arc<str>, String)>) -> Vec<(Arc<str>, String)> {
+        std::mem::replace(&mut self.moved, values)
+    }
+
+    /// Whether what is being written is the body of a definition.
+    #[must_use]
+    pub fn is_in_definition(&self) -> bool {
+        self.depth > 0
     }
 
     /// The definitions written so far: names and texts, in order.
@@ -119,15 +181,9 @@ impl<'a> Context<'a> {
         &self.definitions
     }
 
-    /// Coefficients of forms occur.
-    pub fn takes_coefficients(&mut self) {
-        self.coefficients = true;
-    }
-
-    /// Whether coefficients of forms occur.
-    #[must_use]
-    pub fn has_coefficients(&self) -> bool {
-        self.coefficients
+    /// Says whether coefficients occur of forms that are not seen to be linear, and what was said before.
+    pub fn unclear_forms(&mut self, occur: bool) -> bool {
+        std::mem::replace(&mut self.unclear_forms, occur)
     }
 
     /// The name of a symbol.
@@ -135,7 +191,11 @@ impl<'a> Context<'a> {
     /// # Errors
     /// [`Gap::Unread`] if the claim does not declare it.
     pub fn symbol(&self, name: &Arc<str>) -> Result<&str, Gap> {
-        let found = self.symbol_names.get(name).map(String::as_str);
+        let moved = self.moved.iter().find(|(symbol, _)| symbol == name);
+        let found = match moved {
+            Some((_, text)) => Some(text.as_str()),
+            None => self.symbol_names.get(name).map(String::as_str),
+        };
         found.ok_or_else(|| Gap::Unread(format!("the symbol `{name}` is not declared")))
     }
 
@@ -189,6 +249,11 @@ impl<'a> Context<'a> {
         name
     }
 
+    /// A name may be given again.
+    pub fn free(&mut self, name: &str) {
+        self.names.release(name);
+    }
+
     /// A name for a definition: no symbol and no variable has it, and none will.
     fn fresh_definition(&mut self, like: &str) -> String {
         let mut like = identifier(like);
@@ -232,6 +297,8 @@ impl<'a> Context<'a> {
             return Ok(head.clone());
         }
         // The body has a scope of its own, so that the same formula is always the same text.
+        let moved = self.moved(vec![]);
+        self.depth += 1;
         let mut inner = Names::default();
         self.reserve_definitions(&mut inner);
         for symbol in &used.symbols {
@@ -265,6 +332,8 @@ impl<'a> Context<'a> {
         self.reserve_definitions(&mut names);
         self.names = names;
         self.locals = locals;
+        self.moved(moved);
+        self.depth -= 1;
         let Value { code, shape } = written?;
         let rest = format!(
             "{parameters} : {} :=\n  {}.",

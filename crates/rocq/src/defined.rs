@@ -9,6 +9,7 @@ use crate::context::{Context, Kind, Local};
 use crate::gap::Gap;
 use crate::integer::{affine, literal};
 use crate::shape::Shape;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_language::core::{BuiltIn, Family, Node, Points, Term, Variable};
 use torse_language::syntax::Operator;
@@ -22,6 +23,8 @@ const MAX_TERMS: usize = 100_000;
 pub struct Premises {
     found: Vec<Code>,
     seen: usize,
+    /// Definitions whose premises are found already, by their address: they have no variable of a binder.
+    opened: BTreeSet<usize>,
 }
 
 impl Premises {
@@ -132,7 +135,13 @@ impl Context<'_> {
                 }
                 self.basis_defined(family, degree, arguments, premises)
             }
-            Node::Opened { body, .. } => self.defined(body, premises),
+            Node::Opened { body, closed, .. } => {
+                let address = Arc::as_ptr(&term.node).addr();
+                if *closed && !premises.opened.insert(address) {
+                    return Ok(());
+                }
+                self.defined(body, premises)
+            }
             _ => {
                 for part in term.parts() {
                     self.defined(part, premises)?;
@@ -143,10 +152,10 @@ impl Context<'_> {
     }
 
     /// The premises of a term alone.
-    fn gathered(&mut self, term: &Term, outer: &mut Premises) -> Result<Vec<Code>, Gap> {
+    pub(crate) fn gathered(&mut self, term: &Term, outer: &mut Premises) -> Result<Vec<Code>, Gap> {
         let mut inner = Premises {
-            found: vec![],
             seen: outer.seen,
+            ..Premises::default()
         };
         self.defined(term, &mut inner)?;
         outer.seen = inner.seen;
@@ -192,23 +201,7 @@ impl Context<'_> {
                 }
             }
             Node::Apply(BuiltIn::Coefficients, arguments) => {
-                // A form that is linear in a symbol is defined whatever the symbol is.
-                let [forms, unknowns] = arguments.as_slice() else {
-                    return Err(Gap::Construct("`coefficients` of what is no list"));
-                };
-                let found = self.gathered(forms, premises)?;
-                let mut names = std::collections::BTreeSet::new();
-                unknowns.declared_names(&mut |name| {
-                    names.insert(Arc::clone(name));
-                });
-                for name in names {
-                    let name = self.symbol(&name)?;
-                    if found.iter().any(|premise| mentions(premise.text(), name)) {
-                        return Err(Gap::Construct(
-                            "forms that divide by what they are forms in",
-                        ));
-                    }
-                }
+                self.coefficients_defined(arguments, premises)?;
             }
             Node::Apply(BuiltIn::Inverse | BuiltIn::Solve, arguments) => {
                 if let Some(matrix) = arguments.first() {
@@ -323,7 +316,7 @@ impl Context<'_> {
 }
 
 /// Whether a name occurs in a text.
-fn mentions(text: &str, name: &str) -> bool {
+pub(crate) fn mentions(text: &str, name: &str) -> bool {
     let letter = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '\'';
     text.split(|c: char| !letter(c)).any(|word| word == name)
 }

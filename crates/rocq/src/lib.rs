@@ -12,14 +12,17 @@
     deny(clippy::unwrap_used, clippy::expect_used, clippy::panic)
 )]
 
+pub mod along;
 pub mod chapter;
 pub mod check;
 pub mod code;
 pub mod context;
 pub mod coqc;
 pub mod defined;
+pub mod degree;
 pub mod digest;
 pub mod folder;
+pub mod forms;
 pub mod gap;
 pub mod integer;
 pub mod library;
@@ -29,6 +32,7 @@ pub mod name;
 pub mod point;
 pub mod script;
 pub mod shape;
+pub mod solved;
 pub mod statement;
 pub mod task;
 pub mod trial;

@@ -3,7 +3,9 @@
 //! The witness of a verdict says its values. Where it says none, integers are the least that are in their sets together,
 //! numbers are in their intervals, and others so different that determinants of them do not vanish.
 
+use crate::along::FUNCTION;
 use crate::code::Code;
+use crate::solved::{bound, known, value};
 use crate::statement::Binder;
 use crate::task::Goal;
 use std::collections::BTreeMap;
@@ -44,6 +46,10 @@ pub fn point(goal: &Goal, choice: Choice) -> Vec<String> {
                 Choice::Varied => scattered(count).to_string(),
                 Choice::Zero => "0".to_owned(),
             };
+            if binder.rocq_type == FUNCTION {
+                values.push(String::new());
+                continue;
+            }
             values.push(match set {
                 Some(Set::Integer { .. }) => {
                     let value = integers.get(&binder.symbol).copied().unwrap_or(3);
@@ -60,6 +66,44 @@ pub fn point(goal: &Goal, choice: Choice) -> Vec<String> {
         }
     }
     values
+}
+
+/// The same, with the values of unknowns that equations determine there, and the unknowns as functions; none where a value
+/// has no text.
+#[must_use]
+pub fn solved_point(goal: &Goal, choice: Choice) -> Option<Vec<String>> {
+    let mut values = point(goal, choice);
+    let sets = |name: &str| goal.symbols.get(name).cloned();
+    let binders = &goal.proposition.binders;
+    let names: Vec<String> = binders.iter().flat_map(|b| b.names.clone()).collect();
+    let numbers = values.clone();
+    let number_of = |own: Option<(&str, &str)>, name: &str, indices: &[&str]| {
+        if let Some((symbol, text)) = own
+            && symbol == name
+        {
+            return Some(text.to_owned());
+        }
+        let bound = bound(binders, &sets, name, indices)?;
+        let place = names.iter().position(|name| *name == bound)?;
+        numbers.get(place).map(|number| format!("({number})"))
+    };
+    for known in known(goal)? {
+        let named = |name: &str, indices: &[&str]| number_of(None, name, indices);
+        let value_there = value(&goal.solved, &known.name, &named)?;
+        // What is no bound name itself, a member, has no place here.
+        let place = names.iter().position(|name| *name == known.unknown)?;
+        *values.get_mut(place)? = value_there;
+    }
+    for along in &goal.proposition.alongs {
+        for (unknown, function) in &along.functions {
+            let own = Some((&*along.symbol, along.name.as_str()));
+            let named = |name: &str, indices: &[&str]| number_of(own, name, indices);
+            let body = value(&goal.solved, unknown, &named)?;
+            let place = names.iter().position(|name| name == function)?;
+            *values.get_mut(place)? = format!("(fun {} => {body})", along.name);
+        }
+    }
+    Some(values)
 }
 
 /// Different numbers without a rule that would make a determinant of them vanish.
@@ -202,6 +246,10 @@ fn within(interval: &Interval, choice: Choice, count: i64) -> String {
     let value: Rational = match (lower.and_then(rational_end), upper.and_then(rational_end)) {
         (Some(low), Some(high)) => between(&low, &high),
         (Some(low), None) if choice == Choice::Zero && lower.is_some_and(|b| b.closed) => low,
+        (Some(low), None) if choice == Choice::Varied => low + rational::integer(scattered(count)),
+        (None, Some(high)) if choice == Choice::Varied => {
+            high - rational::integer(scattered(count))
+        }
         (Some(low), None) => low + &one,
         (None, Some(high)) => high - &one,
         (None, None) if choice == Choice::Zero => rational::integer(0),

@@ -3,15 +3,18 @@
 //! | verdict rests on | emitter | what the tactic does |
 //! |---|---|---|
 //! | identity | `stage`, `identity` | computes sums, bases and matrices, derivatives and special angles; then `field`, modulo s^2 + c^2 = 1 |
-//! | `given` equations | `prepared`, `unknown` | the same in the equations, which are solved for the unknowns one after the other |
+//! | `given` equations | `prepared`, `known` | the same in the equations; the values of the unknowns, which the proof of the verdict has, follow from them and are put in |
+//! | the same, without values | `prepared`, `unknown` | the equations are solved for the unknowns one after the other |
 //! | induction | `symbolic` | reads a curve of symbolic degree as ((1 - x) + x E)^n of its seeds: end values, recursion, unity |
 //! | inequality, enclosure | `ordered` | enclosures of closed numbers by rational arithmetic; linear and polynomial arithmetic |
+//! | identity, coefficients of members | `formed` | a coefficient is the difference of two values of its form |
 //! | witness | `refuting` | the statement at the witness, which computes to something false |
 //! | a denial | `refuting` | the denied statement at values that are different enough |
 //!
 //! Every theorem with premises has a second one, `met`: values at which all premises are true.
 
-use crate::point::{Choice, first_values, point, value_at};
+use crate::point::{Choice, first_values, point, solved_point, value_at};
+use crate::solved::{Known, bound, known, value};
 use crate::task::{Evidence, Goal, Role};
 use torse_language::core::Set;
 
@@ -40,29 +43,38 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
         false => format!("cbv beta zeta delta [{what} {}]", names.join(" ")),
     };
     let Some(tactic) = emitter(goal) else {
-        let tactics = format!("intro no; {} in no; {}", open("statement"), refuting(goal));
+        let start = match staged(goal, "statement").filter(|_| inverts(goal)) {
+            Some(stages) => format!("unfold not; {stages}unstaged; intro no"),
+            None => format!("intro no; {} in no", open("statement")),
+        };
+        let tactics = format!("{start}; {}", refuting(goal));
         return vec![Script {
             name: "refuted",
             says: "~ statement",
             tactics,
         }];
     };
-    let unknowns = goal
-        .proposition
-        .unknowns
-        .iter()
-        .map(|unknown| format!("unknown {unknown}; "));
     let tactics = match goal.given {
-        _ if denies(goal) => format!("{}; {}", open("statement"), denied(goal, tactic)),
-        0 => match staged(goal).filter(|_| tactic == "identity") {
-            Some(stages) => format!("cbv beta zeta delta [statement]; {stages}{tactic}"),
+        _ if denies(goal) => {
+            let start = match staged(goal, "statement").filter(|_| inverts(goal) || goal.given > 0)
+            {
+                Some(stages) => format!("{stages}unstaged"),
+                None => open("statement"),
+            };
+            format!("{start}; {}", denied(goal, tactic))
+        }
+        0 => match staged(goal, "statement").filter(|_| tactic == "identity") {
+            Some(stages) => format!("{stages}{tactic}"),
             None => format!("{}; {tactic}", open("statement")),
         },
-        _ => format!(
-            "{}; prepared; {}finished",
-            open("statement"),
-            unknowns.collect::<String>()
-        ),
+        _ => {
+            let start = match staged(goal, "statement") {
+                Some(stages) => stages,
+                None => format!("{}; ", open("statement")),
+            };
+            let (first, last) = given(goal);
+            format!("{start}{first}; {last}")
+        }
     };
     let mut scripts = vec![Script {
         name: "proved",
@@ -70,11 +82,16 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
         tactics,
     }];
     if !goal.proposition.premises.is_empty() {
-        let points: Vec<String> = [Choice::Generic, Choice::Zero, Choice::Varied, Choice::Same]
+        let choices = [Choice::Generic, Choice::Zero, Choice::Varied, Choice::Same];
+        let points: Vec<String> = points(goal, &choices)
             .iter()
-            .map(|choice| format!("({}met)", exists(&point(goal, *choice))))
+            .map(|values| format!("({}met)", exists(values)))
             .collect();
-        let tactics = format!("{}; first [{}]", open("instance"), points.join(" | "));
+        let start = match staged(goal, "instance").filter(|_| inverts(goal) || goal.given > 0) {
+            Some(stages) => format!("{stages}unstaged; "),
+            None => format!("{}; ", open("instance")),
+        };
+        let tactics = format!("{start}first [{}]", points.join(" | "));
         scripts.push(Script {
             name: "met",
             says: "instance",
@@ -87,8 +104,70 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
 /// What is costly to compute as often as a definition occurs.
 const COSTLY: [&str; 3] = ["Derive", "inverse ", "solve "];
 
+/// The tactics for a statement about what `given` equations determine. Where the proof of the verdict has the values of the
+/// unknowns it is shown that the equations have no others; else they are solved. The last one closes the goals that are left.
+fn given(goal: &Goal) -> (String, &'static str) {
+    let Some(known) = known(goal) else {
+        let unknowns = goal.proposition.unknowns.iter();
+        let unknowns = unknowns.map(|unknown| format!("unknown {unknown}; "));
+        return (
+            format!("prepared; {}put_in", unknowns.collect::<String>()),
+            "finished",
+        );
+    };
+    let assertion = |known: &Known| {
+        let Known {
+            unknown,
+            above,
+            below,
+            ..
+        } = known;
+        format!("known ({unknown}) ({above}) ({below}); ")
+    };
+    let values: String = known.iter().map(assertion).collect();
+    let functions = functions(goal).unwrap_or_default();
+    (
+        format!("unstaged; {functions}prepared; {values}put_known"),
+        "concluded",
+    )
+}
+
+/// The tactics that find the unknowns as functions of a symbol.
+fn functions(goal: &Goal) -> Option<String> {
+    let sets = |name: &str| goal.symbols.get(name).cloned();
+    let binders = &goal.proposition.binders;
+    let named = |name: &str, indices: &[&str]| bound(binders, &sets, name, indices);
+    let mut text = String::new();
+    for along in &goal.proposition.alongs {
+        let mut equations = vec![];
+        let mut closed = String::new();
+        for (unknown, function) in &along.functions {
+            let value = value(&goal.solved, unknown, &named)?;
+            equations.push(format!("{function} {} = {value}", along.name));
+            closed.push_str(&format!("function {function}; "));
+        }
+        text.push_str(&format!(
+            "computed; intros; along (forall {} : R, {}); {closed}",
+            along.name,
+            equations.join(" /\\ ")
+        ));
+    }
+    (!text.is_empty()).then(|| format!("{text}conclusion; "))
+}
+
+/// Whether matrices are inverted, which nobody computes at each use.
+fn inverts(goal: &Goal) -> bool {
+    let inverted = |text: &str| {
+        ["inverse ", "solve "]
+            .iter()
+            .any(|word| text.contains(word))
+    };
+    let mut definitions = goal.proposition.definitions.iter();
+    definitions.any(|(_, text)| inverted(text))
+}
+
 /// The definitions computed one after the other, and the last one where it stands; none where nothing in them is costly.
-fn staged(goal: &Goal) -> Option<String> {
+fn staged(goal: &Goal, what: &str) -> Option<String> {
     let definitions = &goal.proposition.definitions;
     let costly = |(_, text): &(String, String)| COSTLY.iter().any(|word| text.contains(word));
     let ((last, _), others) = definitions.split_last()?;
@@ -97,7 +176,7 @@ fn staged(goal: &Goal) -> Option<String> {
     }
     let stages = others.iter().map(|(name, _)| format!("stage {name}; "));
     Some(format!(
-        "{}staged_goal {last}; ",
+        "cbv beta zeta delta [{what}]; {}staged_goal {last}; ",
         stages.collect::<String>()
     ))
 }
@@ -109,12 +188,30 @@ fn denies(goal: &Goal) -> bool {
 
 /// The script where denials are said, together with others or alone: the inner statement fails at a point.
 fn denied(goal: &Goal, tactic: &str) -> String {
-    let choices = [Choice::Varied, Choice::Generic]
-        .map(|choice| format!("refuting (no {})", point(goal, choice).join(" ")));
+    let points: Vec<String> = points(goal, &[Choice::Varied, Choice::Generic])
+        .iter()
+        .map(|values| format!("refuting (no {})", values.join(" ")))
+        .collect();
+    let (first, others) = match goal.given {
+        0 => ("intros".to_owned(), tactic),
+        _ => given(goal),
+    };
     format!(
-        "intros; conjuncts; first [ intro no; first [ {} ] | {tactic} ]",
-        choices.join(" | ")
+        "{first}; conjuncts; first [ intro no; first [ {} ] | {others} ]",
+        points.join(" | ")
     )
+}
+
+/// Points to try: with the values of the unknowns where the proof of the verdict has them.
+fn points(goal: &Goal, choices: &[Choice]) -> Vec<Vec<String>> {
+    let solved = choices.iter().map(|choice| solved_point(goal, *choice));
+    match solved.collect::<Option<Vec<_>>>() {
+        Some(points) => points,
+        None if goal.proposition.alongs.is_empty() => {
+            choices.iter().map(|choice| point(goal, *choice)).collect()
+        }
+        None => vec![],
+    }
 }
 
 /// The tactic that proves a statement; none for a refutation.
@@ -123,8 +220,14 @@ fn emitter(goal: &Goal) -> Option<&'static str> {
         .symbols
         .values()
         .any(|set| matches!(set, Set::Integer { .. }));
+    let text = |word: &str| {
+        let texts = goal.proposition.definitions.iter().map(|(_, text)| text);
+        let conclusion = goal.proposition.conclusion.text();
+        conclusion.contains(word) || texts.into_iter().any(|text| text.contains(word))
+    };
     match (goal.role, goal.evidence) {
         (Role::Refuted, _) => None,
+        _ if text("update1 ") || text("update2 ") => Some("formed"),
         (_, Evidence::Inequality | Evidence::Enclosure) => Some("ordered"),
         (_, Evidence::Induction) => Some("symbolic"),
         _ if integers => Some("symbolic"),

@@ -1,6 +1,7 @@
 //! Claims as propositions: all symbols bound, then their declared sets, the hypotheses, the definedness of all terms and
 //! the conditions of the verdict as premises, then what is said.
 
+use crate::along::{Along, functions};
 use crate::code::{Code, Level};
 use crate::context::Context;
 use crate::defined::Premises;
@@ -27,8 +28,10 @@ pub struct Proposition {
     pub conclusion: Code,
     /// The numbers that the `given` equations determine.
     pub unknowns: Vec<String>,
-    /// Whether coefficients of forms occur.
-    pub coefficients: bool,
+    /// Whether coefficients occur of forms that are not seen to be linear.
+    pub unclear_forms: bool,
+    /// The unknowns as functions of symbols whose coefficients are asked for.
+    pub alongs: Vec<Along>,
 }
 
 /// A symbol that is bound.
@@ -49,8 +52,8 @@ pub struct Binder {
 /// # Errors
 /// [`Gap`] for what has no translation.
 pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Proposition, Gap> {
-    let mut context = Context::new(&claim.symbols);
-    let binders = binders(&mut context)?;
+    let mut context = Context::new(&claim.symbols).with_unknowns(&claim.unknowns);
+    let mut binders = binders(&mut context)?;
     let mut premises = domain(&context)?;
     for hypothesis in &claim.hypotheses {
         premises.extend(defined(&mut context, [&hypothesis.statement])?);
@@ -70,6 +73,9 @@ pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Propositio
         }
     }
     let conclusion = said(&mut context, &claim.statement, claim)?;
+    let functions = functions(&mut context, claim)?;
+    binders.extend(functions.binders);
+    kept.extend(functions.premises);
     for premise in kept.iter().chain([&conclusion]) {
         context.spend(premise.text().len())?;
     }
@@ -77,12 +83,10 @@ pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Propositio
     for unknown in &claim.unknowns {
         unknowns.extend(numbers_of(&mut context, unknown, &binders)?);
     }
-    if context.has_coefficients() && !claim.unknowns.is_empty() {
-        return Err(Gap::Theory("coefficients along given equations"));
-    }
     let definitions = context.definitions().to_vec();
     Ok(Proposition {
-        coefficients: context.has_coefficients(),
+        unclear_forms: context.unclear_forms(false),
+        alongs: context.alongs().to_vec(),
         definitions,
         binders,
         premises: kept,
@@ -281,7 +285,7 @@ fn constant(value: &Constant) -> String {
 }
 
 /// The premises under which the terms of statements have values; what stands in a denial has its own.
-fn defined<'s>(
+pub(crate) fn defined<'s>(
     context: &mut Context<'_>,
     statements: impl IntoIterator<Item = &'s Statement>,
 ) -> Result<Vec<Code>, Gap> {
@@ -312,7 +316,11 @@ fn conjuncts(statement: &Statement) -> Vec<&Statement> {
 }
 
 /// What a statement says.
-fn said(context: &mut Context<'_>, statement: &Statement, claim: &Claim) -> Result<Code, Gap> {
+pub(crate) fn said(
+    context: &mut Context<'_>,
+    statement: &Statement,
+    claim: &Claim,
+) -> Result<Code, Gap> {
     match statement {
         Statement::Compare {
             relation,
@@ -358,14 +366,24 @@ fn said(context: &mut Context<'_>, statement: &Statement, claim: &Claim) -> Resu
                 premises.push(said(context, &hypothesis.statement, &inner)?);
             }
             premises.extend(defined(context, [&inner.statement])?);
+            let (alongs, unclear) = (context.alongs().len(), context.unclear_forms(false));
             let conclusion = said(context, &inner.statement, &inner)?;
+            if context.alongs().len() > alongs {
+                return Err(Gap::Theory("denials of coefficients along given equations"));
+            }
+            if context.unclear_forms(unclear) {
+                return Err(Gap::Theory(
+                    "denials of coefficients of forms that are not plainly linear",
+                ));
+            }
             let whole = Proposition {
                 definitions: vec![],
                 binders: binders(context)?,
                 premises,
                 conclusion,
                 unknowns: vec![],
-                coefficients: false,
+                unclear_forms: false,
+                alongs: vec![],
             };
             Ok(Code::new(
                 format!("~ ({})", whole.universal()),

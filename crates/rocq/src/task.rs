@@ -2,6 +2,7 @@
 
 use crate::gap::Gap;
 use crate::name::identifier;
+use crate::solved::Solved;
 use crate::statement::{Proposition, proposition};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -59,6 +60,8 @@ pub struct Finding<'a> {
     pub correction: Option<(String, Vec<String>)>,
     /// A point at which the statement fails: names and exact values.
     pub witness: Vec<(String, String)>,
+    /// The values that `given` equations determine.
+    pub solved: Vec<Solved>,
 }
 
 /// What a theorem says of a statement.
@@ -97,6 +100,8 @@ pub struct Goal {
     pub witness: Vec<(String, String)>,
     /// How many equations determine unknowns.
     pub given: usize,
+    /// What they determine, as the proof of the verdict has it.
+    pub solved: Vec<Solved>,
 }
 
 /// The theorems of a claim, or why there are none.
@@ -160,9 +165,11 @@ fn goal(
     }
     let proposition = proposition(&core, &added)?;
     // That a form is linear is what its coefficients being equal to something without the symbol says; a refutation would
-    // have to show it besides.
-    if proposition.coefficients && role == Role::Refuted {
-        return Err(Gap::Theory("refutations of coefficients of forms"));
+    // have to show it besides, where it is not plain.
+    if proposition.unclear_forms && role == Role::Refuted {
+        return Err(Gap::Theory(
+            "refutations of coefficients of forms that are not plainly linear",
+        ));
     }
     let short = finding
         .id
@@ -189,6 +196,7 @@ fn goal(
         symbols: core.symbols.clone(),
         witness: finding.witness.clone(),
         given: core.unknowns.len(),
+        solved: finding.solved.clone(),
     })
 }
 

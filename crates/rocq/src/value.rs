@@ -421,37 +421,6 @@ impl Context<'_> {
         })
     }
 
-    /// Entry (r, c) is the derivative of form r by symbol c.
-    fn coefficients(&mut self, forms: &Term, unknowns: &Term) -> Result<Value, Gap> {
-        let missing = Gap::Construct("`coefficients` of what is no list");
-        let forms = items(forms).ok_or(missing.clone())?;
-        let unknowns = items(unknowns).ok_or(missing)?;
-        self.takes_coefficients();
-        let mut rows = vec![];
-        for form in forms {
-            let mut row = vec![];
-            for unknown in unknowns {
-                let (Node::Symbol(name) | Node::Vector(name, None)) = &*unknown.node else {
-                    return Err(Gap::Construct("`coefficients` of members of families"));
-                };
-                if matches!(self.symbols.get(name), Some(Set::Integer { .. })) {
-                    return Err(Gap::Construct("`coefficients` of integers"));
-                }
-                // The symbol is hidden by the variable of its name.
-                let name = self.symbol(name)?.to_owned();
-                let body = self.number(form)?;
-                let function = Code::new(format!("fun {name} => {}", body.text()), Level::Open);
-                let arguments = [function, Code::atom("1"), Code::atom(name)];
-                row.push(Code::apply("Derive_n", &arguments));
-            }
-            rows.push(Code::list(&row));
-        }
-        Ok(Value {
-            code: Code::list(&rows),
-            shape: Shape::Matrix(forms.len(), unknowns.len()),
-        })
-    }
-
     fn applied(&mut self, function: BuiltIn, arguments: &[Term]) -> Result<Value, Gap> {
         match (function, arguments) {
             (BuiltIn::Binomial, [n, j]) => {
@@ -503,15 +472,6 @@ impl Context<'_> {
             }
         };
         Ok(Value::applied(head, &codes, shape))
-    }
-}
-
-/// The terms of a list, through definitions.
-fn items(list: &Term) -> Option<&[Term]> {
-    match &*list.node {
-        Node::List(items) => Some(items),
-        Node::Opened { body, .. } => items(body),
-        _ => None,
     }
 }
 

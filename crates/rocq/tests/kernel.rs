@@ -121,6 +121,7 @@ fn folder(claims: &[Claim], evidence: impl Fn(usize) -> Evidence) -> Folder {
         conditions: vec![],
         correction: None,
         witness: vec![],
+        solved: vec![],
     };
     let findings = claims.iter().enumerate().map(finding).collect();
     Folder::new(&[("p".to_owned(), findings)], &BTreeMap::new())

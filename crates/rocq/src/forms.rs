@@ -1,0 +1,154 @@
+//! `coefficients`: the derivatives of forms by symbols.
+//!
+//! A form in which no unknown of `given` equations occurs is differentiated as it stands, at the symbol's own value:
+//! `Derive_n (fun p0 => form) 1 p0`, in which the variable hides the symbol of its name, and for a member of a family
+//! `Derive_n (fun t => form with update1 P 2 t in place of P) 1 (P 2)`. Where unknowns occur they are functions of the
+//! symbol, see [`crate::along`].
+
+use crate::code::{Code, Level};
+use crate::context::{Context, Used, Value};
+use crate::defined::{Premises, mentions};
+use crate::degree::is_linear;
+use crate::gap::Gap;
+use crate::shape::Shape;
+use std::sync::Arc;
+use torse_language::core::{Node, Points, Set, Term};
+
+const NO_LIST: Gap = Gap::Construct("`coefficients` of what is no list");
+
+impl Context<'_> {
+    /// Entry (r, c) is the derivative of form r by symbol c.
+    pub(crate) fn coefficients(&mut self, forms: &Term, symbols: &Term) -> Result<Value, Gap> {
+        let forms = items(forms).ok_or(NO_LIST)?;
+        let symbols = items(symbols).ok_or(NO_LIST)?;
+        let mut rows = vec![];
+        for form in forms {
+            let mut row = vec![];
+            for symbol in symbols {
+                row.push(self.coefficient(form, symbol)?);
+            }
+            rows.push(Code::list(&row));
+        }
+        Ok(Value {
+            code: Code::list(&rows),
+            shape: Shape::Matrix(forms.len(), symbols.len()),
+        })
+    }
+
+    fn coefficient(&mut self, form: &Term, symbol: &Term) -> Result<Code, Gap> {
+        let declared = target(symbol)?;
+        if matches!(self.symbols.get(declared), Some(Set::Integer { .. })) {
+            return Err(Gap::Construct("`coefficients` of integers"));
+        }
+        if self.has_unknowns(symbol) {
+            return Err(Gap::Construct("coefficients of unknowns of equations"));
+        }
+        if self.has_unknowns(form) {
+            return self.coefficient_along(form, declared);
+        }
+        if !is_linear(form, declared) {
+            self.unclear_forms(true);
+        }
+        if let Node::Member(points, indices) = &*symbol.node {
+            return self.coefficient_of_member(form, points, indices);
+        }
+        let name = self.symbol(declared)?.to_owned();
+        let body = self.number(form)?;
+        Ok(derivative(&name, &body, &Code::atom(&name)))
+    }
+
+    /// Along equations: the unknowns are functions of the symbol.
+    fn coefficient_along(&mut self, form: &Term, symbol: &Arc<str>) -> Result<Code, Gap> {
+        // The functions of a statement are not arguments of its definitions.
+        if self.is_in_definition() || !Used::of(form).variables.is_empty() {
+            return Err(Gap::Theory(
+                "coefficients along given equations, in a definition or below a binder",
+            ));
+        }
+        let unknowns = self.unknowns().to_vec();
+        let along = self.along(symbol, &unknowns)?;
+        let before = self.moved(along.values());
+        let body = self.number(form);
+        self.moved(before);
+        Ok(derivative(&along.name, &body?, &Code::atom(&along.name)))
+    }
+
+    /// By a member of a family: the family with another number in its place.
+    fn coefficient_of_member(
+        &mut self,
+        form: &Term,
+        points: &Arc<Points>,
+        indices: &[Term],
+    ) -> Result<Code, Gap> {
+        let update = match indices {
+            [_] => "update1",
+            [_, _] => "update2",
+            _ => {
+                return Err(Gap::Construct(
+                    "`coefficients` of members with many indices",
+                ));
+            }
+        };
+        if points.dimension.is_some_and(|dimension| dimension > 1) {
+            return Err(Gap::Construct("`coefficients` of members that are vectors"));
+        }
+        let codes = indices.iter().map(|index| self.index(index));
+        let mut codes = codes.collect::<Result<Vec<_>, _>>()?;
+        let name = self.symbol(&points.name)?.to_owned();
+        let own = Code::apply(&name, &codes);
+        let variable = self.fresh("t");
+        codes.insert(0, Code::atom(name));
+        codes.push(Code::atom(&variable));
+        let changed = Code::apply(update, &codes).argument();
+        let before = self.moved(vec![(Arc::clone(&points.name), changed)]);
+        let body = self.number(form);
+        self.moved(before);
+        self.free(&variable);
+        Ok(derivative(&variable, &body?, &own))
+    }
+
+    /// The premises of forms, which have to be defined whatever their symbols are.
+    pub(crate) fn coefficients_defined(
+        &mut self,
+        arguments: &[Term],
+        premises: &mut Premises,
+    ) -> Result<(), Gap> {
+        let [forms, symbols] = arguments else {
+            return Err(NO_LIST);
+        };
+        let found = self.gathered(forms, premises)?;
+        for symbol in items(symbols).ok_or(NO_LIST)? {
+            let name = self.symbol(target(symbol)?)?;
+            if found.iter().any(|premise| mentions(premise.text(), name)) {
+                return Err(Gap::Construct(
+                    "forms that divide by what they are forms in",
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// `Derive_n (fun t => form) 1 at`
+fn derivative(variable: &str, form: &Code, at: &Code) -> Code {
+    let function = Code::new(format!("fun {variable} => {}", form.text()), Level::Open);
+    Code::apply("Derive_n", &[function, Code::atom("1"), at.clone()])
+}
+
+/// The declared name of a symbol or a member.
+fn target(symbol: &Term) -> Result<&Arc<str>, Gap> {
+    match &*symbol.node {
+        Node::Symbol(name) | Node::Vector(name, None) => Ok(name),
+        Node::Member(points, _) => Ok(&points.name),
+        _ => Err(Gap::Construct("`coefficients` of what is no symbol")),
+    }
+}
+
+/// The terms of a list, through definitions.
+fn items(list: &Term) -> Option<&[Term]> {
+    match &*list.node {
+        Node::List(items) => Some(items),
+        Node::Opened { body, .. } => items(body),
+        _ => None,
+    }
+}
