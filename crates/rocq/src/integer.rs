@@ -92,6 +92,10 @@ impl Context<'_> {
             }
             Node::Opened { body, .. } => self.integer(body),
             Node::Binary(operator, a, b) => {
+                // What stands for literal integers is reckoned out, what is printed is not.
+                if let (Some(number), None) = (self.known(term), literal(term)) {
+                    return Some(Code::rational(&rational::integer(number)));
+                }
                 let (a, b) = (self.integer(a)?, self.integer(b)?);
                 let (sign, level) = match operator {
                     Operator::Add => ("+", Level::Sum),

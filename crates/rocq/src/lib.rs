@@ -17,6 +17,7 @@ pub mod check;
 pub mod code;
 pub mod context;
 pub mod coqc;
+pub mod counted;
 pub mod defined;
 pub mod digest;
 pub mod folder;
