@@ -230,12 +230,7 @@ impl Context<'_> {
     }
 
     /// A place that is a symbol is one of those of its list.
-    fn in_list(
-        &mut self,
-        of: &Term,
-        indices: &[Term],
-        premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    fn in_list(&mut self, of: &Term, indices: &[Term], premises: &mut Premises) -> Result<(), Gap> {
         let lengths = match self.value(of)?.shape {
             Shape::Number => vec![],
             Shape::Vector(length) => vec![length],
@@ -244,7 +239,10 @@ impl Context<'_> {
         for (index, length) in indices.iter().zip(lengths) {
             if literal(index).is_none() {
                 let place = self.index(index)?;
-                premises.add(integer_relation(format!("1 <= {} <= {length}", plain(&place))));
+                premises.add(integer_relation(format!(
+                    "1 <= {} <= {length}",
+                    plain(&place)
+                )));
             }
         }
         Ok(())
