@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 11] = [
+pub const LIBRARY: [(&str, &str); 12] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -39,5 +39,9 @@ pub const LIBRARY: [(&str, &str); 11] = [
     (
         "Torse/Stages.v",
         include_str!("../../../proofs/Torse/Stages.v"),
+    ),
+    (
+        "Torse/Consequences.v",
+        include_str!("../../../proofs/Torse/Consequences.v"),
     ),
 ];

@@ -8,6 +8,9 @@
 //! | inequality, enclosure | `ordered` | enclosures of closed numbers by rational arithmetic; linear and polynomial arithmetic |
 //! | witness | `refuting` | the statement at the witness, which computes to something false |
 //! | a denial | `refuting` | the denied statement at values that are different enough |
+//! | any of these, with splines | `apart` | integers with few values one after the other, then as above |
+//!
+//! Where that finds no proof, there are [`OTHERS`]: which script proves a theorem is found out by trying, and is kept.
 //!
 //! Every theorem with premises has a second one, `met`: values at which all premises are true.
 
@@ -26,19 +29,39 @@ pub struct Script {
     pub tactics: String,
 }
 
-/// The theorems of a goal with their scripts.
+/// The tactics that are tried where the one that the verdict names finds no proof: the conclusion as a combination of the
+/// hypotheses, and as what they determine.
+pub const OTHERS: [&str; 2] = ["combined", "determined"];
+
+/// The theorems of a goal with their scripts, of which the other tactics have more: 0 is the one that the verdict names, 1 the
+/// first of [`OTHERS`]. None where there is no such script.
 #[must_use]
-pub fn scripts(goal: &Goal) -> Vec<Script> {
-    let names: Vec<&str> = goal
-        .proposition
-        .definitions
-        .iter()
-        .map(|(name, _)| name.as_str())
-        .collect();
-    let open = |what: &str| match names.is_empty() {
-        true => format!("cbv beta zeta delta [{what}]"),
-        false => format!("cbv beta zeta delta [{what} {}]", names.join(" ")),
+pub fn scripts(goal: &Goal, which: usize) -> Option<Vec<Script>> {
+    let Some(place) = which.checked_sub(1) else {
+        return Some(first_scripts(goal));
     };
+    let other = OTHERS.get(place)?;
+    let mut scripts = first_scripts(goal);
+    let proved = scripts
+        .first_mut()
+        .filter(|s| s.name == "proved" && !denies(goal))?;
+    proved.tactics = match staged(goal) {
+        Some(stages) => format!("cbv beta zeta delta [statement]; {stages}{other}"),
+        None => format!("{}; {other}", open(goal, "statement")),
+    };
+    Some(scripts)
+}
+
+/// Opens a proposition and all that it is defined by.
+fn open(goal: &Goal, what: &str) -> String {
+    let definitions = goal.proposition.definitions.iter();
+    let names: String = definitions.map(|(name, _)| format!(" {name}")).collect();
+    format!("cbv beta zeta delta [{what}{names}]")
+}
+
+/// The theorems of a goal with the scripts that the verdict names.
+fn first_scripts(goal: &Goal) -> Vec<Script> {
+    let open = |what: &str| open(goal, what);
     let Some(tactic) = emitter(goal) else {
         let tactics = format!("intro no; {} in no; {}", open("statement"), refuting(goal));
         return vec![Script {
@@ -54,6 +77,7 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
         .map(|unknown| format!("unknown {unknown}; "));
     let tactics = match goal.given {
         _ if denies(goal) => format!("{}; {}", open("statement"), denied(goal, tactic)),
+        0 if counts(goal) => format!("{}; apart; {tactic}", open("statement")),
         0 => match staged(goal).filter(|_| tactic == "identity") {
             Some(stages) => format!("cbv beta zeta delta [statement]; {stages}{tactic}"),
             None => format!("{}; {tactic}", open("statement")),
@@ -102,6 +126,12 @@ fn staged(goal: &Goal) -> Option<String> {
     ))
 }
 
+/// Whether a basis is defined by a step that depends on the index: everything computes once integers have values.
+fn counts(goal: &Goal) -> bool {
+    let mut definitions = goal.proposition.definitions.iter();
+    definitions.any(|(_, text)| text.contains("\n  counted "))
+}
+
 /// Whether a denial is said, which is a claim of its own about the whole domain.
 fn denies(goal: &Goal) -> bool {
     goal.proposition.conclusion.text().contains("~ (forall ")
@@ -127,21 +157,22 @@ fn emitter(goal: &Goal) -> Option<&'static str> {
         (Role::Refuted, _) => None,
         (_, Evidence::Inequality | Evidence::Enclosure) => Some("ordered"),
         (_, Evidence::Induction) => Some("symbolic"),
+        _ if counts(goal) => Some("identity"),
         _ if integers => Some("symbolic"),
         _ => Some("identity"),
     }
 }
 
-/// The module of proofs of a goal.
+/// The module of proofs of a goal, with these scripts.
 #[must_use]
-pub fn module(folder: &str, section: &str, goal: &Goal) -> String {
+pub fn module(folder: &str, section: &str, goal: &Goal, scripts: &[Script]) -> String {
     let module = &goal.module;
     let mut text = format!("\nModule {module}.\nImport {folder}.{section}.{module}.\n");
     for Script {
         name,
         says,
         tactics,
-    } in scripts(goal)
+    } in scripts
     {
         text.push_str(&format!(
             "Theorem {name} : {says}.\nProof. {tactics}. Qed.\n"
