@@ -41,13 +41,35 @@ Ltac consequence := lazymatch goal with
   | |- agrees_down _ _ _ => rounded
   | |- _ => order1
   end.
-Ltac combined := prepared; rewriting; members; parts; consequence.
+(* what holds near a point holds at the point *)
+Ltac pointwise := cbv zeta; intros; repeat match goal with
+  | H : locally ?p ?P |- _ => apply locally_singleton in H; cbv beta in H
+  end; repeat match goal with x : _ |- _ => revert x end.
+Ltac combined := pointwise; prepared; rewriting; members; parts; consequence.
 
 (* the sides of the conclusion are unknowns that the hypotheses determine *)
 Ltac concluded := repeat match goal with
   | |- context [@eq R (?P ?i) _] => is_var P; lazymatch type of P with Z -> R => unknown (P i) end
   end.
-Ltac determined := prepared; concluded; finished.
+Ltac determined := pointwise; prepared; concluded; finished.
+
+(* derivatives at points that are numbers are brought into their normal form one after the other *)
+Ltac simplified := match goal with |- ?t = ?v => let n := fresh in set (n := v);
+  first [ field_simplify; [subst n; reflexivity | nonzero..] | subst n; reflexivity ] end.
+Ltac closed_derivative := match goal with
+  | |- context [Derive_n ?f ?n ?p] =>
+      let q := rat p in
+      let e := reify f in
+      let v := opened (ev (dxn n e) p) in
+      let E := fresh in eassert (E : v = _) by (special; simplified);
+      match type of E with _ = ?w => replace (Derive_n f n p) with w
+        by (rewrite <- E; symmetry; apply (derive_as f e n p);
+            [ reified | cbv beta iota delta [ok ev]; repeat split; nonzero ]) end; clear E
+  | |- context [Derive_n ?f ?n ?p] =>
+      erewrite (Derive_n_ext f _ n p);
+      [|let y := fresh "y" in intro y; progress (repeat closed_derivative); reflexivity]
+  end.
+Ltac at_points := pointwise; computed; orders; repeat closed_derivative; combined.
 
 (* ---- integers with few values, one after the other ---- *)
 Lemma first_value a b i : (a <= i <= b)%Z -> i = a \/ (a + 1 <= i <= b)%Z.

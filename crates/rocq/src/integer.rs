@@ -80,6 +80,9 @@ impl Context<'_> {
                 _ => None,
             },
             Node::Variable(variable) => {
+                if let Some(number) = self.known(term) {
+                    return Some(Code::rational(&rational::integer(number)));
+                }
                 let local = self.local(variable).ok()?;
                 (local.kind == Kind::Integer).then(|| local.code.clone())
             }

@@ -30,8 +30,8 @@ pub struct Script {
 }
 
 /// The tactics that are tried where the one that the verdict names finds no proof: the conclusion as a combination of the
-/// hypotheses, and as what they determine.
-pub const OTHERS: [&str; 2] = ["combined", "determined"];
+/// hypotheses, as what they determine, and as a combination with derivatives at numbers in their normal form.
+pub const OTHERS: [&str; 3] = ["combined", "determined", "at_points"];
 
 /// The theorems of a goal with their scripts, of which the other tactics have more: 0 is the one that the verdict names, 1 the
 /// first of [`OTHERS`]. None where there is no such script.
