@@ -41,8 +41,13 @@ Ltac consequence := lazymatch goal with
   | |- agrees_down _ _ _ => rounded
   | |- _ => order1
   end.
+(* what holds for each of some integers without naming it *)
+Ltac constants := repeat match goal with
+  | H : forall i : Z, (?a <= i <= ?b)%Z -> ?P |- _ =>
+      let K := fresh in assert (K : P) by (apply (H a); lia); clear H
+  end.
 (* what holds near a point holds at the point *)
-Ltac pointwise := cbv zeta; intros; repeat match goal with
+Ltac pointwise := cbv zeta; intros; constants; repeat match goal with
   | H : locally ?p ?P |- _ => apply locally_singleton in H; cbv beta in H
   end; repeat match goal with x : _ |- _ => revert x end.
 Ltac combined := pointwise; prepared; rewriting; members; parts; consequence.
@@ -78,4 +83,4 @@ Ltac values H := apply first_value in H; destruct H as [H | H];
   [ match type of H with ?v = _ => subst v end | first [ exfalso; clear -H; lia | values H ] ].
 Ltac apart := intros; repeat match goal with
   | H : (?a <= ?i <= ?b)%Z |- _ => is_var i; closed_integer a; closed_integer b; values H
-  end; repeat match goal with x : _ |- _ => revert x end.
+  end; constants; repeat match goal with x : _ |- _ => revert x end.
