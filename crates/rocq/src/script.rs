@@ -94,10 +94,16 @@ fn first_scripts(goal: &Goal) -> Vec<Script> {
         tactics,
     }];
     if !goal.proposition.premises.is_empty() {
-        let points: Vec<String> = [Choice::Generic, Choice::Zero, Choice::Varied, Choice::Same]
-            .iter()
-            .map(|choice| format!("({}met)", exists(&point(goal, *choice))))
-            .collect();
+        let points: Vec<String> = [
+            Choice::Generic,
+            Choice::Zero,
+            Choice::Varied,
+            Choice::Same,
+            Choice::Axes,
+        ]
+        .iter()
+        .map(|choice| format!("({}met)", exists(&point(goal, *choice))))
+        .collect();
         let tactics = format!("{}; first [{}]", open("instance"), points.join(" | "));
         scripts.push(Script {
             name: "met",
