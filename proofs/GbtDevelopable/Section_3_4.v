@@ -579,3 +579,191 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + nu) + PI ^ 2 * (1 - mu) <> 0 /\
   2 * (IZR k - 2) + PI * (1 + nu) <> 0.
 End sec_3_4_m1_r3_true.
+
+Module sec_3_4_S0.
+(* gbt-developable/sec-3.4.S0, Sect. 3.4, last paragraph
+   printed: the intersection of the control planes Q_0, Q_1, Q_2 is the characteristic point S(0) of the spine curve developable GBT-Bézier surfaces
+   read as: S(0) is the common point of the three planes (3.9) at x = 0.
+   stated: meet(T[0], T[1], T[2]) == meet(HT(0), HT'(0), HT''(0)) *)
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
+Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
+Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
+  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
+Definition statement : Prop :=
+forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= 0 <= k)%Z ->
+  (0 <= 1 <= k)%Z ->
+  (0 <= 2 <= k)%Z ->
+  det [normal (T 0%Z); normal (T 1%Z); normal (T 2%Z)] <> 0 ->
+  det [normal (HT T k mu nu 0%Z); normal (let x := 0%Z in vDerive 4 (fun x_ => HT_ T k mu nu x_) 1 (IZR x)); normal (let x_ := 0%Z in vDerive 4 (fun x__ => HT_ T k mu nu x__) 2 (IZR x_))] <> 0 ->
+  entry (T 0%Z) 1 * entry (T 1%Z) 2 * entry (T 2%Z) 3 - entry (T 0%Z) 1 * entry (T 1%Z) 3 * entry (T 2%Z) 2 - entry (T 0%Z) 2 * entry (T 1%Z) 1 * entry (T 2%Z) 3 + entry (T 0%Z) 2 * entry (T 1%Z) 3 * entry (T 2%Z) 1 + entry (T 0%Z) 3 * entry (T 1%Z) 1 * entry (T 2%Z) 2 - entry (T 0%Z) 3 * entry (T 1%Z) 2 * entry (T 2%Z) 1 <> 0 ->
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + mu) + PI ^ 2 * (1 - nu) <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + mu) <> 0 ->
+  meet (T 0%Z) (T 1%Z) (T 2%Z) = meet (HT T k mu nu 0%Z) (let x__ := 0%Z in vDerive 4 (fun x___ => HT_ T k mu nu x___) 1 (IZR x__)) (let x___ := 0%Z in vDerive 4 (fun x____ => HT_ T k mu nu x____) 2 (IZR x___)).
+Definition instance : Prop :=
+exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= 0 <= k)%Z /\
+  (0 <= 1 <= k)%Z /\
+  (0 <= 2 <= k)%Z /\
+  det [normal (T 0%Z); normal (T 1%Z); normal (T 2%Z)] <> 0 /\
+  det [normal (HT T k mu nu 0%Z); normal (let x := 0%Z in vDerive 4 (fun x_ => HT_ T k mu nu x_) 1 (IZR x)); normal (let x_ := 0%Z in vDerive 4 (fun x__ => HT_ T k mu nu x__) 2 (IZR x_))] <> 0 /\
+  entry (T 0%Z) 1 * entry (T 1%Z) 2 * entry (T 2%Z) 3 - entry (T 0%Z) 1 * entry (T 1%Z) 3 * entry (T 2%Z) 2 - entry (T 0%Z) 2 * entry (T 1%Z) 1 * entry (T 2%Z) 3 + entry (T 0%Z) 2 * entry (T 1%Z) 3 * entry (T 2%Z) 1 + entry (T 0%Z) 3 * entry (T 1%Z) 1 * entry (T 2%Z) 2 - entry (T 0%Z) 3 * entry (T 1%Z) 2 * entry (T 2%Z) 1 <> 0 /\
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + mu) + PI ^ 2 * (1 - nu) <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + mu) <> 0.
+End sec_3_4_S0.
+
+Module sec_3_4_S0_gen.
+(* gbt-developable/sec-3.4.S0-gen, Sect. 3.4, last paragraph
+   printed: [S(0)] occurs on the starting generator V(x2, 0; μ, ν)
+   read as: The starting generator is the line of the planes H(0) and H'(0); H'(0) is divided by its factor k − 2 + π/2 (1 + μ), which has to differ from zero for the line to be there.
+   stated: dot(normal(HT(0)), S0) == HT(0)[4] and dot(normal(HT'(0)/kappa), S0) == HT'(0)[4]/kappa *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition kappa (k : Z) (mu : R) : R :=
+  IZR k - 2 + PI / 2 * (1 + mu).
+Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
+Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
+  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
+Definition S0 (T : Z -> list R) : list R :=
+  meet (T 0%Z) (T 1%Z) (T 2%Z).
+Definition statement : Prop :=
+forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= 0 <= k)%Z ->
+  (0 <= 1 <= k)%Z ->
+  (0 <= 2 <= k)%Z ->
+  det [normal (T 0%Z); normal (T 1%Z); normal (T 2%Z)] <> 0 ->
+  kappa k mu <> 0 ->
+  entry (T 0%Z) 1 * entry (T 1%Z) 2 * entry (T 2%Z) 3 - entry (T 0%Z) 1 * entry (T 1%Z) 3 * entry (T 2%Z) 2 - entry (T 0%Z) 2 * entry (T 1%Z) 1 * entry (T 2%Z) 3 + entry (T 0%Z) 2 * entry (T 1%Z) 3 * entry (T 2%Z) 1 + entry (T 0%Z) 3 * entry (T 1%Z) 1 * entry (T 2%Z) 2 - entry (T 0%Z) 3 * entry (T 1%Z) 2 * entry (T 2%Z) 1 <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + mu) <> 0 ->
+  dot (normal (HT T k mu nu 0%Z)) (S0 T) = entry (HT T k mu nu 0%Z) 4 /\ dot (normal (vdiv (let x_ := 0%Z in vDerive 4 (fun x__ => HT_ T k mu nu x__) 1 (IZR x_)) (kappa k mu))) (S0 T) = entry (let x__ := 0%Z in vDerive 4 (fun x___ => HT_ T k mu nu x___) 1 (IZR x__)) 4 / kappa k mu.
+Definition instance : Prop :=
+exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= 0 <= k)%Z /\
+  (0 <= 1 <= k)%Z /\
+  (0 <= 2 <= k)%Z /\
+  det [normal (T 0%Z); normal (T 1%Z); normal (T 2%Z)] <> 0 /\
+  kappa k mu <> 0 /\
+  entry (T 0%Z) 1 * entry (T 1%Z) 2 * entry (T 2%Z) 3 - entry (T 0%Z) 1 * entry (T 1%Z) 3 * entry (T 2%Z) 2 - entry (T 0%Z) 2 * entry (T 1%Z) 1 * entry (T 2%Z) 3 + entry (T 0%Z) 2 * entry (T 1%Z) 3 * entry (T 2%Z) 1 + entry (T 0%Z) 3 * entry (T 1%Z) 1 * entry (T 2%Z) 2 - entry (T 0%Z) 3 * entry (T 1%Z) 2 * entry (T 2%Z) 1 <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + mu) <> 0.
+End sec_3_4_S0_gen.
+
+Module sec_3_4_S1.
+(* gbt-developable/sec-3.4.S1, Sect. 3.4, last paragraph
+   printed: the characteristic point S(1) of the spine curve ... can be achieved from the intersection of the control planes Q_{k−2}, Q_{k−1}, Q_k of expression (3.12)
+   read as: S(1) is the common point of the three planes (3.9) at x = 1.
+   stated: meet(T[k-2], T[k-1], T[k]) == meet(HT(1), HT'(1), HT''(1)) *)
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
+Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
+Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
+  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
+Definition statement : Prop :=
+forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= k - 2 <= k)%Z ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= k <= k)%Z ->
+  det [normal (T (k - 2)%Z); normal (T (k - 1)%Z); normal (T k)] <> 0 ->
+  det [normal (HT T k mu nu 1%Z); normal (let x := 1%Z in vDerive 4 (fun x_ => HT_ T k mu nu x_) 1 (IZR x)); normal (let x_ := 1%Z in vDerive 4 (fun x__ => HT_ T k mu nu x__) 2 (IZR x_))] <> 0 ->
+  entry (T (k - 2)%Z) 1 * entry (T (k - 1)%Z) 2 * entry (T k) 3 - entry (T (k - 2)%Z) 1 * entry (T (k - 1)%Z) 3 * entry (T k) 2 - entry (T (k - 2)%Z) 2 * entry (T (k - 1)%Z) 1 * entry (T k) 3 + entry (T (k - 2)%Z) 2 * entry (T (k - 1)%Z) 3 * entry (T k) 1 + entry (T (k - 2)%Z) 3 * entry (T (k - 1)%Z) 1 * entry (T k) 2 - entry (T (k - 2)%Z) 3 * entry (T (k - 1)%Z) 2 * entry (T k) 1 <> 0 ->
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + nu) + PI ^ 2 * (1 - mu) <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + nu) <> 0 ->
+  meet (T (k - 2)%Z) (T (k - 1)%Z) (T k) = meet (HT T k mu nu 1%Z) (let x__ := 1%Z in vDerive 4 (fun x___ => HT_ T k mu nu x___) 1 (IZR x__)) (let x___ := 1%Z in vDerive 4 (fun x____ => HT_ T k mu nu x____) 2 (IZR x___)).
+Definition instance : Prop :=
+exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= k - 2 <= k)%Z /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= k <= k)%Z /\
+  det [normal (T (k - 2)%Z); normal (T (k - 1)%Z); normal (T k)] <> 0 /\
+  det [normal (HT T k mu nu 1%Z); normal (let x := 1%Z in vDerive 4 (fun x_ => HT_ T k mu nu x_) 1 (IZR x)); normal (let x_ := 1%Z in vDerive 4 (fun x__ => HT_ T k mu nu x__) 2 (IZR x_))] <> 0 /\
+  entry (T (k - 2)%Z) 1 * entry (T (k - 1)%Z) 2 * entry (T k) 3 - entry (T (k - 2)%Z) 1 * entry (T (k - 1)%Z) 3 * entry (T k) 2 - entry (T (k - 2)%Z) 2 * entry (T (k - 1)%Z) 1 * entry (T k) 3 + entry (T (k - 2)%Z) 2 * entry (T (k - 1)%Z) 3 * entry (T k) 1 + entry (T (k - 2)%Z) 3 * entry (T (k - 1)%Z) 1 * entry (T k) 2 - entry (T (k - 2)%Z) 3 * entry (T (k - 1)%Z) 2 * entry (T k) 1 <> 0 /\
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + nu) + PI ^ 2 * (1 - mu) <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + nu) <> 0.
+End sec_3_4_S1.
+
+Module sec_3_4_S1_gen.
+(* gbt-developable/sec-3.4.S1-gen, Sect. 3.4, last paragraph
+   printed: [S(1)] lies on ending generator V(x2, 1; μ, ν)
+   read as: The ending generator is the line of the planes H(1) and H'(1); H'(1) is divided by its factor k − 2 + π/2 (1 + ν), which has to differ from zero for the line to be there.
+   stated: dot(normal(HT(1)), S1) == HT(1)[4] and dot(normal(HT'(1)/kappa), S1) == HT'(1)[4]/kappa *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition kappa (k : Z) (nu : R) : R :=
+  IZR k - 2 + PI / 2 * (1 + nu).
+Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
+Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
+  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
+Definition S1 (T : Z -> list R) (k : Z) : list R :=
+  meet (T (k - 2)%Z) (T (k - 1)%Z) (T k).
+Definition statement : Prop :=
+forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= k - 2 <= k)%Z ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= k <= k)%Z ->
+  det [normal (T (k - 2)%Z); normal (T (k - 1)%Z); normal (T k)] <> 0 ->
+  kappa k nu <> 0 ->
+  entry (T (k - 2)%Z) 1 * entry (T (k - 1)%Z) 2 * entry (T k) 3 - entry (T (k - 2)%Z) 1 * entry (T (k - 1)%Z) 3 * entry (T k) 2 - entry (T (k - 2)%Z) 2 * entry (T (k - 1)%Z) 1 * entry (T k) 3 + entry (T (k - 2)%Z) 2 * entry (T (k - 1)%Z) 3 * entry (T k) 1 + entry (T (k - 2)%Z) 3 * entry (T (k - 1)%Z) 1 * entry (T k) 2 - entry (T (k - 2)%Z) 3 * entry (T (k - 1)%Z) 2 * entry (T k) 1 <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + nu) <> 0 ->
+  dot (normal (HT T k mu nu 1%Z)) (S1 T k) = entry (HT T k mu nu 1%Z) 4 /\ dot (normal (vdiv (let x_ := 1%Z in vDerive 4 (fun x__ => HT_ T k mu nu x__) 1 (IZR x_)) (kappa k nu))) (S1 T k) = entry (let x__ := 1%Z in vDerive 4 (fun x___ => HT_ T k mu nu x___) 1 (IZR x__)) 4 / kappa k nu.
+Definition instance : Prop :=
+exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= k - 2 <= k)%Z /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= k <= k)%Z /\
+  det [normal (T (k - 2)%Z); normal (T (k - 1)%Z); normal (T k)] <> 0 /\
+  kappa k nu <> 0 /\
+  entry (T (k - 2)%Z) 1 * entry (T (k - 1)%Z) 2 * entry (T k) 3 - entry (T (k - 2)%Z) 1 * entry (T (k - 1)%Z) 3 * entry (T k) 2 - entry (T (k - 2)%Z) 2 * entry (T (k - 1)%Z) 1 * entry (T k) 3 + entry (T (k - 2)%Z) 2 * entry (T (k - 1)%Z) 3 * entry (T k) 1 + entry (T (k - 2)%Z) 3 * entry (T (k - 1)%Z) 1 * entry (T k) 2 - entry (T (k - 2)%Z) 3 * entry (T (k - 1)%Z) 2 * entry (T k) 1 <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + nu) <> 0.
+End sec_3_4_S1_gen.
