@@ -17,6 +17,14 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement s S_] in no; refuting (no 0 0 0 (0) (0) (1) 0 0 0 0 0 0 (0) (1) (0) (1) (1) (0) (0)). Qed.
 End regression_tangent_slip.
 
+Module planes_edge.
+Import Torses.Part_Edge.planes_edge.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement W edge]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance W edge]; first [(exists (2), (3), (4), 5, 6, 7, 8, 9, 10, 11, 12, 13, (14), 15, 16, 17; met) | (exists (0), (0), (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, 0, 0; met) | (exists (13), (8), (8), 6, 8, 7, 9, 7, 7, 2, 11, 1, (4), 13, 8, 8; met) | (exists (1), (1), (1), 7, 9, 7, 7, 9, 7, 7, 9, 7, (1), 8, 6, 8; met) | (exists (1), (0), (0), 1, 0, 0, 0, 1, 0, 0, 0, 1, (0), 1, 0, 0; met)]. Qed.
+End planes_edge.
+
 Module planes_edge_in.
 Import Torses.Part_Edge.planes_edge_in.
 Theorem proved : statement.
