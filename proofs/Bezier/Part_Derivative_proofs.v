@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Bezier Require Part_Derivative.
 Open Scope R_scope.
 
@@ -14,5 +14,5 @@ Import Bezier.Part_Derivative.bernstein_derivative_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance B]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End bernstein_derivative_slip_corrected.

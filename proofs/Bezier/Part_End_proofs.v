@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Bezier Require Part_End.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Bezier.Part_End.curve_ends.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B C_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3); met) | (exists (3)%Z, (fun _ => 0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z); met) | (exists (3)%Z, (fun _ => 1); met)]. Qed.
+Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3); met) | (exists (3)%Z, (fun _ => 0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z); met) | (exists (3)%Z, (fun _ => 1); met) | (exists (3)%Z, (fun _ => 0); met)]. Qed.
 End curve_ends.
 
 Module curve_d1.
@@ -16,7 +16,7 @@ Import Bezier.Part_End.curve_d1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B C_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3); met) | (exists (3)%Z, (fun _ => 0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z); met) | (exists (3)%Z, (fun _ => 1); met)]. Qed.
+Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3); met) | (exists (3)%Z, (fun _ => 0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z); met) | (exists (3)%Z, (fun _ => 1); met) | (exists (3)%Z, (fun _ => 0); met)]. Qed.
 End curve_d1.
 
 Module curve_d2.
@@ -24,7 +24,7 @@ Import Bezier.Part_End.curve_d2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B C_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3); met) | (exists (3)%Z, (fun _ => 0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z); met) | (exists (3)%Z, (fun _ => 1); met)]. Qed.
+Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3); met) | (exists (3)%Z, (fun _ => 0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z); met) | (exists (3)%Z, (fun _ => 1); met) | (exists (3)%Z, (fun _ => 0); met)]. Qed.
 End curve_d2.
 
 Module curve_d2_slip.
@@ -38,7 +38,7 @@ Import Bezier.Part_End.curve_d2_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B C_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3); met) | (exists (3)%Z, (fun _ => 0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z); met) | (exists (3)%Z, (fun _ => 1); met)]. Qed.
+Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3); met) | (exists (3)%Z, (fun _ => 0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z); met) | (exists (3)%Z, (fun _ => 1); met) | (exists (3)%Z, (fun _ => 0); met)]. Qed.
 End curve_d2_slip_corrected.
 
 Module curve_d3.
@@ -46,7 +46,7 @@ Import Bezier.Part_End.curve_d3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B C_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3); met) | (exists (3)%Z, (fun _ => 0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z); met) | (exists (3)%Z, (fun _ => 1); met)]. Qed.
+Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3); met) | (exists (3)%Z, (fun _ => 0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z); met) | (exists (3)%Z, (fun _ => 1); met) | (exists (3)%Z, (fun _ => 0); met)]. Qed.
 End curve_d3.
 
 Module trigonometric_d1.
@@ -54,7 +54,7 @@ Import Bezier.Part_End.trigonometric_d1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement T F]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance T F]; first [(exists (fun _ => 2), ((-1)), ((-1)); met) | (exists (fun _ => 0), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((-1)), ((-1)); met) | (exists (fun _ => 1), ((-1)), ((-1)); met)]. Qed.
+Proof. cbv beta zeta delta [instance T F]; first [(exists (fun _ => 2), ((-1)), ((-1)); met) | (exists (fun _ => 0), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((-1)), ((-1)); met) | (exists (fun _ => 1), ((-1)), ((-1)); met) | (exists (fun _ => 0), ((-1)), ((-1)); met)]. Qed.
 End trigonometric_d1.
 
 Module trigonometric_d1_slip.
@@ -68,7 +68,7 @@ Import Bezier.Part_End.trigonometric_d1_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement T F]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance T F]; first [(exists (fun _ => 2), ((-1)), ((-1)); met) | (exists (fun _ => 0), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((-1)), ((-1)); met) | (exists (fun _ => 1), ((-1)), ((-1)); met)]. Qed.
+Proof. cbv beta zeta delta [instance T F]; first [(exists (fun _ => 2), ((-1)), ((-1)); met) | (exists (fun _ => 0), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((-1)), ((-1)); met) | (exists (fun _ => 1), ((-1)), ((-1)); met) | (exists (fun _ => 0), ((-1)), ((-1)); met)]. Qed.
 End trigonometric_d1_slip_corrected.
 
 Module trigonometric_d2.
@@ -76,5 +76,5 @@ Import Bezier.Part_End.trigonometric_d2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement T F]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance T F]; first [(exists (fun _ => 2), ((-1)), ((-1)); met) | (exists (fun _ => 0), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((-1)), ((-1)); met) | (exists (fun _ => 1), ((-1)), ((-1)); met)]. Qed.
+Proof. cbv beta zeta delta [instance T F]; first [(exists (fun _ => 2), ((-1)), ((-1)); met) | (exists (fun _ => 0), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((-1)), ((-1)); met) | (exists (fun _ => 1), ((-1)), ((-1)); met) | (exists (fun _ => 0), ((-1)), ((-1)); met)]. Qed.
 End trigonometric_d2.

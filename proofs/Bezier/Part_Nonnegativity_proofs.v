@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Bezier Require Part_Nonnegativity.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Bezier.Part_Nonnegativity.bernstein_nonnegative.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance B]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End bernstein_nonnegative.
 
 Module bernstein_nonnegative_slip.
@@ -22,7 +22,7 @@ Import Bezier.Part_Nonnegativity.trigonometric_nonnegative.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement T]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance T]; first [(exists ((-1)), ((-1)), (1 / 3); met) | (exists ((-1) / 2), ((-1) / 2), (1 / 2); met) | (exists ((-1)), ((-1)), (1 / 3); met) | (exists ((-1)), ((-1)), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance T]; first [(exists ((-1)), ((-1)), (1 / 3); met) | (exists ((-1) / 2), ((-1) / 2), (1 / 2); met) | (exists ((-1)), ((-1)), (1 / 3); met) | (exists ((-1)), ((-1)), (1 / 3); met) | (exists ((-1)), ((-1)), (1 / 3); met)]. Qed.
 End trigonometric_nonnegative.
 
 Module trigonometric_nonnegative_slip.

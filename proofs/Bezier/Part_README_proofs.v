@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Bezier Require Part_README.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Bezier.Part_README.language_calculus.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement E_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance E_]; first [(exists (1 / 3), (3); met) | (exists (1 / 2), (0); met) | (exists (1 / 3), (8); met) | (exists (1 / 3), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance E_]; first [(exists (1 / 3), (3); met) | (exists (1 / 2), (0); met) | (exists (1 / 3), (8); met) | (exists (1 / 3), (1); met) | (exists (1 / 3), (1); met)]. Qed.
 End language_calculus.
 
 Module language_matrices.
@@ -16,7 +16,7 @@ Import Bezier.Part_README.language_matrices.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (10); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (7); met) | (exists 1, 1, 7, 7, 2, 7, 2, 11, (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (10); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (7); met) | (exists 1, 1, 7, 7, 2, 7, 2, 11, (1); met) | (exists 0, 0, 1, 0, 0, 0, 1, 0, (1); met)]. Qed.
 End language_matrices.
 
 Module language_decimals.
@@ -30,7 +30,7 @@ Import Bezier.Part_README.language_divisor.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met) | (exists (13); met) | (exists (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met) | (exists (13); met) | (exists (1); met) | (exists (1); met)]. Qed.
 End language_divisor.
 
 Module language_degree.
@@ -38,7 +38,7 @@ Import Bezier.Part_README.language_degree.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B]; first [(exists (1)%Z, (fun _ => 3), (1 / 3); met) | (exists (1)%Z, (fun _ => 0), (1 / 2); met) | (exists (1)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (1 / 3); met) | (exists (1)%Z, (fun _ => 1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance B]; first [(exists (1)%Z, (fun _ => 3), (1 / 3); met) | (exists (1)%Z, (fun _ => 0), (1 / 2); met) | (exists (1)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (1 / 3); met) | (exists (1)%Z, (fun _ => 1), (1 / 3); met) | (exists (1)%Z, (fun _ => 0), (1 / 3); met)]. Qed.
 End language_degree.
 
 Module language_order.
@@ -46,7 +46,7 @@ Import Bezier.Part_README.language_order.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End language_order.
 
 Module language_order_false.
@@ -60,7 +60,7 @@ Import Bezier.Part_README.language_assumed.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met) | (exists (13); met) | (exists (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met) | (exists (13); met) | (exists (1); met) | (exists (1); met)]. Qed.
 End language_assumed.
 
 Module language_declared.
@@ -68,7 +68,7 @@ Import Bezier.Part_README.language_declared.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (6); met) | (exists (6); met) | (exists (6); met) | (exists (6); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (6); met) | (exists (6); met) | (exists (6); met) | (exists (6); met) | (exists (6); met)]. Qed.
 End language_declared.
 
 Module language_decimals_false.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Bezier Require Part_Reflection.
 Open Scope R_scope.
 
@@ -8,5 +8,5 @@ Import Bezier.Part_Reflection.curve_reflection.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B C_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3), (1 / 3); met) | (exists (3)%Z, (fun _ => 0), (1 / 2); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (1 / 3); met) | (exists (3)%Z, (fun _ => 1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance B C_]; first [(exists (3)%Z, (fun _ => 3), (1 / 3); met) | (exists (3)%Z, (fun _ => 0), (1 / 2); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (1 / 3); met) | (exists (3)%Z, (fun _ => 1), (1 / 3); met) | (exists (3)%Z, (fun _ => 0), (1 / 3); met)]. Qed.
 End curve_reflection.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Bezier Require Part_Symmetry.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Bezier.Part_Symmetry.bernstein_symmetry.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B]; first [(exists (0)%Z, (1)%Z, (1 / 3); met) | (exists (0)%Z, (1)%Z, (1 / 2); met) | (exists (0)%Z, (1)%Z, (1 / 3); met) | (exists (0)%Z, (1)%Z, (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance B]; first [(exists (0)%Z, (1)%Z, (1 / 3); met) | (exists (0)%Z, (1)%Z, (1 / 2); met) | (exists (0)%Z, (1)%Z, (1 / 3); met) | (exists (0)%Z, (1)%Z, (1 / 3); met) | (exists (0)%Z, (1)%Z, (1 / 3); met)]. Qed.
 End bernstein_symmetry.
 
 Module trigonometric_symmetry.
@@ -16,7 +16,7 @@ Import Bezier.Part_Symmetry.trigonometric_symmetry.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement T]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance T]; first [(exists (fun _ => 2), ((-1)), ((-1)), (1 / 3); met) | (exists (fun _ => 0), ((-1) / 2), ((-1) / 2), (1 / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((-1)), ((-1)), (1 / 3); met) | (exists (fun _ => 1), ((-1)), ((-1)), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance T]; first [(exists (fun _ => 2), ((-1)), ((-1)), (1 / 3); met) | (exists (fun _ => 0), ((-1) / 2), ((-1) / 2), (1 / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((-1)), ((-1)), (1 / 3); met) | (exists (fun _ => 1), ((-1)), ((-1)), (1 / 3); met) | (exists (fun _ => 0), ((-1)), ((-1)), (1 / 3); met)]. Qed.
 End trigonometric_symmetry.
 
 Module trigonometric_symmetry_slip.
@@ -30,5 +30,5 @@ Import Bezier.Part_Symmetry.trigonometric_symmetry_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement T]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance T]; first [(exists (fun _ => 2), ((-1)), ((-1)), (1 / 3); met) | (exists (fun _ => 0), ((-1) / 2), ((-1) / 2), (1 / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((-1)), ((-1)), (1 / 3); met) | (exists (fun _ => 1), ((-1)), ((-1)), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance T]; first [(exists (fun _ => 2), ((-1)), ((-1)), (1 / 3); met) | (exists (fun _ => 0), ((-1) / 2), ((-1) / 2), (1 / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((-1)), ((-1)), (1 / 3); met) | (exists (fun _ => 1), ((-1)), ((-1)), (1 / 3); met) | (exists (fun _ => 0), ((-1)), ((-1)), (1 / 3); met)]. Qed.
 End trigonometric_symmetry_slip_corrected.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Bezier Require Part_The.
 Open Scope R_scope.
 
@@ -32,7 +32,7 @@ Import Bezier.Part_The.circle_outside.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B kappa arc]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B kappa arc]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance B kappa arc]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End circle_outside.
 
 Module circle_exact_slip.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From GbtDevelopable Require Section_2_1.
 Open Scope R_scope.
 
@@ -180,3 +180,11 @@ Proof. cbv beta zeta delta [statement g G]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g G]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_6_d.
+
+Module thm_1_1_no_degeneration.
+Import GbtDevelopable.Section_2_1.thm_1_1_no_degeneration.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (3)%Z, ((-1) / 3), ((-1) / 3), (5); met) | (exists (3)%Z, (0), (0), (0); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3), (6); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3), (1); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3), (1); met)]. Qed.
+End thm_1_1_no_degeneration.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From GbtDevelopable Require Section_3_4.
 Open Scope R_scope.
 
@@ -115,6 +115,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H H_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_4_m0_r2.
 
+Module sec_3_4_m0_r3_true.
+Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_true.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement k1 g H H_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance k1 g H H_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End sec_3_4_m0_r3_true.
+
 Module sec_3_4_m1_r1.
 Import GbtDevelopable.Section_3_4.sec_3_4_m1_r1.
 Theorem proved : statement.
@@ -130,34 +138,6 @@ Proof. cbv beta zeta delta [statement g H H_]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H H_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_4_m1_r2.
-
-Module sec_3_4_m0_r3_c1.
-Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_c1.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g H H_ start]; formed. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H H_ start]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End sec_3_4_m0_r3_c1.
-
-Module sec_3_4_m0_r3_c2.
-Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_c2.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g H H_ start k1] in no; refuting (no ((2))%Z (fun i0 => 0) (1) (0)). Qed.
-End sec_3_4_m0_r3_c2.
-
-Module sec_3_4_m0_r3_true.
-Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_true.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement k1 g H H_]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance k1 g H H_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End sec_3_4_m0_r3_true.
-
-Module sec_3_4_m1_r3_c2.
-Import GbtDevelopable.Section_3_4.sec_3_4_m1_r3_c2.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g H H_ end_ k2] in no; refuting (no ((2))%Z (fun i0 => 0) (0) (1)). Qed.
-End sec_3_4_m1_r3_c2.
 
 Module sec_3_4_m1_r3_true.
 Import GbtDevelopable.Section_3_4.sec_3_4_m1_r3_true.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From GbtDevelopable Require Section_4_1.
 Open Scope R_scope.
 
@@ -140,3 +140,11 @@ Import GbtDevelopable.Section_4_1.ex_4_2_c1_e.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g E2_0 E2_1 E2 E2_ normal direction length2] in no; refuting (no (0) (0)). Qed.
 End ex_4_2_c1_e.
+
+Module ex_4_2_lengths.
+Import GbtDevelopable.Section_4_1.ex_4_2_lengths.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g E2_0 E2_1 E2 E2_ normal direction length2]; at_points. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g E2_0 E2_1 E2 E2_ normal direction length2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+End ex_4_2_lengths.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From GbtDevelopable Require Section_4_2.
 Open Scope R_scope.
 
@@ -32,3 +32,11 @@ Proof. cbv beta zeta delta [statement E3_0 normal E3_1 E3_2 E3_3 distance2]; ord
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance E3_0 normal E3_1 E3_2 E3_3 distance2]; first [(met) | (met) | (met) | (met)]. Qed.
 End sec_4_2_distances.
+
+Module sec_4_2_Q0.
+Import GbtDevelopable.Section_4_2.sec_4_2_Q0.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g E3_0 E3_1 E3_2 E3_3 E3 normal midpoint]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g E3_0 E3_1 E3_2 E3_3 E3 normal midpoint]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+End sec_4_2_Q0.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From GbtDevelopable Require Section_5_2.
 Open Scope R_scope.
 
@@ -17,36 +17,6 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g H1] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (1/2)). Qed.
 End sec_5_2_index.
 
-Module thm_3_consts.
-Import GbtDevelopable.Section_5_2.thm_3_consts.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement c ck cl]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance c ck cl]; first [(exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (0), (0); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
-End thm_3_consts.
-
-Module thm_3_a.
-Import GbtDevelopable.Section_5_2.thm_3_a.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g H2 H1]; prepared; unknown (P2 0%Z); finished. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H2 H1]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End thm_3_a.
-
-Module thm_3_b.
-Import GbtDevelopable.Section_5_2.thm_3_b.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ c]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); finished. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ c]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End thm_3_b.
-
-Module thm_3_necessary_surfaces.
-Import GbtDevelopable.Section_5_2.thm_3_necessary_surfaces.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_ cl c ck farin_boehm] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then (4) else if (Z.eqb i0 (2))%bool then (12) else 0) (1) (1) (1) (0) (2)). Qed.
-End thm_3_necessary_surfaces.
-
 Module eq_5_13.
 Import GbtDevelopable.Section_5_2.eq_5_13.
 Theorem proved : statement.
@@ -54,6 +24,68 @@ Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_]; prepared; unknown (P2 0%
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End eq_5_13.
+
+Module eq_5_11.
+Import GbtDevelopable.Section_5_2.eq_5_11.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_5_11.
+
+Module thm_3_consts.
+Import GbtDevelopable.Section_5_2.thm_3_consts.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement c ck cl]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance c ck cl]; first [(exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (0), (0); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_3_consts.
+
+Module thm_3_a.
+Import GbtDevelopable.Section_5_2.thm_3_a.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1]; prepared; unknown (P2 0%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_3_a.
+
+Module thm_3_b.
+Import GbtDevelopable.Section_5_2.thm_3_b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ c]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ c]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_3_b.
+
+Module thm_3_sufficient.
+Import GbtDevelopable.Section_5_2.thm_3_sufficient.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement c cl ck farin_boehm g H2 H1 H2_ H1_]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance c cl ck farin_boehm g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_3_sufficient.
+
+Module thm_3_necessary_families.
+Import GbtDevelopable.Section_5_2.thm_3_necessary_families.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ cl c ck farin_boehm]; determined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ cl c ck farin_boehm]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_3_necessary_families.
+
+Module thm_3_necessary_surfaces.
+Import GbtDevelopable.Section_5_2.thm_3_necessary_surfaces.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_ cl c ck farin_boehm] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then (4) else if (Z.eqb i0 (2))%bool then (12) else 0) (1) (1) (1) (0) (2)). Qed.
+End thm_3_necessary_surfaces.
+
+Module eq_5_15.
+Import GbtDevelopable.Section_5_2.eq_5_15.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_5_15.
 
 Module thm_3_proofref_as_numbered.
 Import GbtDevelopable.Section_5_2.thm_3_proofref_as_numbered.
@@ -66,5 +98,5 @@ Import GbtDevelopable.Section_5_2.thm_3_proofref_as_meant.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement c cl ck farin_boehm]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); unknown (P2 2%Z); finished. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance c cl ck farin_boehm]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance c cl ck farin_boehm]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_3_proofref_as_meant.

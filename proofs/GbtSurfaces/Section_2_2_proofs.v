@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From GbtSurfaces Require Section_2_2.
 Open Scope R_scope.
 
@@ -149,26 +149,6 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f F1 F F1_ F_ a1 a2 a a3_true join2 join12]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End eq_5_Q12_true.
 
-Module thm_2_3_a.
-Import GbtSurfaces.Section_2_2.thm_2_3_a.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 f F1 F] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (-1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((32 + 7*PI)/(8 + PI)) else 0) (1) (1) (1) (0)). Qed.
-End thm_2_3_a.
-
-Module thm_2_3_b.
-Import GbtSurfaces.Section_2_2.thm_2_3_b.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f F1 F F1_ F_ a1 a printed11 a2 a3 printed12] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (2*(16 + 3*PI)/(8 + PI)) else 0) (1) (1) (1) (0)). Qed.
-End thm_2_3_b.
-
-Module thm_2_3_necessary.
-Import GbtSurfaces.Section_2_2.thm_2_3_necessary.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f F1 F F1_ F_ a1 a join1 join11 a2 a3_true join2 join12]; prepared; unknown (Q1 0%Z); unknown (Q1 1%Z); unknown (Q1 2%Z); finished. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance f F1 F F1_ F_ a1 a join1 join11 a2 a3_true join2 join12]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End thm_2_3_necessary.
-
 Module eq_6_Q11.
 Import GbtSurfaces.Section_2_2.eq_6_Q11.
 Theorem proved : statement.
@@ -217,30 +197,70 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance b1]; first [(exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (0), (0); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_2_c1.
 
-Module thm_2_4_cubic.
-Import GbtSurfaces.Section_2_2.thm_2_4_cubic.
+Module thm_2_2.
+Import GbtSurfaces.Section_2_2.thm_2_2.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement b1 f F1]; formed. Qed.
+Proof. cbv beta zeta delta [statement f F1 F a printed11]; combined. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance b1 f F1]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), (1); met) | (exists (3)%Z, (fun _ => 0), (0), (1); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), (1); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), (1); met)]. Qed.
-End thm_2_4_cubic.
+Proof. cbv beta zeta delta [instance f F1 F a printed11]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_2.
 
-Module thm_2_a1.
-Import GbtSurfaces.Section_2_2.thm_2_a1.
+Module thm_2_3_a.
+Import GbtSurfaces.Section_2_2.thm_2_3_a.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 f F1 F] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (-1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((32 + 7*PI)/(8 + PI)) else 0) (1) (1) (1) (0)). Qed.
+End thm_2_3_a.
+
+Module thm_2_3_b.
+Import GbtSurfaces.Section_2_2.thm_2_3_b.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement f F1 F F1_ F_ a1 a printed11 a2 a3 printed12] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (2*(16 + 3*PI)/(8 + PI)) else 0) (1) (1) (1) (0)). Qed.
+End thm_2_3_b.
+
+Module thm_2_3_true.
+Import GbtSurfaces.Section_2_2.thm_2_3_true.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f F1]; formed. Qed.
+Proof. cbv beta zeta delta [statement f F1 F a1 a2]; combined. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f F1]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End thm_2_a1.
+Proof. cbv beta zeta delta [instance f F1 F a1 a2]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_3_true.
 
-Module thm_2_b2.
-Import GbtSurfaces.Section_2_2.thm_2_b2.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f F] in no; refuting (no ((3))%Z (fun i0 => 0) (0) (1)). Qed.
-End thm_2_b2.
+Module thm_2_3_iff.
+Import GbtSurfaces.Section_2_2.thm_2_3_iff.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a join1 join11 a1 f F1 F a2 a3_true join2 join12]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a join1 join11 a1 f F1 F a2 a3_true join2 join12]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_3_iff.
 
-Module thm_2_b3.
-Import GbtSurfaces.Section_2_2.thm_2_b3.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f F1 c1] in no; refuting (no ((3))%Z (fun i0 => 0) (1) (1)). Qed.
-End thm_2_b3.
+Module thm_2_3_necessary.
+Import GbtSurfaces.Section_2_2.thm_2_3_necessary.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F1 F F1_ F_ a1 a join1 join11 a2 a3_true join2 join12]; prepared; unknown (Q1 0%Z); unknown (Q1 1%Z); unknown (Q1 2%Z); finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F1 F F1_ F_ a1 a join1 join11 a2 a3_true join2 join12]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_3_necessary.
+
+Module thm_2_3_sufficient.
+Import GbtSurfaces.Section_2_2.thm_2_3_sufficient.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a join1 join11 a1 a2 a3_true join2 join12 f F1 F]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a join1 join11 a1 a2 a3_true join2 join12 f F1 F]; first [(exists (3)%Z, (4)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (4)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (4)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (4)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (4)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_3_sufficient.
+
+Module thm_2_3_jump.
+Import GbtSurfaces.Section_2_2.thm_2_3_jump.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a join1 join11 a1 a2 a3 printed12 f F1 F a3_true]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a join1 join11 a1 a2 a3 printed12 f F1 F a3_true]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_3_jump.
+
+Module thm_2_3_when.
+Import GbtSurfaces.Section_2_2.thm_2_3_when.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a a1 a3_true a3]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a a1 a3_true a3]; first [(exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1); met) | (exists (3)%Z, (3)%Z, (0), (0), (1); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1); met)]. Qed.
+End thm_2_3_when.

@@ -629,3 +629,274 @@ Definition T2 : list (list R) :=
 Definition statement : Prop :=
   row T1 4 = row T2 1 /\ mvec T1 [0; 0; 1] = [0; 0; 0; 0] /\ mvec T2 [0; 0; 1] = [0; 0; 0; 0].
 End ex_3_5_trajectories.
+
+Module ex_3_5_c1_sections.
+(* gbt-surfaces/ex-3.5.c1-sections, Sect. 3.5, Example 3.5, last sentence (C1, section curves)
+   printed: Figure 19 and Fig. 20 depict the composite curves of two contiguous GBT-Bézier swept surfaces with different shape parameters which can be connected by C1 and C2 continuity constraints, respectively.
+   read as: There are admissible shape parameters: mu_1 of the second section from nu of the first.
+   stated: gap(S1, S2, 0) == 0 and mu1 == nu and -1 <= mu1 and mu1 <= 1 *)
+Definition S1 : list (list R) :=
+  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
+Definition S2 : list (list R) :=
+  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
+  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
+Definition statement : Prop :=
+forall (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) ->
+  gap mu mu1 nu nu1 S1 S2 1%Z = zeros 3 ->
+  gap mu mu1 nu nu1 S1 S2 0%Z = zeros 3 /\ mu1 = nu /\ - 1 <= mu1 /\ mu1 <= 1.
+Definition instance : Prop :=
+exists (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) /\
+  gap mu mu1 nu nu1 S1 S2 1%Z = zeros 3.
+End ex_3_5_c1_sections.
+
+Module ex_3_5_c1_trajectories.
+(* gbt-surfaces/ex-3.5.c1-trajectories, Sect. 3.5, Example 3.5, last sentence (C1, trajectory curves)
+   printed: Figure 19 and Fig. 20 depict the composite curves of two contiguous GBT-Bézier swept surfaces with different shape parameters which can be connected by C1 and C2 continuity constraints, respectively.
+   read as: There are admissible shape parameters: mu_1 of the second trajectory from nu of the first.
+   stated: gap(T1, T2, 0) == 0 and mu1 == nu and -1 <= mu1 and mu1 <= 1 *)
+Definition T1 : list (list R) :=
+  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
+Definition T2 : list (list R) :=
+  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
+  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
+Definition statement : Prop :=
+forall (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) ->
+  gap mu mu1 nu nu1 T1 T2 1%Z = zeros 3 ->
+  gap mu mu1 nu nu1 T1 T2 0%Z = zeros 3 /\ mu1 = nu /\ - 1 <= mu1 /\ mu1 <= 1.
+Definition instance : Prop :=
+exists (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) /\
+  gap mu mu1 nu nu1 T1 T2 1%Z = zeros 3.
+End ex_3_5_c1_trajectories.
+
+Module ex_3_5_c2_sections.
+(* gbt-surfaces/ex-3.5.c2-sections, Sect. 3.5, Example 3.5, last sentence (C2, section curves)
+   printed: Figure 19 and Fig. 20 depict the composite curves of two contiguous GBT-Bézier swept surfaces with different shape parameters which can be connected by C1 and C2 continuity constraints, respectively.
+   read as: There are admissible shape parameters: mu_1, nu and nu_1 from the conditions for C1 and C2, for any mu.
+   stated: gap(S1, S2, 0) == 0 and nu == -2/(2 + pi) and mu1 == nu and -1 <= nu and nu <= 1 and nu1 == mu and -1 <= nu1 and nu1 <= 1 *)
+Definition S1 : list (list R) :=
+  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
+Definition S2 : list (list R) :=
+  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
+  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
+Definition statement : Prop :=
+forall (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (-1) <= mu <= 1 ->
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) ->
+  gap mu mu1 nu nu1 S1 S2 1%Z = zeros 3 ->
+  gap mu mu1 nu nu1 S1 S2 2%Z = zeros 3 ->
+  2 + PI <> 0 ->
+  gap mu mu1 nu nu1 S1 S2 0%Z = zeros 3 /\ nu = - 2 / (2 + PI) /\ mu1 = nu /\ - 1 <= nu /\ nu <= 1 /\ nu1 = mu /\ - 1 <= nu1 /\ nu1 <= 1.
+Definition instance : Prop :=
+exists (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (-1) <= mu <= 1 /\
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) /\
+  gap mu mu1 nu nu1 S1 S2 1%Z = zeros 3 /\
+  gap mu mu1 nu nu1 S1 S2 2%Z = zeros 3 /\
+  2 + PI <> 0.
+End ex_3_5_c2_sections.
+
+Module ex_3_5_c2_trajectories.
+(* gbt-surfaces/ex-3.5.c2-trajectories, Sect. 3.5, Example 3.5, last sentence (C2, trajectory curves)
+   printed: Figure 19 and Fig. 20 depict the composite curves of two contiguous GBT-Bézier swept surfaces with different shape parameters which can be connected by C1 and C2 continuity constraints, respectively.
+   read as: There are admissible shape parameters: mu_1, nu and nu_1 from the conditions for C1 and C2, for any mu.
+   stated: gap(T1, T2, 0) == 0 and -1 <= nu and nu <= 1 and nu1 <= 1 *)
+Definition T1 : list (list R) :=
+  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
+Definition T2 : list (list R) :=
+  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
+  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
+Definition statement : Prop :=
+forall (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (-1) <= mu <= 1 ->
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) ->
+  gap mu mu1 nu nu1 T1 T2 1%Z = zeros 3 ->
+  gap mu mu1 nu nu1 T1 T2 2%Z = zeros 3 ->
+  gap mu mu1 nu nu1 T1 T2 0%Z = zeros 3 /\ - 1 <= nu /\ nu <= 1 /\ nu1 <= 1.
+End ex_3_5_c2_trajectories.
+
+Module ex_3_5_c2_trajectories_true.
+(* gbt-surfaces/ex-3.5.c2-trajectories.true, Sect. 3.5, Example 3.5, last sentence (C2, trajectory curves)
+   printed: The shape parameters with which the trajectories would join with C2: the last is outside of its range for every μ.
+   stated: nu == -2/(2 + pi) and mu1 == nu and nu1 == 2 + 8/(2 + pi) - mu and nu1 > 1 *)
+Definition T1 : list (list R) :=
+  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
+Definition T2 : list (list R) :=
+  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
+  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
+Definition statement : Prop :=
+forall (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (-1) <= mu <= 1 ->
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) ->
+  gap mu mu1 nu nu1 T1 T2 1%Z = zeros 3 ->
+  gap mu mu1 nu nu1 T1 T2 2%Z = zeros 3 ->
+  2 + PI <> 0 ->
+  nu = - 2 / (2 + PI) /\ mu1 = nu /\ nu1 = 2 + 8 / (2 + PI) - mu /\ nu1 > 1.
+Definition instance : Prop :=
+exists (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (-1) <= mu <= 1 /\
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) /\
+  gap mu mu1 nu nu1 T1 T2 1%Z = zeros 3 /\
+  gap mu mu1 nu nu1 T1 T2 2%Z = zeros 3 /\
+  2 + PI <> 0.
+End ex_3_5_c2_trajectories_true.
+
+Module ex_3_5_contiguous_each_with_its_own.
+(* gbt-surfaces/ex-3.5.contiguous.each with its own, Sect. 3.5, Example 3.5
+   printed: two contiguous GBT-Bézier swept surfaces
+   read as: The first section goes along the first trajectory, the second along the second; contiguous surfaces share a boundary curve.
+   stated: first(S1, 1) + first(T1, z1) == second(S2, 0) + second(T2, z1) *)
+Definition S1 : list (list R) :=
+  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
+Definition T1 : list (list R) :=
+  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
+Definition S2 : list (list R) :=
+  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
+Definition T2 : list (list R) :=
+  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition first (mu : R) (nu : R) (M : list (list R)) (z : Z) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition first_ (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : Z) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition second_ (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition statement : Prop :=
+forall (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z1 : R),
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) ->
+  vadd (first mu nu S1 1%Z) (first_ mu nu T1 z1) = vadd (second mu1 nu1 S2 0%Z) (second_ mu1 nu1 T2 z1).
+End ex_3_5_contiguous_each_with_its_own.
+
+Module ex_3_5_contiguous_one_trajectory.
+(* gbt-surfaces/ex-3.5.contiguous.one trajectory, Sect. 3.5, Example 3.5
+   printed: two contiguous GBT-Bézier swept surfaces
+   read as: Both sections go along the first trajectory.
+   stated: first(S1, 1) + first(T1, z1) == second(S2, 0) + first(T1, z1) *)
+Definition S1 : list (list R) :=
+  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
+Definition T1 : list (list R) :=
+  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
+Definition S2 : list (list R) :=
+  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition first (mu : R) (nu : R) (M : list (list R)) (z : Z) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition first_ (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : Z) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition statement : Prop :=
+forall (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z1 : R),
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) ->
+  vadd (first mu nu S1 1%Z) (first_ mu nu T1 z1) = vadd (second mu1 nu1 S2 0%Z) (first_ mu nu T1 z1).
+Definition instance : Prop :=
+exists (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z1 : R),
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z1 <= 1 /\
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z).
+End ex_3_5_contiguous_one_trajectory.
+
+Module ex_3_5_contiguous_one_section.
+(* gbt-surfaces/ex-3.5.contiguous.one section, Sect. 3.5, Example 3.5
+   printed: two contiguous GBT-Bézier swept surfaces
+   read as: The first section goes along both trajectories.
+   stated: first(S1, z) + first(T1, 1) == first(S1, z) + second(T2, 0) *)
+Definition S1 : list (list R) :=
+  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
+Definition T1 : list (list R) :=
+  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
+Definition T2 : list (list R) :=
+  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition first_ (mu : R) (nu : R) (M : list (list R)) (z : Z) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : Z) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition statement : Prop :=
+forall (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  0 <= z <= 1 ->
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) ->
+  vadd (first mu nu S1 z) (first_ mu nu T1 1%Z) = vadd (first mu nu S1 z) (second mu1 nu1 T2 0%Z).
+Definition instance : Prop :=
+exists (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  0 <= z <= 1 /\
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z).
+End ex_3_5_contiguous_one_section.

@@ -581,3 +581,72 @@ Definition Q36 : list (list R) :=
 Definition statement : Prop :=
   mvec Q36 [0; 1; 0] = [0; 0; 0; 0; 0].
 End eq_35.
+
+Module ex_3_6_curve.
+(* gbt-surfaces/ex-3.6.curve, Sect. 3.6, Example 3.6, display before eq. (36)
+   printed: F_4(z,μ,ν) = {X_4(z), 0, Z_4(z)} (0 ≤ z ≤ 1)
+   stated: F4(z)[2] == 0 and F4(0) == [4, 0, 15] and F4(1) == [4, 0, 0] *)
+Definition Q36 : list (list R) :=
+  [[4; 0; 15]; [0; 0; 13]; [0; 0; 10]; [10; 0; 5]; [4; 0; 0]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F4 (mu : R) (nu : R) (z : R) : list R :=
+  vsum 3 0%Z 4%Z (fun k => vscale (f z mu nu k 4%Z) (row Q36 (Z.to_nat (k + 1)%Z))).
+Definition F4_ (mu : R) (nu : R) (z : Z) : list R :=
+  vsum 3 0%Z 4%Z (fun k => vscale (f (IZR z) mu nu k 4%Z) (row Q36 (Z.to_nat (k + 1)%Z))).
+Definition statement : Prop :=
+forall (mu : R) (nu : R) (z : R),
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  (forall k : Z, (0 <= k <= 4)%Z -> (1 <= (k + 1) <= 5)%Z) ->
+  entry (F4 mu nu z) 2 = 0 /\ F4_ mu nu 0%Z = [4; 0; 15] /\ F4_ mu nu 1%Z = [4; 0; 0].
+Definition instance : Prop :=
+exists (mu : R) (nu : R) (z : R),
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= z <= 1 /\
+  (forall k : Z, (0 <= k <= 4)%Z -> (1 <= (k + 1) <= 5)%Z).
+End ex_3_6_curve.
+
+Module eq_36.
+(* gbt-surfaces/eq-36, Sect. 3.6, Example 3.6, eq. (36)
+   printed: T^Z_rotation = { (1 - 2z_1)/(2z_1^2 - 2z_1 + 1) X_4(z), (2z_1 - 2z_1^2)/(2z_1^2 - 2z_1 + 1) X_4(z), Z_4(z) }, T~^Z_rotation = { (1 - 2z_1)/(2z_1^2 - 2z_1 + 1) X_4(z), - (2z_1 - 2z_1^2)/(2z_1^2 - 2z_1 + 1) X_4(z), Z_4(z) }
+   read as: For every angle πq of a half turn one half is the line turned by it, the other the line turned back.
+   stated: T(F4(z)[1], F4(z)[3], at_angle(q)) == [cos(pi*q)*F4(z)[1], sin(pi*q)*F4(z)[1], F4(z)[3]] and Tm(F4(z)[1], F4(z)[3], at_angle(q)) == [cos(pi*q)*F4(z)[1], -sin(pi*q)*F4(z)[1], F4(z)[3]] *)
+Definition Q36 : list (list R) :=
+  [[4; 0; 15]; [0; 0; 13]; [0; 0; 10]; [10; 0; 5]; [4; 0; 0]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F4 (mu : R) (nu : R) (z : R) : list R :=
+  vsum 3 0%Z 4%Z (fun k => vscale (f z mu nu k 4%Z) (row Q36 (Z.to_nat (k + 1)%Z))).
+Definition at_angle (q : R) : R :=
+  sin (PI / 2 * q) / (sin (PI / 2 * q) + cos (PI / 2 * q)).
+Definition cosine (t : R) : R :=
+  (1 - 2 * t) / (2 * t ^ 2 - 2 * t + 1).
+Definition sine (t : R) : R :=
+  (2 * t - 2 * t ^ 2) / (2 * t ^ 2 - 2 * t + 1).
+Definition T (x : R) (w : R) (t : R) : list R :=
+  [cosine t * x; sine t * x; w].
+Definition Tm (x : R) (w : R) (t : R) : list R :=
+  [cosine t * x; - sine t * x; w].
+Definition statement : Prop :=
+forall (mu : R) (nu : R) (q : R) (z : R),
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= q <= 1 ->
+  0 <= z <= 1 ->
+  (forall k : Z, (0 <= k <= 4)%Z -> (1 <= (k + 1) <= 5)%Z) ->
+  sin (PI / 2 * q) + cos (PI / 2 * q) <> 0 ->
+  2 * (at_angle q) ^ 2 - 2 * (at_angle q) + 1 <> 0 ->
+  T (entry (F4 mu nu z) 1) (entry (F4 mu nu z) 3) (at_angle q) = [cos (PI * q) * entry (F4 mu nu z) 1; sin (PI * q) * entry (F4 mu nu z) 1; entry (F4 mu nu z) 3] /\ Tm (entry (F4 mu nu z) 1) (entry (F4 mu nu z) 3) (at_angle q) = [cos (PI * q) * entry (F4 mu nu z) 1; - sin (PI * q) * entry (F4 mu nu z) 1; entry (F4 mu nu z) 3].
+Definition instance : Prop :=
+exists (mu : R) (nu : R) (q : R) (z : R),
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= q <= 1 /\
+  0 <= z <= 1 /\
+  (forall k : Z, (0 <= k <= 4)%Z -> (1 <= (k + 1) <= 5)%Z) /\
+  sin (PI / 2 * q) + cos (PI / 2 * q) <> 0 /\
+  2 * (at_angle q) ^ 2 - 2 * (at_angle q) + 1 <> 0.
+End eq_36.

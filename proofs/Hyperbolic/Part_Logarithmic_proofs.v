@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Hyperbolic Require Part_Logarithmic.
 Open Scope R_scope.
 
@@ -20,5 +20,5 @@ Import Hyperbolic.Part_Logarithmic.spiral_curvature.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement S_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance S_]; first [(exists (2), (3); met) | (exists (0), (0); met) | (exists (13), (8); met) | (exists (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance S_]; first [(exists (2), (3); met) | (exists (0), (0); met) | (exists (13), (8); met) | (exists (1), (1); met) | (exists (1), (0); met)]. Qed.
 End spiral_curvature.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Hyperbolic Require Part_Parts.
 Open Scope R_scope.
 
@@ -32,5 +32,5 @@ Import Hyperbolic.Part_Parts.fn_tangent.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met) | (exists (13); met) | (exists (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (2); met) | (exists (0); met) | (exists (13); met) | (exists (1); met) | (exists (1); met)]. Qed.
 End fn_tangent.

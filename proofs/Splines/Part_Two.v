@@ -2,6 +2,59 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module uniform_two_scale_quadratic.
+(* splines/uniform.two.scale.quadratic, Two scales
+   printed: Chaikin: A(s/2) is the spline with the points (3P_0 + P_1)/4, (P_0 + 3P_1)/4, (3P_1 + P_2)/4.
+   stated: A(s/2) == U[0,2](s)*(3*P[0] + P[1])/4 + U[1,2](s)*(P[0] + 3*P[1])/4 + U[2,2](s)*(3*P[1] + P[2])/4 *)
+Definition U (s : R) (i : Z) (k : Z) : R :=
+  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
+Definition A (P : Z -> R) (s : R) : R :=
+  sum 0%Z 2%Z (fun i => U s i 2%Z * P i).
+Definition statement : Prop :=
+forall (P : Z -> R) (s : R),
+  0 <= s <= 1 ->
+  (forall i : Z, (0 <= i <= 2)%Z -> (0 <= i <= 4)%Z) ->
+  A P (s / 2) = U s 0%Z 2%Z * (3 * P 0%Z + P 1%Z) / 4 + U s 1%Z 2%Z * (P 0%Z + 3 * P 1%Z) / 4 + U s 2%Z 2%Z * (3 * P 1%Z + P 2%Z) / 4.
+Definition instance : Prop :=
+exists (P : Z -> R) (s : R),
+  0 <= s <= 1 /\
+  (forall i : Z, (0 <= i <= 2)%Z -> (0 <= i <= 4)%Z).
+End uniform_two_scale_quadratic.
+
+Module uniform_two_scale_cubic.
+(* splines/uniform.two.scale.cubic, Two scales
+   printed: F(s/2) is the spline with the points (P_0 + P_1)/2, (P_0 + 6P_1 + P_2)/8, (P_1 + P_2)/2, (P_1 + 6P_2 + P_3)/8.
+   stated: F(s/2) == U[0,3](s)*(P[0] + P[1])/2 + U[1,3](s)*(P[0] + 6*P[1] + P[2])/8 + U[2,3](s)*(P[1] + P[2])/2 + U[3,3](s)*(P[1] + 6*P[2] + P[3])/8 *)
+Definition U (s : R) (i : Z) (k : Z) : R :=
+  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
+Definition F (P : Z -> R) (s : R) : R :=
+  sum 0%Z 3%Z (fun i => U s i 3%Z * P i).
+Definition statement : Prop :=
+forall (P : Z -> R) (s : R),
+  0 <= s <= 1 ->
+  (forall i : Z, (0 <= i <= 3)%Z -> (0 <= i <= 4)%Z) ->
+  F P (s / 2) = U s 0%Z 3%Z * (P 0%Z + P 1%Z) / 2 + U s 1%Z 3%Z * (P 0%Z + 6 * P 1%Z + P 2%Z) / 8 + U s 2%Z 3%Z * (P 1%Z + P 2%Z) / 2 + U s 3%Z 3%Z * (P 1%Z + 6 * P 2%Z + P 3%Z) / 8.
+Definition instance : Prop :=
+exists (P : Z -> R) (s : R),
+  0 <= s <= 1 /\
+  (forall i : Z, (0 <= i <= 3)%Z -> (0 <= i <= 4)%Z).
+End uniform_two_scale_cubic.
+
+Module uniform_two_scale_slip.
+(* splines/uniform.two.scale.slip, Two scales
+   printed: A common slip: the points of A(s/2) are (2P_0 + P_1)/3, (P_0 + 2P_1)/3, (2P_1 + P_2)/3.
+   stated: A(s/2) == U[0,2](s)*(2*P[0] + P[1])/3 + U[1,2](s)*(P[0] + 2*P[1])/3 + U[2,2](s)*(2*P[1] + P[2])/3 *)
+Definition U (s : R) (i : Z) (k : Z) : R :=
+  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
+Definition A (P : Z -> R) (s : R) : R :=
+  sum 0%Z 2%Z (fun i => U s i 2%Z * P i).
+Definition statement : Prop :=
+forall (P : Z -> R) (s : R),
+  0 <= s <= 1 ->
+  (forall i : Z, (0 <= i <= 2)%Z -> (0 <= i <= 4)%Z) ->
+  A P (s / 2) = U s 0%Z 2%Z * (2 * P 0%Z + P 1%Z) / 3 + U s 1%Z 2%Z * (P 0%Z + 2 * P 1%Z) / 3 + U s 2%Z 2%Z * (2 * P 1%Z + P 2%Z) / 3.
+End uniform_two_scale_slip.
+
 Module clamped_unity.
 (* splines/clamped.unity, Two spans
    printed: At a place x of either span, with the inner knot m, the functions add up to 1.

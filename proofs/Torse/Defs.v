@@ -94,6 +94,19 @@ Fixpoint fam (a b : R) (seeds : list R) (n : nat) (i : Z) : R :=
 Definition basis (a b : R) (seeds : list R) (i k : Z) : R :=
   fam a b seeds (Z.to_nat (k - (Z.of_nat (length seeds) - 1))) i.
 
+(* The same where the step depends on the function that is made: f[i,k] = a i k f[i,k-1] + b i k f[i-1,k-1], where a counts
+   for i from 0 to k - 1 and b for i from 1 to k. *)
+Fixpoint counted_fam (a b : Z -> Z -> R) (seeds : list R) (n : nat) (i : Z) : R :=
+  match n with
+  | O => if (0 <=? i)%Z then nth (Z.to_nat i) seeds 0 else 0
+  | S n =>
+      let k := Z.of_nat (length seeds + n) in
+      (if ((0 <=? i) && (i <? k))%Z%bool then a i k * counted_fam a b seeds n i else 0) +
+      (if ((0 <? i) && (i <=? k))%Z%bool then b i k * counted_fam a b seeds n (i - 1) else 0)
+  end.
+Definition counted (a b : Z -> Z -> R) (seeds : list R) (i k : Z) : R :=
+  counted_fam a b seeds (Z.to_nat (k - (Z.of_nat (length seeds) - 1))) i.
+
 (* ---- numbers ---- *)
 
 (* n (n - 1) ... (n - j + 1) / j!, zero for a negative j *)

@@ -8,9 +8,10 @@ Open Scope R_scope.
 (* ---- computing what has no symbols in it: sums of fixed length, bases of fixed degree, vectors, determinants ---- *)
 Ltac whole t := eval cbv beta iota zeta delta
   [sum vsum range vadd vsub vopp vscale vdiv zip zeros entry dot norm cross mzeros mzip madd msub mopp mscale mdiv row
-   mvec transpose mmul identity drop expansion det cofactor inverse solve basis fam binom falling factorial vDerive update1 update2
+   mvec transpose mmul identity drop expansion det cofactor inverse solve basis fam counted counted_fam binom falling factorial vDerive
+    update1 update2
    map fold_right seq repeat nth firstn skipn app hd tl length pred negb andb Nat.even Nat.eqb Nat.add Nat.sub Nat.mul fact
-   Z.to_nat Z.of_nat Z.add Z.sub Z.mul Z.opp Z.leb Z.eqb Z.compare Z.pos_sub Z.double Z.succ_double Z.pred_double
+   Z.to_nat Z.of_nat Z.add Z.sub Z.mul Z.opp Z.leb Z.ltb Z.eqb Z.compare Z.pos_sub Z.double Z.succ_double Z.pred_double
    Pos.add Pos.succ Pos.mul Pos.compare Pos.compare_cont Pos.eqb Pos.pred_double Pos.to_nat Pos.iter_op Pos.of_succ_nat
    Pos.add_carry CompOpp powerRZ pow INR] in t.
 Ltac compute_goal := match goal with |- ?g => let h := whole g in change h end.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Torses Require Part_Rulings.
 Open Scope R_scope.
 
@@ -27,6 +27,14 @@ Theorem proved : statement.
 Proof. cbv beta zeta delta [statement W]; identity. Qed.
 End planes_turn_slip_corrected.
 
+Module planes_cylinder.
+Import Torses.Part_Rulings.planes_cylinder.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement W]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance W]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (11); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (2); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, (1); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (1); met)]. Qed.
+End planes_cylinder.
+
 Module planes_scaled.
 Import Torses.Part_Rulings.planes_scaled.
 Theorem proved : statement.
@@ -44,3 +52,11 @@ Import Torses.Part_Rulings.planes_scaled_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement W]; identity. Qed.
 End planes_scaled_slip_corrected.
+
+Module planes_dual.
+Import Torses.Part_Rulings.planes_dual.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement delta X]; combined. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance delta X]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, (14), (15); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, (4), (13); met) | (exists 7, 7, 2, 7, 7, 2, 2, 11, 1, 2, 11, 1, (1), (1); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, (1), (0); met)]. Qed.
+End planes_dual.

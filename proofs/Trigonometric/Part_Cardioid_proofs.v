@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Trigonometric Require Part_Cardioid.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Trigonometric.Part_Cardioid.cardioid_speed.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement K]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance K]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance K]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
 End cardioid_speed.
 
 Module cardioid_cusp.
@@ -22,5 +22,5 @@ Import Trigonometric.Part_Cardioid.cardioid_curvature.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement K]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance K]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance K]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
 End cardioid_curvature.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Trigonometric Require Part_Cycloid.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Trigonometric.Part_Cycloid.cycloid_speed.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement X]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance X]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance X]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
 End cycloid_speed.
 
 Module cycloid_slope.
@@ -16,7 +16,7 @@ Import Trigonometric.Part_Cycloid.cycloid_slope.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement X]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance X]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance X]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
 End cycloid_slope.
 
 Module cycloid_slope_slip.
@@ -30,7 +30,7 @@ Import Trigonometric.Part_Cycloid.cycloid_slope_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement X]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance X]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance X]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
 End cycloid_slope_slip_corrected.
 
 Module cycloid_curvature.
@@ -38,5 +38,5 @@ Import Trigonometric.Part_Cycloid.cycloid_curvature.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement X]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance X]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance X]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
 End cycloid_curvature.

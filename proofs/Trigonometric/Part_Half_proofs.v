@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Trigonometric Require Part_Half.
 Open Scope R_scope.
 
@@ -32,7 +32,7 @@ Import Trigonometric.Part_Half.half_unity.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
 End half_unity.
 
 Module half_middle.
@@ -40,7 +40,7 @@ Import Trigonometric.Part_Half.half_middle.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
 End half_middle.
 
 Module half_sine.
@@ -48,7 +48,7 @@ Import Trigonometric.Part_Half.half_sine.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
 End half_sine.
 
 Module half_cosine.
@@ -56,7 +56,7 @@ Import Trigonometric.Part_Half.half_cosine.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 3) * PI); met) | (exists ((1 / 2) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met) | (exists ((1 / 3) * PI); met)]. Qed.
 End half_cosine.
 
 Module half_cosine_slip.
@@ -70,7 +70,7 @@ Import Trigonometric.Part_Half.half_powers.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement E_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance E_]; first [(exists (fun _ => 2), ((1 / 3) * PI); met) | (exists (fun _ => 0), ((1 / 2) * PI); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((1 / 3) * PI); met) | (exists (fun _ => 1), ((1 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance E_]; first [(exists (fun _ => 2), ((1 / 3) * PI); met) | (exists (fun _ => 0), ((1 / 2) * PI); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((1 / 3) * PI); met) | (exists (fun _ => 1), ((1 / 3) * PI); met) | (exists (fun _ => 0), ((1 / 3) * PI); met)]. Qed.
 End half_powers.
 
 Module half_d1.
@@ -78,7 +78,7 @@ Import Trigonometric.Part_Half.half_d1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement E_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance E_]; first [(exists (fun _ => 2), ((1 / 3) * PI); met) | (exists (fun _ => 0), ((1 / 2) * PI); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((1 / 3) * PI); met) | (exists (fun _ => 1), ((1 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance E_]; first [(exists (fun _ => 2), ((1 / 3) * PI); met) | (exists (fun _ => 0), ((1 / 2) * PI); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((1 / 3) * PI); met) | (exists (fun _ => 1), ((1 / 3) * PI); met) | (exists (fun _ => 0), ((1 / 3) * PI); met)]. Qed.
 End half_d1.
 
 Module half_d1_slip.
@@ -92,5 +92,5 @@ Import Trigonometric.Part_Half.half_d1_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement E_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance E_]; first [(exists (fun _ => 2), ((1 / 3) * PI); met) | (exists (fun _ => 0), ((1 / 2) * PI); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((1 / 3) * PI); met) | (exists (fun _ => 1), ((1 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance E_]; first [(exists (fun _ => 2), ((1 / 3) * PI); met) | (exists (fun _ => 0), ((1 / 2) * PI); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), ((1 / 3) * PI); met) | (exists (fun _ => 1), ((1 / 3) * PI); met) | (exists (fun _ => 0), ((1 / 3) * PI); met)]. Qed.
 End half_d1_slip_corrected.

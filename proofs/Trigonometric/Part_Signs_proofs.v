@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Trigonometric Require Part_Signs.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Trigonometric.Part_Signs.angle_first.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 6) * PI); met) | (exists ((1 / 4) * PI); met) | (exists ((1 / 6) * PI); met) | (exists ((1 / 6) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists ((1 / 6) * PI); met) | (exists ((1 / 4) * PI); met) | (exists ((1 / 6) * PI); met) | (exists ((1 / 6) * PI); met) | (exists ((1 / 6) * PI); met)]. Qed.
 End angle_first.
 
 Module angle_first_turned.
@@ -16,7 +16,7 @@ Import Trigonometric.Part_Signs.angle_first_turned.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End angle_first_turned.
 
 Module angle_symmetric_slip.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
 From Trigonometric Require Part_The.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Trigonometric.Part_The.quadratic_middle.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement a c b]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a c b]; first [(exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met) | (exists (0), (0), ((1 / 4) * PI); met) | (exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met) | (exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance a c b]; first [(exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met) | (exists (0), (0), ((1 / 4) * PI); met) | (exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met) | (exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met) | (exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met)]. Qed.
 End quadratic_middle.
 
 Module quadratic_nonnegative.
@@ -16,7 +16,7 @@ Import Trigonometric.Part_The.quadratic_nonnegative.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement a c b]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a c b]; first [(exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met) | (exists (0), (0), ((1 / 4) * PI); met) | (exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met) | (exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance a c b]; first [(exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met) | (exists (0), (0), ((1 / 4) * PI); met) | (exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met) | (exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met) | (exists ((-1) / 3), ((-1) / 3), ((1 / 6) * PI); met)]. Qed.
 End quadratic_nonnegative.
 
 Module quadratic_nonnegative_slip.
@@ -30,5 +30,5 @@ Import Trigonometric.Part_The.quadratic_symmetry.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement c a]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance c a]; first [(exists ((-1) / 3), ((1 / 6) * PI); met) | (exists (0), ((1 / 4) * PI); met) | (exists ((-1) / 3), ((1 / 6) * PI); met) | (exists ((-1) / 3), ((1 / 6) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance c a]; first [(exists ((-1) / 3), ((1 / 6) * PI); met) | (exists (0), ((1 / 4) * PI); met) | (exists ((-1) / 3), ((1 / 6) * PI); met) | (exists ((-1) / 3), ((1 / 6) * PI); met) | (exists ((-1) / 3), ((1 / 6) * PI); met)]. Qed.
 End quadratic_symmetry.

@@ -14,11 +14,11 @@ use torse_language::derivation::{Claim, Paper};
 use torse_prove::evidence;
 use torse_report::{ReportError, write_file};
 use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Fingerprints, Limits};
-use torse_rocq::folder::{self, ACCEPTED, Folder, Theorem, UNPROVED};
+use torse_rocq::folder::{self, ACCEPTED, Folder, SCRIPTS, Theorem, UNPROVED};
 use torse_rocq::merge;
 use torse_rocq::solved::{Solved, solutions};
 use torse_rocq::task::{Evidence, Finding};
-use torse_rocq::trial;
+use torse_rocq::{script, trial};
 use torse_verdicts::grounds::Grounds;
 use torse_verdicts::outcome::Outcome;
 
@@ -81,11 +81,13 @@ impl Prove {
             reason,
         };
         let mut unproved = folder::unproved(&self.out).map_err(unread)?;
+        let mut chosen = folder::chosen(&self.out);
         if let (Some(_), Some(coqc)) = (self.attempt, &coqc) {
-            unproved = self.tried(coqc, &findings, &unproved)?;
+            (unproved, chosen) = self.tried(coqc, &findings, unproved, chosen)?;
             self.write(UNPROVED, &json(&unproved))?;
+            self.write(SCRIPTS, &json(&chosen))?;
         }
-        let folder = Folder::new(&findings, &unproved);
+        let folder = Folder::with_scripts(&findings, &unproved, &chosen);
         for (path, text) in &self.files(&folder) {
             self.write(path, text)?;
         }
@@ -128,33 +130,53 @@ impl Prove {
         }
     }
 
-    /// The theorems whose scripts fail, found out anew for those of this run.
+    /// Which theorems no script proves, and which scripts prove the others where it is not the first: found out anew for those
+    /// of this run.
     fn tried(
         &self,
         coqc: &Coqc,
         findings: &[(String, Vec<Finding<'_>>)],
-        known: &BTreeMap<String, String>,
-    ) -> Result<BTreeMap<String, String>, Failure> {
+        mut unproved: BTreeMap<String, String>,
+        mut chosen: BTreeMap<String, usize>,
+    ) -> Result<(BTreeMap<String, String>, BTreeMap<String, usize>), Failure> {
         let all = Folder::new(findings, &BTreeMap::new());
+        let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
+        // Without names this run knows all there is.
+        let kept = |name: &String| !self.names.is_empty() && !own.contains(name);
+        unproved.retain(|name, _| kept(name));
+        chosen.retain(|name, _| kept(name));
+        let mut failing = self.failing(coqc, &all)?;
+        for which in 1..=script::OTHERS.len() {
+            let proved = own.iter().filter(|name| !failing.contains_key(*name));
+            let proved = proved.map(|name| (name.clone(), String::new())).collect();
+            let others = failing.keys().map(|name| (name.clone(), which)).collect();
+            let folder = Folder::with_scripts(findings, &proved, &others);
+            let again = self.failing(coqc, &folder)?;
+            for name in folder.theorems.iter().map(Theorem::name) {
+                if !again.contains_key(&name) {
+                    failing.remove(&name);
+                    chosen.insert(name, which);
+                }
+            }
+        }
+        unproved.extend(failing);
+        Ok((unproved, chosen))
+    }
+
+    /// The theorems of a folder whose scripts fail, and what fails.
+    fn failing(&self, coqc: &Coqc, folder: &Folder) -> Result<BTreeMap<String, String>, Failure> {
+        if folder.theorems.is_empty() {
+            return Ok(BTreeMap::new());
+        }
         let scratch = scratch()?;
-        let progress = Progress::new("trying", all.sections().len());
+        let progress = Progress::new("trying", folder.sections().len());
         let seconds = self.attempt.unwrap_or(20);
         let limits = self.limits();
-        let failing = trial::failing(coqc, &all, scratch.path(), seconds, limits, &|| {
-            progress.step()
+        let failing = trial::failing(coqc, folder, scratch.path(), seconds, limits, &|| {
+            progress.step();
         });
         progress.finish();
-        let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
-        let others = known.iter().filter(|(name, _)| !own.contains(*name));
-        let selected = !self.names.is_empty();
-        Ok(failing?
-            .into_iter()
-            .chain(
-                others
-                    .filter(|_| selected)
-                    .map(|(name, why)| (name.clone(), why.clone())),
-            )
-            .collect())
+        Ok(failing?)
     }
 
     /// Asks the kernel, keeps what it accepted, and says so.

@@ -5,7 +5,6 @@
 
 use crate::library::LIBRARY;
 use crate::name::camel;
-use crate::script;
 use crate::task::{Goal, Role};
 
 /// The section of a paper that holds a place such as `Sect. 5.1, eq. (5.3)`, as the name of a file.
@@ -101,16 +100,16 @@ pub fn imports() -> String {
     format!("From Torse Require Import {}.\n", names.join(" "))
 }
 
-/// The file of proofs of these goals.
+/// The file of these modules of proofs.
 #[must_use]
-pub fn proofs(folder: &str, section: &str, goals: &[&Goal]) -> String {
+pub fn proofs(folder: &str, section: &str, modules: &[&str]) -> String {
     let mut text = format!(
         "{}\n{}From {folder} Require {section}.\nOpen Scope R_scope.\n",
         comment("Proofs: nothing here has to be read."),
         imports()
     );
-    for goal in goals {
-        text.push_str(&script::module(folder, section, goal));
+    for module in modules {
+        text.push_str(module);
     }
     text
 }

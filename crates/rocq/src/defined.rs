@@ -6,6 +6,7 @@
 
 use crate::code::{Code, Level};
 use crate::context::{Context, Kind, Local};
+use crate::counted::kinds;
 use crate::gap::Gap;
 use crate::integer::{affine, literal};
 use crate::shape::Shape;
@@ -167,6 +168,9 @@ impl Context<'_> {
         let zero = Code::atom("0");
         match &*term.node {
             Node::Binary(Operator::Divide, _, divisor) if !is_nonzero(divisor) => {
+                if self.known(divisor).is_some_and(|number| number != 0) {
+                    return Ok(());
+                }
                 let divisor = self.number(divisor)?;
                 premises.add(relation(&divisor, "<>", &zero));
             }
@@ -185,6 +189,9 @@ impl Context<'_> {
                 }
             },
             Node::Member(points, indices) => self.in_range(points, indices, premises)?,
+            Node::Entry(of, indices) if indices.iter().any(|i| literal(i).is_none()) => {
+                self.in_list(of, indices, premises)?;
+            }
             Node::Apply(BuiltIn::SquareRoot, arguments) => {
                 for argument in arguments.iter().filter(|a| !is_positive(a)) {
                     let argument = self.number(argument)?;
@@ -215,6 +222,25 @@ impl Context<'_> {
         Ok(())
     }
 
+    /// A place that is a symbol is one of those of its list.
+    fn in_list(&mut self, of: &Term, indices: &[Term], premises: &mut Premises) -> Result<(), Gap> {
+        let lengths = match self.value(of)?.shape {
+            Shape::Number => vec![],
+            Shape::Vector(length) => vec![length],
+            Shape::Matrix(rows, columns) => vec![rows, columns],
+        };
+        for (index, length) in indices.iter().zip(lengths) {
+            if literal(index).is_none() {
+                let place = self.index(index)?;
+                premises.add(integer_relation(format!(
+                    "1 <= {} <= {length}",
+                    plain(&place)
+                )));
+            }
+        }
+        Ok(())
+    }
+
     fn in_range(
         &mut self,
         points: &Points,
@@ -224,7 +250,7 @@ impl Context<'_> {
         for ((low, high), index) in points.ranges.iter().zip(indices) {
             let number = |end: &Affine| end.as_number();
             if let (Some(low), Some(high), Some(index)) =
-                (number(low), number(high), literal(index))
+                (number(low), number(high), self.known(index))
                 && (low..=high).contains(&index)
             {
                 continue;
@@ -246,9 +272,6 @@ impl Context<'_> {
         arguments: &[Term],
         premises: &mut Premises,
     ) -> Result<(), Gap> {
-        if family.counters.is_some() {
-            return Err(Gap::Construct("a basis whose step depends on the index"));
-        }
         let lowest = family.degree;
         if literal(degree).is_none_or(|degree| degree < i64::from(lowest)) {
             let degree = self
@@ -259,18 +282,19 @@ impl Context<'_> {
                 degree.within(Level::Sum)
             )));
         }
-        for (variable, argument) in family.variables.iter().zip(arguments) {
-            let code = Code::atom(self.number(argument)?.argument());
-            self.put(
-                variable,
-                Local {
-                    code,
-                    kind: Kind::Value(Shape::Number),
-                },
-            );
+        let given = family.variables.iter().zip(arguments);
+        for ((variable, argument), kind) in given.zip(kinds(family)) {
+            let code = Code::atom(self.argument_of(argument, &kind)?.argument());
+            self.put(variable, Local { code, kind });
         }
-        for part in family.seeds.iter().chain([&family.step.0, &family.step.1]) {
-            self.defined(part, premises)?;
+        for seed in &family.seeds {
+            self.defined(seed, premises)?;
+        }
+        if let Some(counters) = &family.counters {
+            return self.factors_defined(family, counters, degree, premises);
+        }
+        for factor in [&family.step.0, &family.step.1] {
+            self.defined(factor, premises)?;
         }
         Ok(())
     }

@@ -3,6 +3,7 @@
 use crate::gap::Gap;
 use crate::library::LIBRARY;
 use crate::name::camel;
+use crate::script::{self, scripts};
 use crate::task::{Evidence, Finding, Goal, Role, goals};
 use crate::{chapter, check};
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,6 +24,16 @@ pub fn unproved(folder: &Path) -> Result<BTreeMap<String, String>, String> {
         Ok(text) => serde_json::from_str(&text).map_err(|error| error.to_string()),
         Err(_) => Ok(BTreeMap::new()),
     }
+}
+
+/// The file with the theorems that another script proves than the one that the verdict names, and which.
+pub const SCRIPTS: &str = "scripts.json";
+
+/// Which script proves a theorem of a folder, where it is not the first; none where there is no list that can be read.
+#[must_use]
+pub fn chosen(folder: &Path) -> BTreeMap<String, usize> {
+    let text = std::fs::read_to_string(folder.join(SCRIPTS)).unwrap_or_default();
+    serde_json::from_str(&text).unwrap_or_default()
 }
 
 /// The file with the theorems that the kernel accepted.
@@ -94,6 +105,16 @@ impl Folder {
     /// The folder for these papers. Theorems named in `unproved` get a statement and no proof.
     #[must_use]
     pub fn new(papers: &[(String, Vec<Finding<'_>>)], unproved: &BTreeMap<String, String>) -> Self {
+        Self::with_scripts(papers, unproved, &BTreeMap::new())
+    }
+
+    /// The same with the scripts that were found to prove what the first ones do not.
+    #[must_use]
+    pub fn with_scripts(
+        papers: &[(String, Vec<Finding<'_>>)],
+        unproved: &BTreeMap<String, String>,
+        chosen: &BTreeMap<String, usize>,
+    ) -> Self {
         let mut folder = Self::default();
         for (path, text) in LIBRARY {
             folder.files.insert(path.to_owned(), text.to_owned());
@@ -103,7 +124,7 @@ impl Folder {
             .insert("README.md".to_owned(), README.to_owned());
         for (slug, findings) in papers {
             let prefix = camel(slug);
-            folder.paper(slug, &prefix, findings, unproved);
+            folder.paper(slug, &prefix, findings, unproved, chosen);
         }
         folder
             .files
@@ -140,6 +161,7 @@ impl Folder {
         prefix: &str,
         findings: &[Finding<'_>],
         unproved: &BTreeMap<String, String>,
+        chosen: &BTreeMap<String, usize>,
     ) {
         let mut sections: BTreeMap<String, Vec<Goal>> = BTreeMap::new();
         for finding in findings {
@@ -174,29 +196,34 @@ impl Folder {
             );
             let mut proved = vec![];
             for goal in all {
-                let theorem = Theorem {
+                let name = format!("{path}.{}", goal.module);
+                let which = chosen.get(&name).copied().unwrap_or_default();
+                let scripts = match (unproved.get(&name), scripts(goal, which)) {
+                    (None, Some(scripts)) => scripts,
+                    (reason, _) => {
+                        let unknown = || format!("there is no script {which}");
+                        self.missing.push(Missing {
+                            id: goal.id.clone(),
+                            evidence: Some(goal.evidence),
+                            reason: reason.cloned().unwrap_or_else(unknown),
+                        });
+                        continue;
+                    }
+                };
+                let proof = script::module(prefix, &section, goal, &scripts);
+                proved.push(proof.clone());
+                self.theorems.push(Theorem {
                     section: path.clone(),
                     module: goal.module.clone(),
                     id: goal.id.clone(),
                     role: goal.role,
                     evidence: goal.evidence,
                     says: chapter::statement(goal),
-                    proof: crate::script::module(prefix, &section, goal),
-                };
-                if let Some(reason) = unproved.get(&theorem.name()) {
-                    let (id, evidence) = (goal.id.clone(), Some(goal.evidence));
-                    let reason = reason.clone();
-                    self.missing.push(Missing {
-                        id,
-                        evidence,
-                        reason,
-                    });
-                    continue;
-                }
-                proved.push(goal);
-                self.theorems.push(theorem);
+                    proof,
+                });
             }
             if !proved.is_empty() {
+                let proved: Vec<&str> = proved.iter().map(String::as_str).collect();
                 let text = chapter::proofs(prefix, &section, &proved);
                 self.files.insert(format!("{path}_proofs.v"), text);
             }

@@ -80,6 +80,9 @@ impl Context<'_> {
                 _ => None,
             },
             Node::Variable(variable) => {
+                if let Some(number) = self.known(term) {
+                    return Some(Code::rational(&rational::integer(number)));
+                }
                 let local = self.local(variable).ok()?;
                 (local.kind == Kind::Integer).then(|| local.code.clone())
             }
@@ -92,6 +95,10 @@ impl Context<'_> {
             }
             Node::Opened { body, .. } => self.integer(body),
             Node::Binary(operator, a, b) => {
+                // What stands for literal integers is reckoned out, what is printed is not.
+                if let (Some(number), None) = (self.known(term), literal(term)) {
+                    return Some(Code::rational(&rational::integer(number)));
+                }
                 let (a, b) = (self.integer(a)?, self.integer(b)?);
                 let (sign, level) = match operator {
                     Operator::Add => ("+", Level::Sum),

@@ -18,6 +18,7 @@ pub mod check;
 pub mod code;
 pub mod context;
 pub mod coqc;
+pub mod counted;
 pub mod defined;
 pub mod degree;
 pub mod digest;

@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 14] = [
+pub const LIBRARY: [(&str, &str); 15] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -51,5 +51,9 @@ pub const LIBRARY: [(&str, &str); 14] = [
     (
         "Torse/Forms.v",
         include_str!("../../../proofs/Torse/Forms.v"),
+    ),
+    (
+        "Torse/Consequences.v",
+        include_str!("../../../proofs/Torse/Consequences.v"),
     ),
 ];

@@ -25,6 +25,8 @@ pub enum Choice {
     Varied,
     /// Equal ones for coordinates of vectors whose names differ by a number only, and one for all else.
     Same,
+    /// Unit vectors along the axes, one after the other; of other numbers the first is one and the rest is zero.
+    Axes,
 }
 
 /// Values for the bound names, in order.
@@ -33,7 +35,11 @@ pub fn point(goal: &Goal, choice: Choice) -> Vec<String> {
     let integers = integers(goal);
     let mut values = vec![];
     let mut count = 1;
+    let mut vectors = 0;
+    let mut ones = 0;
     for binder in &goal.proposition.binders {
+        let axis = vectors % binder.names.len().max(1) + 1;
+        vectors += usize::from(binder.names.len() > 1);
         let set = goal.symbols.get(&binder.symbol);
         for (coordinate, name) in (1..).zip(&binder.names) {
             count += 1;
@@ -45,6 +51,15 @@ pub fn point(goal: &Goal, choice: Choice) -> Vec<String> {
                 Choice::Generic => count.to_string(),
                 Choice::Varied => scattered(count).to_string(),
                 Choice::Zero => "0".to_owned(),
+                Choice::Axes if binder.names.len() > 1 => {
+                    i64::from(usize::try_from(coordinate) == Ok(axis)).to_string()
+                }
+                Choice::Axes => {
+                    ones += i64::from(
+                        matches!(set, Some(Set::Real(i)) if i.lower.is_none() && i.upper.is_none()),
+                    );
+                    i64::from(ones == 1).to_string()
+                }
             };
             if binder.rocq_type == FUNCTION {
                 values.push(String::new());
@@ -56,7 +71,8 @@ pub fn point(goal: &Goal, choice: Choice) -> Vec<String> {
                     format!("({value})%Z")
                 }
                 Some(Set::Real(interval)) => {
-                    fixed(goal, name).unwrap_or_else(|| within(interval, choice, count))
+                    let first = rational::integer(i64::from(ones == 1));
+                    fixed(goal, name).unwrap_or_else(|| within(interval, choice, count, first))
                 }
                 Some(Set::Family { ranges, .. }) => {
                     member(choice, ranges.len().max(1), &number, count)
@@ -229,7 +245,7 @@ fn fixed(goal: &Goal, name: &str) -> Option<String> {
 }
 
 /// A number of an interval: the middle, which is often zero, or another. Between multiples of pi it is one whose sine is known.
-fn within(interval: &Interval, choice: Choice, count: i64) -> String {
+fn within(interval: &Interval, choice: Choice, count: i64, first: Rational) -> String {
     let (lower, upper) = (interval.lower.as_ref(), interval.upper.as_ref());
     let rational_end = |bound: &Bound| bound.value.as_rational().cloned();
     let one = rational::integer(1);
@@ -254,6 +270,7 @@ fn within(interval: &Interval, choice: Choice, count: i64) -> String {
         (None, Some(high)) => high - &one,
         (None, None) if choice == Choice::Zero => rational::integer(0),
         (None, None) if choice == Choice::Same => one,
+        (None, None) if choice == Choice::Axes => first,
         (None, None) if choice == Choice::Generic => rational::integer(count),
         (None, None) => rational::integer(scattered(count)),
     };

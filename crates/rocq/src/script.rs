@@ -10,6 +10,9 @@
 //! | identity, coefficients of members | `formed` | a coefficient is the difference of two values of its form |
 //! | witness | `refuting` | the statement at the witness, which computes to something false |
 //! | a denial | `refuting` | the denied statement at values that are different enough |
+//! | any of these, with splines | `apart` | integers with few values one after the other, then as above |
+//!
+//! Where that finds no proof, there are [`OTHERS`]: which script proves a theorem is found out by trying, and is kept.
 //!
 //! Every theorem with premises has a second one, `met`: values at which all premises are true.
 
@@ -29,19 +32,39 @@ pub struct Script {
     pub tactics: String,
 }
 
-/// The theorems of a goal with their scripts.
+/// The tactics that are tried where the one that the verdict names finds no proof: the conclusion as a combination of the
+/// hypotheses, as what they determine, and as a combination with derivatives at numbers in their normal form.
+pub const OTHERS: [&str; 3] = ["combined", "determined", "at_points"];
+
+/// The theorems of a goal with their scripts, of which the other tactics have more: 0 is the one that the verdict names, 1 the
+/// first of [`OTHERS`]. None where there is no such script.
 #[must_use]
-pub fn scripts(goal: &Goal) -> Vec<Script> {
-    let names: Vec<&str> = goal
-        .proposition
-        .definitions
-        .iter()
-        .map(|(name, _)| name.as_str())
-        .collect();
-    let open = |what: &str| match names.is_empty() {
-        true => format!("cbv beta zeta delta [{what}]"),
-        false => format!("cbv beta zeta delta [{what} {}]", names.join(" ")),
+pub fn scripts(goal: &Goal, which: usize) -> Option<Vec<Script>> {
+    let Some(place) = which.checked_sub(1) else {
+        return Some(first_scripts(goal));
     };
+    let other = OTHERS.get(place)?;
+    let mut scripts = first_scripts(goal);
+    let proved = scripts
+        .first_mut()
+        .filter(|s| s.name == "proved" && !denies(goal))?;
+    proved.tactics = match staged(goal, "statement") {
+        Some(stages) => format!("{stages}{other}"),
+        None => format!("{}; {other}", open(goal, "statement")),
+    };
+    Some(scripts)
+}
+
+/// Opens a proposition and all that it is defined by.
+fn open(goal: &Goal, what: &str) -> String {
+    let definitions = goal.proposition.definitions.iter();
+    let names: String = definitions.map(|(name, _)| format!(" {name}")).collect();
+    format!("cbv beta zeta delta [{what}{names}]")
+}
+
+/// The theorems of a goal with the scripts that the verdict names.
+fn first_scripts(goal: &Goal) -> Vec<Script> {
+    let open = |what: &str| open(goal, what);
     let Some(tactic) = emitter(goal) else {
         let start = match staged(goal, "statement").filter(|_| inverts(goal)) {
             Some(stages) => format!("unfold not; {stages}unstaged; intro no"),
@@ -63,6 +86,7 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
             };
             format!("{start}; {}", denied(goal, tactic))
         }
+        0 if counts(goal) => format!("{}; apart; {tactic}", open("statement")),
         0 => match staged(goal, "statement").filter(|_| tactic == "identity") {
             Some(stages) => format!("{stages}{tactic}"),
             None => format!("{}; {tactic}", open("statement")),
@@ -82,7 +106,13 @@ pub fn scripts(goal: &Goal) -> Vec<Script> {
         tactics,
     }];
     if !goal.proposition.premises.is_empty() {
-        let choices = [Choice::Generic, Choice::Zero, Choice::Varied, Choice::Same];
+        let choices = [
+            Choice::Generic,
+            Choice::Zero,
+            Choice::Varied,
+            Choice::Same,
+            Choice::Axes,
+        ];
         let points: Vec<String> = points(goal, &choices)
             .iter()
             .map(|values| format!("({}met)", exists(values)))
@@ -181,6 +211,12 @@ fn staged(goal: &Goal, what: &str) -> Option<String> {
     ))
 }
 
+/// Whether a basis is defined by a step that depends on the index: everything computes once integers have values.
+fn counts(goal: &Goal) -> bool {
+    let mut definitions = goal.proposition.definitions.iter();
+    definitions.any(|(_, text)| text.contains("\n  counted "))
+}
+
 /// Whether a denial is said, which is a claim of its own about the whole domain.
 fn denies(goal: &Goal) -> bool {
     goal.proposition.conclusion.text().contains("~ (forall ")
@@ -230,21 +266,22 @@ fn emitter(goal: &Goal) -> Option<&'static str> {
         _ if text("update1 ") || text("update2 ") => Some("formed"),
         (_, Evidence::Inequality | Evidence::Enclosure) => Some("ordered"),
         (_, Evidence::Induction) => Some("symbolic"),
+        _ if counts(goal) => Some("identity"),
         _ if integers => Some("symbolic"),
         _ => Some("identity"),
     }
 }
 
-/// The module of proofs of a goal.
+/// The module of proofs of a goal, with these scripts.
 #[must_use]
-pub fn module(folder: &str, section: &str, goal: &Goal) -> String {
+pub fn module(folder: &str, section: &str, goal: &Goal, scripts: &[Script]) -> String {
     let module = &goal.module;
     let mut text = format!("\nModule {module}.\nImport {folder}.{section}.{module}.\n");
     for Script {
         name,
         says,
         tactics,
-    } in scripts(goal)
+    } in scripts
     {
         text.push_str(&format!(
             "Theorem {name} : {says}.\nProof. {tactics}. Qed.\n"

@@ -494,6 +494,11 @@ fn property_of(
     property: FamilyProperty,
     family: &Arc<Family>,
 ) -> Result<Code, Gap> {
+    if family.counters.is_some() {
+        return Err(Gap::Construct(
+            "a property of a basis whose step depends on the index",
+        ));
+    }
     let (name, mut arguments) = context.family(family)?;
     for variable in &family.variables {
         let symbol = context.symbol(&Arc::from(variable.name()))?;

@@ -5,6 +5,7 @@
 
 use crate::code::{Code, Level, integer_scope};
 use crate::context::{Context, Kind, Local, Used, Value};
+use crate::counted::kinds;
 use crate::gap::Gap;
 use crate::integer::{is_zero, literal};
 use crate::shape::Shape;
@@ -172,8 +173,8 @@ impl Context<'_> {
         arguments: &[Term],
     ) -> Result<Value, Gap> {
         let (name, mut all) = self.family(family)?;
-        for argument in arguments {
-            all.push(self.number(argument)?);
+        for (argument, kind) in arguments.iter().zip(kinds(family)) {
+            all.push(self.argument_of(argument, &kind)?);
         }
         all.extend([self.index(index)?, self.index(degree)?]);
         Ok(Value::number(Code::apply(&name, &all)))
@@ -184,12 +185,11 @@ impl Context<'_> {
     /// # Errors
     /// As [`Context::value`].
     pub fn family(&mut self, family: &Arc<Family>) -> Result<(String, Vec<Code>), Gap> {
-        if family.counters.is_some() {
-            return Err(Gap::Construct("a basis whose step depends on the index"));
-        }
-        let own = family.variables.iter();
-        let own: Vec<(Variable, Kind)> = own
-            .map(|v| (v.clone(), Kind::Value(Shape::Number)))
+        let own: Vec<(Variable, Kind)> = family
+            .variables
+            .iter()
+            .cloned()
+            .zip(kinds(family))
             .collect();
         let used = Used::of_family(family);
         let address = Arc::as_ptr(family).addr();
@@ -205,9 +205,15 @@ impl Context<'_> {
                     seeds.push(context.number(inside(seed))?);
                 }
                 let step = [&family.step.0, &family.step.1];
-                let [a, b] = step.map(|part| context.number(inside(part)));
+                let (head, [a, b]) = match &family.counters {
+                    None => ("basis", step.map(|part| context.number(inside(part)))),
+                    Some(counters) => (
+                        "counted",
+                        step.map(|part| context.factor(counters, inside(part))),
+                    ),
+                };
                 let arguments = [&[a?, b?, Code::list(&seeds)], last].concat();
-                Ok(Value::number(Code::apply("basis", &arguments)))
+                Ok(Value::number(Code::apply(head, &arguments)))
             },
         )?;
         let arguments = self.arguments(&head)?;
@@ -312,9 +318,6 @@ impl Context<'_> {
             mut shape,
         } = self.value(of)?;
         for index in indices {
-            let place = literal(index).and_then(|place| usize::try_from(place).ok());
-            let place = place.ok_or(Gap::Construct("an entry whose place is a symbol"))?;
-            let argument = Code::atom(place.to_string());
             let (length, head, inner) = match shape {
                 Shape::Number => {
                     return Err(Gap::Construct("a coordinate of a generic coordinate"));
@@ -322,9 +325,13 @@ impl Context<'_> {
                 Shape::Vector(length) => (length, "entry", Shape::Number),
                 Shape::Matrix(rows, columns) => (rows, "row", Shape::Vector(columns)),
             };
-            if place == 0 || place > length {
-                return Err(Gap::Construct("an entry outside of its vector"));
-            }
+            let argument = match literal(index) {
+                Some(place) if (1..=length).any(|inside| i64::try_from(inside) == Ok(place)) => {
+                    Code::atom(place.to_string())
+                }
+                Some(_) => return Err(Gap::Construct("an entry outside of its vector")),
+                None => Code::apply("Z.to_nat", &[self.index(index)?]),
+            };
             code = Code::apply(head, &[code, argument]);
             shape = inner;
         }

@@ -11,6 +11,7 @@ use torse_language::derivation::{Claim, LoadError, Source, paper};
 use torse_language::words::Verdict;
 use torse_rocq::coqc::{AXIOMS, Answer, Coqc, Limits};
 use torse_rocq::folder::Folder;
+use torse_rocq::script::OTHERS;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
 
@@ -21,7 +22,7 @@ const LIMITS: Limits = Limits {
 };
 
 /// A true statement, a false one that differs from it by one edit, and the evidence of the true one.
-const PAIRS: [(&str, &str, Evidence); 15] = [
+const PAIRS: [(&str, &str, Evidence); 18] = [
     (
         "(x + 1)^2 == x^2 + 2*x + 1",
         "(x + 1)^2 == x^2 - 2*x + 1",
@@ -81,13 +82,32 @@ const PAIRS: [(&str, &str, Evidence); 15] = [
     ("exp(x) >= 1 + x", "exp(x) >= 2 + x", Evidence::Inequality),
     ("exp(1) > 27/10", "exp(1) > 28/10", Evidence::Enclosure),
     ("not x*y == x", "not x*y == y*x", Evidence::Identity),
+    (
+        "U[1,2](x) == 1/2 + x*(1 - x)",
+        "U[1,2](x) == 1/2 - x*(1 - x)",
+        Evidence::Identity,
+    ),
+    (
+        "sum(i, 0, 1, N[i,1](x, 2)) == 1",
+        "sum(i, 0, 1, N[i,1](x, 2)) == 2",
+        Evidence::Identity,
+    ),
+    (
+        "sum(i, 0, 2, [x, y, 3][i+1]) == x + y + 3",
+        "sum(i, 0, 2, [x, y, 3][i+1]) == x + y + 2",
+        Evidence::Identity,
+    ),
 ];
 
 /// The claims of a paper with these statements.
 fn claims(statements: &[&str]) -> Vec<Claim> {
     let mut text =
-        "[symbols]\nx = {}\ny = {}\nm = { integer = '>= 1' }\ni = { integer = '0..m' }\n\
-                    [basis.B]\nvariable = 'x'\ndegree = 0\nseeds = ['1']\nstep = ['1 - x', 'x']\n"
+        "[symbols]\nx = {}\ny = {}\nt = { family = 1, indices = ['0..7'] }\nj = {}\nT = { family = 2, indices = ['0..m'] }\nm = { integer = '>= 1' }\ni = { integer = '0..m' }\n\
+                    [basis.B]\nvariable = 'x'\ndegree = 0\nseeds = ['1']\nstep = ['1 - x', 'x']\n\
+                    [basis.U]\nvariable = 'x'\ndegree = 0\nseeds = ['1']\nindex = 'q'\norder = 'r'\n\
+                    step = ['(q + 1 - x)/r', '(x + r - q)/r']\n\
+                    [basis.N]\nvariable = 'x'\nparameters = ['j']\ndegree = 0\nseeds = ['1']\nindex = 'q'\norder = 'r'\n\
+                    step = ['(t[j+q+1] - x)/(t[j+q+1] - t[j+q+1-r])', '(x - t[j+q-r])/(t[j+q] - t[j+q-r])']\n"
             .to_owned();
     for (place, states) in statements.iter().enumerate() {
         write!(
@@ -207,6 +227,79 @@ fn divisors_are_premises_and_can_be_met() {
     let instance = "exists (x : R) (y : R),\n  x * y <> 0 /\\\n  y <> 0.";
     assert!(text.contains(instance), "{text}");
     assert!(folder.files["P/Section_1_proofs.v"].contains("Theorem met : instance."));
+}
+
+#[test]
+fn knots_that_have_to_differ_are_premises() {
+    let claims = claims(&["N[0,2](x, 2) == 0"]);
+    let folder = folder(&claims, |_| Evidence::Identity);
+    let text = &folder.files["P/Section_1.v"];
+    // Every factor of the recursion up to the degree that is named has a value, and no index is outside of its range.
+    let statement = "forall (t : Z -> R) (x : R),\n  t 3%Z - t 2%Z <> 0 ->\n  t 3%Z - t 1%Z <> 0 ->\n  \
+                     t 4%Z - t 2%Z <> 0 ->\n  N_ t x 2%Z 0%Z 2%Z = 0.";
+    assert!(text.contains(statement), "{text}");
+}
+
+#[test]
+fn a_factor_that_multiplies_nothing_needs_no_value() {
+    // At degree 3 the factors reach from t[0] to t[5], at degree 4 one would be outside of the family.
+    let claims = claims(&["N[3,3](x, 2) == 0", "N[3,4](x, 2) == 0"]);
+    let folder = folder(&claims, |_| Evidence::Identity);
+    let text = &folder.files["P/Section_1.v"];
+    let (inside, outside) = text.split_once("Module c1.").unwrap();
+    assert!(!inside.contains("<= 7"), "{inside}");
+    assert!(outside.contains("(0 <= (-1) <= 7)%Z"), "{outside}");
+}
+
+#[test]
+fn a_place_that_is_a_symbol_is_in_its_list() {
+    let claims = claims(&["[x, y][m] == x"]);
+    let folder = folder(&claims, |_| Evidence::Identity);
+    let text = &folder.files["P/Section_1.v"];
+    let premise = "(1 <= m <= 2)%Z ->\n  entry [x; y] (Z.to_nat m) = x";
+    assert!(text.contains(premise), "{text}");
+}
+
+#[test]
+fn a_coordinate_may_stand_behind_the_indices_of_its_point() {
+    let claims = claims(&["T[0,1] == T[0][1]"]);
+    let folder = folder(&claims, |_| Evidence::Identity);
+    let text = &folder.files["P/Section_1.v"];
+    assert!(text.contains("entry (T 0%Z) 1 = entry (T 0%Z) 1"), "{text}");
+}
+
+#[test]
+fn other_scripts_prove_what_follows_from_equations_and_nothing_else() {
+    let Some(coqc) = coqc() else { return };
+    // The first follows, the second does not.
+    let claims = claims(&[
+        "x^2 + y^2 == 1 implies (x + y)^2 - 2*x*y == 1",
+        "x^2 + y^2 == 1 implies (x + y)^2 - 2*x*y == 2",
+    ]);
+    let finding = |(place, claim)| Finding {
+        id: format!("p/c{place}"),
+        claim,
+        verdict: Verdict::Holds,
+        evidence: Some(Evidence::Identity),
+        conditions: vec![],
+        correction: None,
+        witness: vec![],
+    };
+    let findings: Vec<Finding<'_>> = claims.iter().enumerate().map(finding).collect();
+    let papers = [("p".to_owned(), findings)];
+    for which in 1..=OTHERS.len() {
+        let chosen = ["P/Section_1.c0", "P/Section_1.c1"].map(|name| (name.to_owned(), which));
+        let folder = Folder::with_scripts(&papers, &BTreeMap::new(), &BTreeMap::from(chosen));
+        let scratch = tempfile::tempdir().unwrap();
+        let failing = trial::failing(&coqc, &folder, scratch.path(), 40, LIMITS, &|| ()).unwrap();
+        let failing: Vec<&String> = failing.keys().collect();
+        assert_eq!(failing, ["P/Section_1.c1"], "{which}");
+    }
+    // There is no further script.
+    let chosen = [("P/Section_1.c0".to_owned(), OTHERS.len() + 1)];
+    let folder = Folder::with_scripts(&papers, &BTreeMap::new(), &BTreeMap::from(chosen));
+    let names: Vec<String> = folder.theorems.iter().map(|t| t.name()).collect();
+    assert_eq!(names, ["P/Section_1.c1"]);
 }
 
 #[test]

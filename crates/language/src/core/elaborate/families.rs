@@ -24,6 +24,20 @@ impl Elaborator<'_> {
                 return self.member(name, basis, indices, &[], place, scope);
             }
             if let Some(SymbolKind::Family { dimension, ranges }) = self.declarations.symbol(name) {
+                // The coordinate of a point may stand behind its indices: outcomes write it so.
+                if let Some((coordinate, indices)) = indices.split_last()
+                    && indices.len() == ranges.len()
+                    && !ranges.is_empty()
+                    && dimension.is_some_and(|n| n > 1)
+                {
+                    let point = self.indexed(head, indices, place, scope)?;
+                    let Meaning::Term(point) = point else {
+                        return Ok(point);
+                    };
+                    let coordinate = self.terms_in(std::slice::from_ref(coordinate), scope)?;
+                    let entry = Node::Entry(point, coordinate);
+                    return Ok(Meaning::Term(self.made(entry, place)));
+                }
                 if !ranges.is_empty() && ranges.len() != indices.len() {
                     return Err(Fault::at(
                         place,

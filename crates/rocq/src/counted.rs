@@ -1,0 +1,133 @@
+//! Bases whose step depends on the index and the degree of the function that is made, such as splines on any knots.
+//!
+//! `counted` of the library takes the two factors of the step as functions of index and degree. What is premised is the
+//! definedness of every factor that counts, from the degree of the seeds up to the degree that is named: SEMANTICS.md, the
+//! row of the bases. So that degree has to be a number.
+
+use crate::code::{Code, Level};
+use crate::context::{Context, Kind, Local, Used};
+use crate::defined::Premises;
+use crate::gap::Gap;
+use crate::integer::literal;
+use crate::shape::Shape;
+use std::collections::BTreeSet;
+use torse_language::core::{Family, Node, Term, Variable};
+use torse_language::syntax::Operator;
+
+/// What the variable and the parameters of a family stand for: integers where they occur in an index, else numbers.
+#[must_use]
+pub fn kinds(family: &Family) -> Vec<Kind> {
+    let mut indexing = BTreeSet::new();
+    for part in family.seeds.iter().chain([&family.step.0, &family.step.1]) {
+        collect_indexing(part, &mut indexing);
+    }
+    let kind = |variable: &Variable| match indexing.contains(variable) {
+        true => Kind::Integer,
+        false => Kind::Value(Shape::Number),
+    };
+    family.variables.iter().map(kind).collect()
+}
+
+/// The variables in indices of members.
+fn collect_indexing(term: &Term, found: &mut BTreeSet<Variable>) {
+    if let Node::Member(_, indices) = &*term.node {
+        found.extend(
+            indices
+                .iter()
+                .flat_map(|index| Used::of(index).variables.into_iter()),
+        );
+    }
+    for part in term.parts() {
+        collect_indexing(part, found);
+    }
+}
+
+impl Context<'_> {
+    /// The argument of a family for a variable of this kind.
+    ///
+    /// # Errors
+    /// [`Gap`], as for the value of the term, and where an integer is wanted.
+    pub fn argument_of(&mut self, argument: &Term, kind: &Kind) -> Result<Code, Gap> {
+        match kind {
+            Kind::Integer => self.index(argument),
+            Kind::Value(_) => self.number(argument),
+        }
+    }
+
+    /// A factor of the step as a function of index and degree.
+    ///
+    /// # Errors
+    /// [`Gap`], as for the value of the factor.
+    pub fn factor(
+        &mut self,
+        (index, degree): &(Variable, Variable),
+        factor: &Term,
+    ) -> Result<Code, Gap> {
+        let i = self.bind(index, Kind::Integer);
+        let k = self.bind(degree, Kind::Integer);
+        let body = self.number(factor);
+        self.release(degree);
+        self.release(index);
+        let text = format!("fun {i} {k} => {}", body?.text());
+        Ok(Code::new(text, Level::Open))
+    }
+
+    /// The premises under which all factors that count up to this degree have values; the variables of the family are in
+    /// scope.
+    ///
+    /// # Errors
+    /// [`Gap`], as for the values of the factors, and for degrees that are no numbers.
+    pub fn factors_defined(
+        &mut self,
+        family: &Family,
+        (index, degree): &(Variable, Variable),
+        highest: &Term,
+        premises: &mut Premises,
+    ) -> Result<(), Gap> {
+        let highest = literal(highest).or_else(|| self.known(highest));
+        let highest = highest.ok_or(Gap::Construct(
+            "a basis of symbolic degree whose step depends on the index",
+        ))?;
+        let integer = |number: i64| Local {
+            code: Code::atom(format!("{number}%Z")),
+            kind: Kind::Integer,
+        };
+        for k in i64::from(family.degree) + 1..=highest {
+            self.put(degree, integer(k));
+            for i in 0..=k {
+                self.put(index, integer(i));
+                if i < k {
+                    self.defined(&family.step.0, premises)?;
+                }
+                if i > 0 {
+                    self.defined(&family.step.1, premises)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The integer that a term is worth, where its variables stand for literal integers.
+    #[must_use]
+    pub fn known(&self, term: &Term) -> Option<i64> {
+        match &*term.node {
+            Node::Variable(variable) => {
+                let local = self.local(variable).ok()?;
+                let text = local.code.text().strip_suffix("%Z")?;
+                text.parse().ok().filter(|_| local.kind == Kind::Integer)
+            }
+            Node::Negative(inner) => self.known(inner)?.checked_neg(),
+            Node::Opened { body, .. } => self.known(body),
+            Node::Binary(operator, a, b) => {
+                let (a, b) = (self.known(a)?, self.known(b)?);
+                match operator {
+                    Operator::Add => a.checked_add(b),
+                    Operator::Subtract => a.checked_sub(b),
+                    Operator::Multiply => a.checked_mul(b),
+                    Operator::Divide | Operator::Power => None,
+                }
+            }
+            _ => literal(term),
+        }
+    }
+}

@@ -1,0 +1,42 @@
+(* Proofs: nothing here has to be read. *)
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Splines Require Part_The.
+Open Scope R_scope.
+
+Module knots_linear.
+Import Splines.Part_The.knots_linear.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N_]; apart; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N_]; first [(exists (fun _ => 2), (3); met) | (exists (fun _ => 0), (0); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (8); met) | (exists (fun _ => 1), (1); met) | (exists (fun _ => 0), (1); met)]. Qed.
+End knots_linear.
+
+Module knots_quadratic.
+Import Splines.Part_The.knots_quadratic.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N_]; apart; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N_]; first [(exists (fun _ => 2), (3); met) | (exists (fun _ => 0), (0); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (8); met) | (exists (fun _ => 1), (1); met) | (exists (fun _ => 0), (1); met)]. Qed.
+End knots_quadratic.
+
+Module knots_quadratic_slip.
+Import Splines.Part_The.knots_quadratic_slip.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement N_] in no; refuting (no (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else if (Z.eqb i0 (3))%bool then (3) else if (Z.eqb i0 (4))%bool then (5) else 0) (1)). Qed.
+End knots_quadratic_slip.
+
+Module knots_quadratic_slip_corrected.
+Import Splines.Part_The.knots_quadratic_slip_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N_]; apart; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N_]; first [(exists (fun _ => 2), (3); met) | (exists (fun _ => 0), (0); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (8); met) | (exists (fun _ => 1), (1); met) | (exists (fun _ => 0), (1); met)]. Qed.
+End knots_quadratic_slip_corrected.
+
+Module knots_span.
+Import Splines.Part_The.knots_span.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement N_]; apart; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance N_]; first [(exists (2)%Z, (fun _ => 3), (4); met) | (exists (2)%Z, (fun _ => 0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (8); met) | (exists (2)%Z, (fun _ => 1), (1); met) | (exists (2)%Z, (fun _ => 0), (1); met)]. Qed.
+End knots_span.
