@@ -16,6 +16,7 @@ use crate::evaluate::Evaluator;
 use crate::evaluate::linear::{single_symbol, solve_for};
 use crate::evaluate::series::polynomial_of;
 use crate::evaluate::value::{NOWHERE, Statement, Value};
+use crate::roots::{self, Root};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
@@ -25,7 +26,7 @@ use torse_language::derivation::declarations::SymbolKind;
 use torse_language::derivation::{Claim, Written};
 use torse_language::fault::Fault;
 use torse_language::syntax::{Connective, Relation};
-use torse_proof::proof::ground::{Determined, Determining, Elimination};
+use torse_proof::proof::ground::{Determined, Determining, Elimination, Rooted};
 
 /// Divisors of more terms than this are not examined for their sign.
 const MAX_EXAMINED: usize = 40;
@@ -129,8 +130,80 @@ impl<'a> Ground<'a> {
         // Inequalities first: they may say that the divisor of an elimination does not vanish.
         let (equations, others) = assumed.partition(|h| has_equation(&h.statement));
         ground.assume_all(others)?;
+        let mut roots = ground.resolve(claim.hypotheses.iter(), claim)?;
         ground.assume_all(equations)?;
+        if ground.domain.pivots.is_empty() {
+            roots = ground.resolve(roots.into_iter(), claim)?;
+        }
+        ground.constrain_roots(&roots)?;
         Ok(ground)
+    }
+
+    /// Takes the roots of which a value is found; those that are left.
+    fn resolve<'h>(
+        &mut self,
+        hypotheses: impl Iterator<Item = &'h Hypothesis>,
+        claim: &core::Claim,
+    ) -> Result<Vec<&'h Hypothesis>, Fault> {
+        let (mut rest, mut left) = (vec![], vec![]);
+        self.domain.roots.clear();
+        let named: Vec<&Hypothesis> = hypotheses.filter(|h| h.root().is_some()).collect();
+        for hypothesis in named {
+            let Some((name, radicand)) = hypothesis.root() else {
+                continue;
+            };
+            let symbol = Symbol::named(name);
+            let known = self.domain.solved.iter().any(|(s, _)| *s == symbol);
+            let value = self.evaluator.term(radicand);
+            let value = value.ok().as_ref().and_then(plain);
+            let (false, Some(radicand)) = (known, value) else {
+                rest.push(hypothesis);
+                continue;
+            };
+            let Some(found) = roots::resolved(&radicand, &self.domain) else {
+                self.domain.roots.push(Root { symbol, radicand });
+                left.push(hypothesis);
+                rest.push(hypothesis);
+                continue;
+            };
+            let rooted = Rooted {
+                sign: found.sign,
+                constraints: written(&self.domain.constraints),
+            };
+            self.differ_from_zero(radicand.conditions());
+            let value = self.eliminate(&symbol, &found.value)?;
+            self.eliminated_by(vec![(symbol, value)], Determining::Root(Box::new(rooted)));
+        }
+        let _ = (left, claim);
+        self.see_positive_roots();
+        Ok(rest)
+    }
+
+    /// Roots do not vanish where their radicands do not.
+    fn see_positive_roots(&mut self) {
+        for root in self.domain.roots.clone() {
+            let own = Polynomial::symbol(root.symbol.clone());
+            if !self.domain.assumes_nonzero(&own) && self.never_zero(root.radicand.numerator()) {
+                self.differ_from_zero(&[own]);
+            }
+        }
+    }
+
+    /// The equations of the roots that are left.
+    fn constrain_roots(&mut self, roots: &[&Hypothesis]) -> Result<(), Fault> {
+        for hypothesis in roots {
+            let statement = self.evaluator.truth(&hypothesis.statement);
+            let mut forms = vec![];
+            let taken = statement.and_then(|statement| equations(&statement, &mut forms));
+            taken.map_err(|f| f.within(&hypothesis.origin))?;
+            for form in forms {
+                let form = self.resolved(&form)?;
+                if !form.is_zero() || !form.conditions().is_empty() {
+                    self.constrain(form, Relation::Equal);
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The differences of the sides of the given equations.
@@ -408,7 +481,7 @@ impl<'a> Ground<'a> {
     }
 
     /// Keeps how symbols were eliminated.
-    fn eliminated_by(&mut self, values: Vec<(Symbol, Fraction)>, by: Determining) {
+    fn eliminated_by(&mut self, values: Vec<(Symbol, Fraction)>, by: Determining<Polynomial>) {
         let values = values.iter().map(|(symbol, value)| Determined {
             symbol: plain_symbol(symbol),
             value: quotient(value),
@@ -428,6 +501,10 @@ impl<'a> Ground<'a> {
         for (_, solved) in &mut self.domain.solved {
             *solved = put(solved)?;
         }
+        for root in &mut self.domain.roots {
+            root.radicand = put(&root.radicand)?;
+        }
+        self.domain.roots.retain(|root| root.symbol != *symbol);
         let Domain {
             pivots, unsettled, ..
         } = &mut self.domain;
@@ -529,6 +606,15 @@ impl<'a> Ground<'a> {
             .iter()
             .try_for_each(|form| self.vanishes(form).map_err(within))
     }
+}
+
+/// The constraints as parts of a proof.
+pub(crate) fn written(constraints: &[Constraint]) -> Vec<torse_proof::Constraint<Polynomial>> {
+    let constraint = |c: &Constraint| torse_proof::Constraint {
+        value: quotient(&c.value),
+        relation: c.relation,
+    };
+    constraints.iter().map(constraint).collect()
 }
 
 /// Whether an equation is part of a hypothesis.

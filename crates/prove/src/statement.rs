@@ -5,7 +5,7 @@
 //! symbolically, or, where a symbolic degree cannot be carried, at small values of the integers.
 
 use crate::alternatives;
-use crate::case::{Ground, Solving};
+use crate::case::{Ground, Solving, written};
 use crate::combination::multipliers;
 use crate::decide::contradiction::contradiction;
 use crate::decide::domain::Domain;
@@ -34,6 +34,29 @@ use torse_proof::{Constraint, Refuted};
 pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, Fault> {
     let elaborator = Rc::new(Elaborator::new(&claim.declarations));
     let core = core::Claim::elaborated(&elaborator, claim, statement)?;
+    let rooted = core
+        .rooted(&statement.origin)
+        .map_err(|fault| fault.within(&statement.origin))?;
+    let mut declarations = None;
+    for name in rooted.roots() {
+        let set = rooted.symbols.get(name).cloned();
+        let known = declarations.take();
+        let known = known.unwrap_or_else(|| claim.declarations.clone());
+        declarations = Some(match set {
+            Some(set) => known.with_symbol(name, set),
+            None => known,
+        });
+    }
+    let (core, elaborator) = match &declarations {
+        None => (core, elaborator),
+        Some(more) => {
+            let elaborator = Rc::new(Elaborator::new(more));
+            let core = core::Claim::elaborated(&elaborator, claim, statement)?;
+            let rooted = core.rooted(&statement.origin);
+            let rooted = rooted.map_err(|fault| fault.within(&statement.origin))?;
+            (rooted, elaborator)
+        }
+    };
     let parts = Parts::of(alternatives::parts(&core), &elaborator, &statement.origin);
     let decision = parts.decide(&core.statement);
     decision.map_err(|fault| fault.within(&statement.origin))
@@ -574,12 +597,8 @@ fn proved(
     (conditions, (nonzero, seen)): (Vec<Polynomial>, Nonzero),
     ranges: Vec<Sharpness<Polynomial>>,
 ) -> Decision {
-    let constraints = ground.domain.constraints.iter().map(|c| Constraint {
-        value: quotient(&c.value),
-        relation: c.relation,
-    });
     Decision::Proven(Proof::On(Box::new(torse_proof::proof::ground::Ground {
-        constraints: constraints.collect(),
+        constraints: written(&ground.domain.constraints),
         eliminated: ground.eliminated,
         proof,
         conditions,

@@ -40,6 +40,7 @@ impl Domain<'_> {
                 }
                 Determining::Assumed { plainly } => self.by_one(place, *plainly, known),
                 Determining::Instance => Ok(()),
+                Determining::Root(own) => self.by_root(place, own),
             };
             match (determined, hypotheses.gap.clone()) {
                 // The equation may be one that was not expanded.
@@ -143,12 +144,13 @@ impl Domain<'_> {
     /// Whether a polynomial is a product of what is known to differ from zero where the first groups have their values:
     /// numbers, conditions, divisors of terms, what hypotheses say is not zero, and symbols whose declared range does not
     /// contain zero.
-    fn is_nonzero(
+    pub(super) fn is_nonzero(
         &self,
         polynomial: &Polynomial,
         known: &[Compared],
         groups: usize,
     ) -> Result<bool, Beyond> {
+        let polynomial = &self.unrooted(polynomial, groups)?;
         if self.divides(polynomial, known, groups, false)? {
             return Ok(true);
         }
@@ -225,7 +227,9 @@ impl Domain<'_> {
         let unplain = |group: &Elimination<Polynomial>| {
             matches!(group.by, Determining::Assumed { plainly: false })
         };
-        let seen = self.divides(divisor, known, groups, true)?;
+        let unrooted = self.unrooted(divisor, groups)?;
+        let seen = self.divides(divisor, known, groups, true)?
+            || self.divides(&unrooted, known, groups, true)?;
         Ok(match seen || self.groups.iter().any(unplain) {
             true => Beyond::Divisor(divisor.to_string()).into(),
             false => Wrong::Divisor(divisor.to_string()).into(),

@@ -35,7 +35,7 @@ pub struct Elimination<P> {
     /// The symbols with their values, in terms of those that were not eliminated then.
     pub values: Vec<Determined<P>>,
     /// Which equations, and why they determine the symbols.
-    pub by: Determining,
+    pub by: Determining<P>,
 }
 
 /// A symbol with the value that equations give it.
@@ -50,7 +50,7 @@ pub struct Determined<P> {
 /// How equations determine symbols.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Determining {
+pub enum Determining<P> {
     /// An assumed equation, linear in the one symbol.
     Assumed {
         /// Whether its coefficient is a number, or differs from zero by a hypothesis or a condition of the proof; else its
@@ -62,6 +62,17 @@ pub enum Determining {
     Given(Vec<usize>),
     /// A value chosen for an integer.
     Instance,
+    /// The symbol is a root, and the square of the value is its radicand.
+    Root(Box<Rooted<P>>),
+}
+
+/// Why a value is the root, which is not negative, and not its negative.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Rooted<P> {
+    /// Numerator times denominator of the value, which is not negative.
+    pub sign: Sign<P>,
+    /// The constraints that the sign names by their places.
+    pub constraints: Vec<Constraint<P>>,
 }
 
 /// Whether the range of a parameter is the largest one.
@@ -114,7 +125,15 @@ impl<P> Elimination<P> {
         };
         Elimination {
             values: self.values.iter().map(value).collect(),
-            by: self.by.clone(),
+            by: match &self.by {
+                Determining::Assumed { plainly } => Determining::Assumed { plainly: *plainly },
+                Determining::Given(places) => Determining::Given(places.clone()),
+                Determining::Instance => Determining::Instance,
+                Determining::Root(own) => Determining::Root(Box::new(Rooted {
+                    sign: own.sign.map(change),
+                    constraints: own.constraints.iter().map(|c| c.map(change)).collect(),
+                })),
+            },
         }
     }
 }
