@@ -9,7 +9,7 @@ use crate::case::{Ground, Solving, written};
 use crate::combination::multipliers;
 use crate::decide::contradiction::contradiction;
 use crate::decide::domain::Domain;
-use crate::decide::value::{Proof, plain, quotient};
+use crate::decide::value::{Proof, plain};
 use crate::decide::{self, Decision, conditions, equality, exponential, instances, sign, witness};
 use crate::evaluate::value::{Statement, Value};
 use std::collections::BTreeMap;
@@ -17,7 +17,7 @@ use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::core::{self, Elaborator};
-use torse_language::derivation::declarations::SymbolKind;
+use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::derivation::{Claim, Origin, Written};
 use torse_language::fault::{Fault, Problem};
 use torse_language::syntax::{Connective, Relation};
@@ -25,7 +25,7 @@ use torse_proof::identity::{Combination, Equations, Vanishing};
 use torse_proof::proof::Emptiness;
 use torse_proof::proof::ground::Sharpness;
 use torse_proof::sign::Sign;
-use torse_proof::{Constraint, Refuted};
+use torse_proof::Refuted;
 
 /// Decides a statement on the domain of a claim: the claim's own, or another one in its place.
 ///
@@ -41,7 +41,7 @@ pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, 
     for name in rooted.roots() {
         let set = rooted.symbols.get(name).cloned();
         let known = declarations.take();
-        let known = known.unwrap_or_else(|| claim.declarations.clone());
+        let known = known.unwrap_or_else(|| Declarations::clone(&claim.declarations));
         declarations = Some(match set {
             Some(set) => known.with_symbol(name, set),
             None => known,

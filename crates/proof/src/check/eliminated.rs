@@ -144,7 +144,7 @@ impl Domain<'_> {
     /// Whether a polynomial is a product of what is known to differ from zero where the first groups have their values:
     /// numbers, conditions, divisors of terms, what hypotheses say is not zero, and symbols whose declared range does not
     /// contain zero.
-    pub(super) fn is_nonzero(
+    fn is_nonzero(
         &self,
         polynomial: &Polynomial,
         known: &[Compared],
@@ -244,8 +244,17 @@ impl Domain<'_> {
 
     /// Whether the denominator of a quotient of the proof is known to differ from zero.
     pub fn nonzero_here(&self, polynomial: &Polynomial) -> Result<bool, Beyond> {
-        let known = self.hypotheses(self.groups.len());
-        self.is_nonzero(polynomial, &known.all, self.groups.len())
+        self.nonzero_at(polynomial, self.groups.len())
+    }
+
+    /// The same where the first groups have their values.
+    pub(super) fn nonzero_at(
+        &self,
+        polynomial: &Polynomial,
+        groups: usize,
+    ) -> Result<bool, Beyond> {
+        let known = self.hypotheses(groups);
+        self.is_nonzero(polynomial, &known.all, groups)
     }
 }
 

@@ -52,8 +52,7 @@ impl Domain<'_> {
         }
         let signs = Signs::new(self, &own.constraints, place)?;
         signs.check(&own.sign)?;
-        let known = self.hypotheses(place);
-        match below.is_number() || self.is_nonzero(below, &known.all, place)? {
+        match below.is_number() || self.nonzero_at(below, place)? {
             true => Ok(()),
             false => Err(Beyond::Divisor(below.to_string()).into()),
         }

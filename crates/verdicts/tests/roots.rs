@@ -1,0 +1,122 @@
+//! Roots of formulas: `sqrt`, `norm` and `abs` of what contains symbols.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests"
+)]
+
+mod common;
+
+use torse_language::words::Verdict::{self, Conditional, False, Holds, Undecided};
+
+const SHARED: &str = r#"
+[symbols]
+x = {}
+y = {}
+a = { in = "(0, inf)" }
+b = { in = "(0, inf)" }
+h = {}
+t = {}
+s = { in = "[0, 1]" }
+p = { vector = 3 }
+q = { vector = 3 }
+c = { function = 3 }
+
+[define]
+"helix(u)" = '[a*cos(u), a*sin(u), h*u]'
+N = '[cos(t), sin(t), 0]'
+"#;
+
+#[track_caller]
+fn verdict(lines: &str, wanted: Verdict) {
+    let found = common::outcomes("roots", SHARED, &[lines]);
+    let found = found.first().expect("one claim");
+    assert_eq!(found.contradiction, None, "{lines}");
+    println!(
+        "{lines}\n   {:?} replay {:?}\n   conditions {:?} net {:?}\n    {:?}",
+        found.verdict,
+        found.replay,
+        found.conditions.iter().map(|f| &f.text).collect::<Vec<_>>(),
+        found.net.as_ref().map(|n| (n.netted, n.decided, n.why.clone())),
+        found.witness,
+    );
+    assert_eq!(found.verdict, wanted, "{lines}: {:#?}", found.steps);
+}
+
+#[track_caller]
+fn states(statement: &str, wanted: Verdict) {
+    verdict(&format!("states = \"{statement}\""), wanted);
+}
+
+#[test]
+fn a_root_of_a_square_is_that_with_its_sign() {
+    states("sqrt(a^2) == a", Holds);
+    states("sqrt(x^2) == x", False);
+    states("sqrt(x^2) == abs(x)", Holds);
+    states("abs(-x) == abs(x)", Holds);
+    states("abs(x*y) == abs(x)*abs(y)", Holds);
+    states("abs(x + y) == abs(x) + abs(y)", False);
+    states("sqrt(4*a^2*b^2/(a + b)^2) == 2*a*b/(a + b)", Holds);
+    states("sqrt(x)^2 == x", Holds);
+    states("sqrt(x^2*y) == x*sqrt(y)", False);
+    states("sqrt(a^2*y) == a*sqrt(y)", Holds);
+    states("sqrt(a)*sqrt(b) == sqrt(a*b)", Holds);
+    states("sqrt(a)/sqrt(b) == sqrt(a/b)", Holds);
+    states("sqrt(a + b) == sqrt(a) + sqrt(b)", False);
+    states("sqrt(cos(t)^2 + sin(t)^2) == 1", Holds);
+    states("sqrt(1 - cos(t)^2) == abs(sin(t))", Holds);
+    states("sqrt(1 - cos(t)^2) == sin(t)", False);
+    verdict("assume = ['x <= 0']\nstates = 'abs(x) == -x'", Holds);
+    verdict("assume = ['x >= y']\nstates = 'sqrt((x - y)^2) == x - y'", Holds);
+}
+
+#[test]
+fn unit_vectors_have_length_one_where_they_are_defined() {
+    states("dot(p/norm(p), p/norm(p)) == 1", Conditional);
+    verdict("assume = ['p != [0, 0, 0]']\nstates = 'norm(p/norm(p)) == 1'", Holds);
+    verdict("assume = ['p != [0, 0, 0]']\nstates = 'norm(p)/norm(p) == 1'", Holds);
+    states("norm(N) == 1", Holds);
+    states("norm(p)^2 == dot(p, p)", Holds);
+    states("norm(-2*p) == 2*norm(p)", Holds);
+    states("norm(x*p) == abs(x)*norm(p)", Holds);
+    states("norm(x*p) == x*norm(p)", False);
+    states("norm(p + q) == norm(p) + norm(q)", False);
+    states("1/sqrt(x^2 + 1)^2 == 1/(x^2 + 1)", Holds);
+}
+
+#[test]
+fn derivatives_of_roots_divide_by_them() {
+    states("D(sqrt(x^2 + 1), x) == x/sqrt(x^2 + 1)", Holds);
+    states("D(sqrt(x^2 + 1), x) == 1/sqrt(x^2 + 1)", False);
+    states("D(sqrt(x^2 + 1), x, 2) == 1/sqrt(x^2 + 1)^3", Holds);
+    states("D(D(sqrt(x^2 + 1), x), x) == 1/sqrt(x^2 + 1)^3", Holds);
+    states("D(sqrt(x), x) == 1/(2*sqrt(x))", Conditional);
+    states("D(sqrt(a), a) == 1/(2*sqrt(a))", Holds);
+    states("D(sqrt(1 + sqrt(1 + x^2)), x) == x/(2*sqrt(1 + x^2)*sqrt(1 + sqrt(1 + x^2)))", Holds);
+    states("at(D(sqrt(x^2 + 1), x), x, y) == y/sqrt(y^2 + 1)", Holds);
+}
+
+#[test]
+fn curvature_and_torsion_of_the_helix() {
+    states("norm(helix'(t)) == sqrt(a^2 + h^2)", Holds);
+    states("norm(cross(helix'(t), helix''(t)))/norm(helix'(t))^3 == a/(a^2 + h^2)", Holds);
+    states("norm(cross(helix'(t), helix''(t)))/norm(helix'(t))^3 == a/(a^2 + h^2)^2", False);
+    states("norm(D(helix'(t)/norm(helix'(t)), t))/norm(helix'(t)) == a/(a^2 + h^2)", Holds);
+    states("dot(c'(t)/norm(c'(t)), D(c'(t)/norm(c'(t)), t)) == 0", Conditional);
+}
+
+#[test]
+fn relations_of_order_with_roots() {
+    states("sqrt(x) >= 0", Holds);
+    states("norm(p) >= 0", Holds);
+    states("sqrt(x^2 + 1) > 0", Holds);
+    states("sqrt(x^2 + 1) >= 1", Holds);
+    states("abs(x) >= x", Holds);
+    states("sqrt(a*b) <= (a + b)/2", Holds);
+    states("sqrt(s) >= s", Holds);
+    states("sqrt(s) <= s", False);
+    states("abs(x) < 1", False);
+    states("norm(p + q) <= norm(p) + norm(q)", Undecided);
+}
