@@ -16,7 +16,7 @@ use crate::evaluate::Evaluator;
 use crate::evaluate::linear::{single_symbol, solve_for};
 use crate::evaluate::series::polynomial_of;
 use crate::evaluate::value::{NOWHERE, Statement, Value};
-use crate::roots::{self, Root};
+use crate::roots::{self, Resolved, Root};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
@@ -40,6 +40,16 @@ pub struct Ground<'a> {
     /// How symbols were eliminated, in this order.
     pub eliminated: Vec<Elimination<Polynomial>>,
     solving: Solving,
+    roots_solved: RootsAre,
+}
+
+/// What becomes of the equations `w^2 == r` of roots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RootsAre {
+    /// They stay, and w is a symbol.
+    Symbols,
+    /// A symbol of r in which they are linear is eliminated: for relations of order.
+    Solved,
 }
 
 /// When an assumed equation is solved for a symbol.
@@ -99,7 +109,20 @@ impl<'a> Ground<'a> {
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
     ) -> Result<Self, Fault> {
-        let mut ground = Self::assumed(claim, elaborator, fixed, Solving::Always)?;
+        Self::with_roots(claim, elaborator, fixed, RootsAre::Symbols)
+    }
+
+    /// The same with the equations of roots taken one way or the other.
+    ///
+    /// # Errors
+    /// As [`Ground::new`].
+    pub fn with_roots(
+        claim: &core::Claim,
+        elaborator: Rc<Elaborator<'a>>,
+        fixed: &BTreeMap<String, Fraction>,
+        roots: RootsAre,
+    ) -> Result<Self, Fault> {
+        let mut ground = Self::made(claim, elaborator, fixed, (Solving::Always, roots))?;
         ground.solve(&ground.given(claim)?, claim)?;
         ground.bound_integers(claim, fixed);
         Ok(ground)
@@ -115,12 +138,22 @@ impl<'a> Ground<'a> {
         fixed: &BTreeMap<String, Fraction>,
         solving: Solving,
     ) -> Result<Self, Fault> {
+        Self::made(claim, elaborator, fixed, (solving, RootsAre::Symbols))
+    }
+
+    fn made(
+        claim: &core::Claim,
+        elaborator: Rc<Elaborator<'a>>,
+        fixed: &BTreeMap<String, Fraction>,
+        (solving, roots_solved): (Solving, RootsAre),
+    ) -> Result<Self, Fault> {
         let evaluator = Evaluator::with(elaborator);
         let mut ground = Self {
             domain: Domain::new(evaluator.declarations),
             evaluator: evaluator.fixing(fixed),
             eliminated: vec![],
             solving,
+            roots_solved,
         };
         for (name, value) in fixed {
             ground.keep_range(&Symbol::named(name), value);
@@ -130,76 +163,104 @@ impl<'a> Ground<'a> {
         // Inequalities first: they may say that the divisor of an elimination does not vanish.
         let (equations, others) = assumed.partition(|h| has_equation(&h.statement));
         ground.assume_all(others)?;
-        let mut roots = ground.resolve(claim.hypotheses.iter(), claim)?;
+        let rooted = claim.hypotheses.iter().filter(|h| h.root().is_some());
+        let mut roots = ground.resolve(rooted.collect())?;
         ground.assume_all(equations)?;
         if ground.domain.pivots.is_empty() {
-            roots = ground.resolve(roots.into_iter(), claim)?;
+            roots = ground.resolve(roots)?;
         }
         ground.constrain_roots(&roots)?;
         Ok(ground)
     }
 
     /// Takes the roots of which a value is found; those that are left.
-    fn resolve<'h>(
-        &mut self,
-        hypotheses: impl Iterator<Item = &'h Hypothesis>,
-        claim: &core::Claim,
-    ) -> Result<Vec<&'h Hypothesis>, Fault> {
-        let (mut rest, mut left) = (vec![], vec![]);
+    fn resolve<'h>(&mut self, hypotheses: Vec<&'h Hypothesis>) -> Result<Vec<&'h Hypothesis>, Fault> {
         self.domain.roots.clear();
-        let named: Vec<&Hypothesis> = hypotheses.filter(|h| h.root().is_some()).collect();
-        for hypothesis in named {
+        for hypothesis in &hypotheses {
             let Some((name, radicand)) = hypothesis.root() else {
                 continue;
             };
             let symbol = Symbol::named(name);
-            let known = self.domain.solved.iter().any(|(s, _)| *s == symbol);
             let value = self.evaluator.term(radicand);
-            let value = value.ok().as_ref().and_then(plain);
-            let (false, Some(radicand)) = (known, value) else {
-                rest.push(hypothesis);
+            let (false, Some(radicand)) = (
+                self.is_solved(&symbol),
+                value.ok().as_ref().and_then(plain),
+            ) else {
                 continue;
             };
-            let Some(found) = roots::resolved(&radicand, &self.domain) else {
-                self.domain.roots.push(Root { symbol, radicand });
-                left.push(hypothesis);
-                rest.push(hypothesis);
-                continue;
-            };
-            let rooted = Rooted {
-                sign: found.sign,
-                constraints: written(&self.domain.constraints),
-            };
-            self.differ_from_zero(radicand.conditions());
-            let value = self.eliminate(&symbol, &found.value)?;
-            self.eliminated_by(vec![(symbol, value)], Determining::Root(Box::new(rooted)));
+            match roots::resolved(&radicand, &self.domain) {
+                Some(found) => self.take_root(&symbol, &radicand, found)?,
+                None => self.domain.roots.push(Root { symbol, radicand }),
+            }
         }
-        let _ = (left, claim);
+        while let Some((root, found)) = roots::resolved_by_others(&self.domain) {
+            self.take_root(&root.symbol, &root.radicand, found)?;
+        }
         self.see_positive_roots();
-        Ok(rest)
+        let open = |h: &&Hypothesis| {
+            h.root().is_some_and(|(name, _)| !self.is_solved(&Symbol::named(name)))
+        };
+        Ok(hypotheses.into_iter().filter(open).collect())
     }
 
-    /// Roots do not vanish where their radicands do not.
+    fn is_solved(&self, symbol: &Symbol) -> bool {
+        self.domain.solved.iter().any(|(known, _)| known == symbol)
+    }
+
+    /// A root has this value, where its radicand has one.
+    fn take_root(
+        &mut self,
+        symbol: &Symbol,
+        radicand: &Fraction,
+        found: Resolved,
+    ) -> Result<(), Fault> {
+        let rooted = Rooted {
+            sign: found.sign,
+            constraints: written(&self.domain.constraints),
+        };
+        let value = found.value.under(radicand.conditions());
+        let value = self.eliminate(symbol, &value)?;
+        let by = Determining::Root(Box::new(rooted));
+        self.eliminated_by(vec![(symbol.clone(), value)], by);
+        Ok(())
+    }
+
+    /// Roots are positive where their radicands do not vanish.
     fn see_positive_roots(&mut self) {
         for root in self.domain.roots.clone() {
             let own = Polynomial::symbol(root.symbol.clone());
             if !self.domain.assumes_nonzero(&own) && self.never_zero(root.radicand.numerator()) {
-                self.differ_from_zero(&[own]);
+                self.domain.constraints.push(Constraint {
+                    value: own.into(),
+                    relation: Relation::Greater,
+                });
             }
         }
     }
 
-    /// The equations of the roots that are left.
+    /// The equations of the roots that are left. A root has a value where its radicand has one.
     fn constrain_roots(&mut self, roots: &[&Hypothesis]) -> Result<(), Fault> {
         for hypothesis in roots {
+            let within = |f: Fault| f.within(&hypothesis.origin);
+            let Some((name, _)) = hypothesis.root() else {
+                continue;
+            };
             let statement = self.evaluator.truth(&hypothesis.statement);
             let mut forms = vec![];
-            let taken = statement.and_then(|statement| equations(&statement, &mut forms));
-            taken.map_err(|f| f.within(&hypothesis.origin))?;
+            statement
+                .and_then(|statement| equations(&statement, &mut forms))
+                .map_err(within)?;
             for form in forms {
-                let form = self.resolved(&form)?;
-                if !form.is_zero() || !form.conditions().is_empty() {
-                    self.constrain(form, Relation::Equal);
+                let value = self.resolved(&form)?;
+                let symbol = Symbol::named(name);
+                if !self.is_solved(&symbol) {
+                    let own = Fraction::symbol(symbol).under(value.conditions());
+                    self.evaluator.fix(name.to_string(), own);
+                }
+                let relation = Relation::Equal;
+                match self.roots_solved {
+                    RootsAre::Symbols => self.domain.constraints.push(Constraint { value, relation }),
+                    RootsAre::Solved => self.vanishes(&value)?,
                 }
             }
         }

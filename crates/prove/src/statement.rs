@@ -5,13 +5,14 @@
 //! symbolically, or, where a symbolic degree cannot be carried, at small values of the integers.
 
 use crate::alternatives;
-use crate::case::{Ground, Solving, written};
+use crate::case::{Ground, RootsAre, Solving, written};
 use crate::combination::multipliers;
 use crate::decide::contradiction::contradiction;
 use crate::decide::domain::Domain;
 use crate::decide::value::{Proof, plain};
 use crate::decide::{self, Decision, conditions, equality, exponential, instances, sign, witness};
 use crate::evaluate::value::{Statement, Value};
+use crate::roots;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
@@ -328,11 +329,12 @@ impl Decider<'_> {
     }
 
     fn ground(&self, instance: &Instance) -> Result<Ground<'_>, Fault> {
-        Ground::new(
-            &self.claim,
-            Rc::clone(&self.elaborator),
-            &instances::fixed(instance),
-        )
+        self.ground_where(instance, RootsAre::Symbols)
+    }
+
+    fn ground_where(&self, instance: &Instance, roots: RootsAre) -> Result<Ground<'_>, Fault> {
+        let fixed = instances::fixed(instance);
+        Ground::with_roots(&self.claim, Rc::clone(&self.elaborator), &fixed, roots)
     }
 
     /// A statement that is no conjunction and no negation.
@@ -457,7 +459,7 @@ impl Decider<'_> {
         };
         let conditions: Vec<Polynomial> =
             divisors.chain(of(&differences)).chain(of(&forms)).collect();
-        let open = open_conditions(conditions::separated(&conditions), &ground);
+        let open = open_conditions(unrooted(&conditions, &ground), &ground);
         let combination = Combination {
             of: Equations::Given,
             equations: forms.iter().map(|f| f.numerator().clone()).collect(),
@@ -492,17 +494,36 @@ impl Decider<'_> {
         let (domain, evaluator) = (&ground.domain, &ground.evaluator);
         let combination = equality::follows(&left, &right, domain, evaluator)
             .or_else(|| equality::follows_from_several(&left, &right, domain, evaluator))?;
-        let open = open_conditions(conditions::separated(&combination.divisors), &ground);
+        let open = open_conditions(unrooted(&combination.divisors, &ground), &ground);
         Some((ground, combination, open))
     }
 
-    /// The decision with some integers fixed.
+    /// The decision with some integers fixed. Where roots are left that settle nothing as symbols, what they are the roots of
+    /// is written by them.
     fn symbolic(
         &self,
         statement: &core::Statement,
         instance: &Instance,
     ) -> Result<Decision, Fault> {
-        let mut ground = self.ground(instance)?;
+        let ground = self.ground(instance)?;
+        let rooted = !ground.domain.roots.is_empty();
+        let decision = self.on_ground(statement, instance, ground)?;
+        if rooted && matches!(decision, Decision::Open { .. }) {
+            let ground = self.ground_where(instance, RootsAre::Solved);
+            let again = ground.and_then(|ground| self.on_ground(statement, instance, ground));
+            if let Ok(decided @ (Decision::Proven(_) | Decision::Refuted(_))) = again {
+                return Ok(decided);
+            }
+        }
+        Ok(decision)
+    }
+
+    fn on_ground(
+        &self,
+        statement: &core::Statement,
+        instance: &Instance,
+        mut ground: Ground<'_>,
+    ) -> Result<Decision, Fault> {
         let names: Vec<String> = self
             .claim
             .symbols
@@ -557,7 +578,7 @@ impl Decider<'_> {
         if !is_equality(&value) {
             met.extend(ground.domain.pivots.iter().cloned());
         }
-        let met = conditions::separated(&met);
+        let met = unrooted(&met, &ground);
         let conditions = open_conditions(met.clone(), &ground);
         if !conditions.is_empty()
             && let Some((unsolved, combination, weaker)) =
@@ -579,7 +600,7 @@ impl Decider<'_> {
                 .all(|condition| conditions.contains(condition))
             && weaker.len() < conditions.len()
         {
-            let met = conditions::separated(&combination.divisors);
+            let met = unrooted(&combination.divisors, &kept);
             let nonzero = nonzero(met, &weaker, &kept.domain);
             let combination = Proof::Combination(combination);
             return Ok(proved(kept, combination, (weaker, nonzero), vec![]));
@@ -674,6 +695,13 @@ fn divisors(statement: &Statement) -> Vec<Polynomial> {
 fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
     condition == divisor
         || condition.len() < divisor.len() && divisor.exact_quotient(condition).is_some()
+}
+
+/// The divisors, factor by factor, with radicands for roots, which vanish where these do.
+fn unrooted(divisors: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
+    let roots = &ground.domain.roots;
+    let plain: Vec<Polynomial> = divisors.iter().map(|p| roots::unrooted(p, roots)).collect();
+    conditions::separated(&plain)
 }
 
 /// The conditions, factor by factor, that neither the hypotheses state nor the domain implies.

@@ -160,7 +160,14 @@ impl Check<'_> {
             (_, Proof::On(ground)) => {
                 let own = || Domain::new(claim, self.conditions, Some(ground), integers, self.work);
                 let nonzero = nonzero(&own(), &ground.nonzero)?;
-                statement::check(&own().with_nonzero(nonzero), ground)
+                let checked = statement::check(&own().with_nonzero(nonzero), ground);
+                match ground.seen.first() {
+                    // That a root is positive may rest on this.
+                    Some(seen) if claim.roots().next().is_some() => {
+                        checked.map_err(|_| Beyond::Divisor(seen.to_string()).into())
+                    }
+                    _ => checked,
+                }
             }
             (_, Proof::Defined(proof)) => {
                 // The conditions have to follow from the definedness of the terms.

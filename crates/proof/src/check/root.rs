@@ -79,6 +79,19 @@ impl Domain<'_> {
         Ok(roots)
     }
 
+    /// Whether a symbol is a root whose radicand is known not to vanish: then it is positive.
+    pub(super) fn is_positive_root(&self, symbol: &Symbol, groups: usize) -> Result<bool, Beyond> {
+        let mut names = self.claim.hypotheses.iter().filter_map(Hypothesis::root);
+        if !names.any(|(name, _)| Symbol::Named(Arc::clone(name)) == *symbol) {
+            return Ok(false);
+        }
+        let roots = self.roots(groups)?;
+        match roots.iter().any(|root| root.symbol == *symbol) {
+            true => self.nonzero_at(&Polynomial::symbol(symbol.clone()), groups),
+            false => Ok(false),
+        }
+    }
+
     /// The polynomial with the squares of roots replaced by their radicands.
     fn reduced(&self, polynomial: &Polynomial, groups: usize) -> Result<Quotient, Beyond> {
         let work = self.work;

@@ -38,6 +38,7 @@ pub struct Resolved {
 /// The value of a root of this radicand, if it is found: from squares in it, and from the roots that are known.
 #[must_use]
 pub fn resolved(radicand: &Fraction, domain: &Domain<'_>) -> Option<Resolved> {
+    let radicand = &reduced(radicand, &domain.roots)?;
     let known = &domain.roots;
     let mut products: Vec<Vec<&Root>> = vec![vec![]];
     products.extend(known.iter().map(|root| vec![root]));
@@ -61,7 +62,8 @@ fn as_multiple(radicand: &Fraction, roots: &[&Root], domain: &Domain<'_>) -> Opt
     let value = symbols.fold(factor, |product, root| product * root);
     // Where the radicand has a value the root has one, whatever was divided by on the way to it.
     let value = value.without_conditions();
-    if !(reduced(&(value.clone() * value.clone()), &domain.roots)? - radicand.clone()).is_zero() {
+    let difference = value.clone() * value.clone() - radicand.clone();
+    if !reduced(&difference, &domain.roots)?.is_zero() {
         return None;
     }
     let known = |divisor: &Polynomial| {
@@ -78,6 +80,21 @@ fn as_multiple(radicand: &Fraction, roots: &[&Root], domain: &Domain<'_>) -> Opt
             .then(|| sign::nonnegative(&product, domain))
             .flatten()?;
         Some(Resolved { value, sign })
+    })
+}
+
+/// The value of one of the roots that are known, in terms of the others, if it is found.
+#[must_use]
+pub fn resolved_by_others(domain: &Domain<'_>) -> Option<(Root, Resolved)> {
+    domain.roots.iter().find_map(|root| {
+        let mut others = domain.clone();
+        others.roots.retain(|other| {
+            let mut symbols = other.radicand.symbols().into_iter();
+            other.symbol != root.symbol && symbols.all(|symbol| symbol != root.symbol)
+        });
+        let found = resolved(&root.radicand, &others)?;
+        let own = found.value.symbols().contains(&root.symbol);
+        (!own).then(|| (root.clone(), found))
     })
 }
 

@@ -91,19 +91,13 @@ impl Writer {
                 ..
             } => {
                 // By a symbol, at its value.
-                let Node::Symbol(name) = &*at.node else {
+                let symbol = self.written(at, names)?;
+                let syntax::Node::Name(name) = &symbol.node else {
                     return None;
                 };
-                let symbol = syntax::parse(name).ok()?;
-                let syntax::Node::Name(_) = &symbol.node else {
-                    return None;
-                };
-                let outside = |part: &Term| {
-                    let mut found = false;
-                    part.declared_names(&mut |other| found |= other == name);
-                    found
-                };
-                if outside(body) {
+                let mut outside = false;
+                body.declared_names(&mut |other| outside |= **other == **name);
+                if outside {
                     return None;
                 }
                 let mut inside = names.clone();
