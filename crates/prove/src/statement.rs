@@ -634,7 +634,14 @@ fn proved(
 type Nonzero = (Vec<Sign<Polynomial>>, Vec<Polynomial>);
 
 /// Those of the factors of divisors that were met, and are no conditions.
-fn nonzero(met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
+fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
+    // Roots were taken for positive where their radicands are.
+    for root in &domain.roots {
+        if domain.assumes_nonzero(&Polynomial::symbol(root.symbol.clone())) {
+            met.push(root.radicand.numerator().clone());
+        }
+    }
+    let met = conditions::separated(&met);
     let declared = Domain::new(domain.declarations);
     let (mut signs, mut seen) = (vec![], vec![]);
     for divisor in met {

@@ -4,6 +4,7 @@
     clippy::unwrap_used,
     clippy::expect_used,
     clippy::panic,
+    clippy::indexing_slicing,
     reason = "helpers of tests"
 )]
 
@@ -119,4 +120,101 @@ fn relations_of_order_with_roots() {
     states("sqrt(s) <= s", False);
     states("abs(x) < 1", False);
     states("norm(p + q) <= norm(p) + norm(q)", Undecided);
+}
+
+/// A generator of numbers, the same on every run.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, n: u64) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) % n
+    }
+
+    fn one_of<'t>(&mut self, all: &[&'t str]) -> &'t str {
+        let count = u64::try_from(all.len()).unwrap();
+        all[usize::try_from(self.below(count)).unwrap()]
+    }
+
+    /// A small polynomial.
+    fn formula(&mut self) -> String {
+        let symbol = |dice: &mut Self| dice.one_of(&["x", "y", "a", "b", "s", "2", "3"]);
+        let (p, q) = (symbol(self), symbol(self));
+        let sign = self.one_of(&["+", "-", "*"]);
+        match self.below(5) {
+            0 => p.to_owned(),
+            1 => format!("{p}^2"),
+            2 => format!("({p}^2 {sign} {q}^2)"),
+            3 => format!("({p}^2 + {q}^2 + 1)"),
+            _ => format!("({p} {sign} {q})"),
+        }
+    }
+
+    fn statement(&mut self) -> String {
+        let (p, q) = (self.formula(), self.formula());
+        let equal = self.one_of(&["==", "==", "==", "==", "<=", ">=", "!="]);
+        let c = self.one_of(&["1", "1", "1", "2", "-1"]);
+        let v = self.one_of(&["x", "a", "s"]);
+        let left_right = match self.below(12) {
+            0 => (format!("sqrt({p}^2*{q})"), format!("{p}*sqrt({q})")),
+            1 => (format!("sqrt({p}^2*{q})"), format!("abs({p})*sqrt({q})")),
+            2 => (format!("sqrt({p})*sqrt({q})"), format!("sqrt({p}*{q})")),
+            3 => (format!("D(sqrt({p}), {v})"), format!("D({p}, {v})/(2*sqrt({p}))")),
+            4 => (format!("abs({p} + {q})"), format!("abs({p}) + abs({q})")),
+            5 => (format!("norm([{p}, {q}])"), format!("sqrt({p}^2 + {q}^2)")),
+            6 => (format!("sqrt({p})/sqrt({q})"), format!("sqrt({p}/{q})")),
+            7 => (
+                format!("(sqrt({p}) + {q})^2"),
+                format!("{p} + 2*{q}*sqrt({p}) + {q}^2"),
+            ),
+            8 => (
+                format!("1/(sqrt({p}) - sqrt({q}))"),
+                format!("(sqrt({p}) + sqrt({q}))/({p} - {q})"),
+            ),
+            9 => (
+                format!("D(abs({p})/sqrt({q}), {v})"),
+                format!("D(abs({p}), {v})/sqrt({q}) - abs({p})*D({q}, {v})/(2*sqrt({q})^3)"),
+            ),
+            10 => (format!("sqrt({p} + sqrt({q}))^2"), format!("{p} + sqrt({q})")),
+            _ => (format!("sqrt({p}^2)"), p.clone()),
+        };
+        let assumed = match self.below(3) {
+            0 => format!("assume = ['{p} >= 0']\n"),
+            1 => format!("assume = ['{q} > x']\n"),
+            _ => String::new(),
+        };
+        let (left, right) = left_right;
+        format!("{assumed}states = '{c}*{left} {equal} {right}'")
+    }
+}
+
+#[test]
+fn random_claims_about_roots_contradict_neither_the_semantics_nor_the_checker() {
+    let wanted = std::env::var("TORSE_RANDOM").ok().and_then(|n| n.parse().ok());
+    let mut dice = Dice(0x5eed_0f07_0075);
+    let mut counts: std::collections::BTreeMap<String, usize> = std::collections::BTreeMap::new();
+    let mut replayed = 0;
+    for _ in 0..wanted.unwrap_or(250) {
+        let lines = dice.statement();
+        let Ok(paper) = common::loaded("random", SHARED, &[&lines]) else {
+            panic!("{lines}");
+        };
+        let found = torse_verdicts::engine::decide_claim("random", &paper.claims[0]);
+        let kind = match found {
+            Ok(found) => {
+                assert_eq!(found.contradiction, None, "{lines}: {:?}", found.steps);
+                replayed += usize::from(found.replay.as_ref().is_some_and(|r| r.replayed));
+                let netted = found.net.as_ref().is_some_and(|net| net.netted);
+                format!("{:?}{}", found.verdict, if netted { " netted" } else { "" })
+            }
+            Err(fault) => {
+                println!("{lines}: {fault}");
+                "fault".to_owned()
+            }
+        };
+        *counts.entry(kind).or_default() += 1;
+    }
+    println!("{counts:?}, {replayed} replayed");
 }

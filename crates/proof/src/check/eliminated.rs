@@ -39,7 +39,6 @@ impl Domain<'_> {
                     self.by_given(place, places, known)
                 }
                 Determining::Assumed { plainly } => self.by_one(place, *plainly, known),
-                Determining::Instance => Ok(()),
                 Determining::Root(own) => self.by_root(place, own),
             };
             match (determined, hypotheses.gap.clone()) {

@@ -60,8 +60,6 @@ pub enum Determining<P> {
     /// As many of the `given` equations, by their places among all entries of these: linear in the symbols, with a
     /// determinant that is not zero.
     Given(Vec<usize>),
-    /// A value chosen for an integer.
-    Instance,
     /// The symbol is a root, and the square of the value is its radicand.
     Root(Box<Rooted<P>>),
 }
@@ -128,7 +126,6 @@ impl<P> Elimination<P> {
             by: match &self.by {
                 Determining::Assumed { plainly } => Determining::Assumed { plainly: *plainly },
                 Determining::Given(places) => Determining::Given(places.clone()),
-                Determining::Instance => Determining::Instance,
                 Determining::Root(own) => Determining::Root(Box::new(Rooted {
                     sign: own.sign.map(change),
                     constraints: own.constraints.iter().map(|c| c.map(change)).collect(),

@@ -10,6 +10,7 @@ mod square;
 use crate::decide::domain::Domain;
 use crate::decide::sign;
 use square::root_of;
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial, Symbol};
 use torse_proof::sign::Sign;
 
@@ -76,8 +77,12 @@ fn as_multiple(radicand: &Fraction, roots: &[&Root], domain: &Domain<'_>) -> Opt
     }
     [value.clone(), -value].into_iter().find_map(|value| {
         let product = value.numerator() * &value.denominator();
-        let sign = (product.len() <= MAX_EXAMINED)
-            .then(|| sign::nonnegative(&product, domain))
+        let shown = match planted(Planted::RootSignIgnored) {
+            true => product.power(2),
+            false => product,
+        };
+        let sign = (shown.len() <= MAX_EXAMINED)
+            .then(|| sign::nonnegative(&shown, domain))
             .flatten()?;
         Some(Resolved { value, sign })
     })
