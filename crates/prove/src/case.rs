@@ -174,7 +174,10 @@ impl<'a> Ground<'a> {
     }
 
     /// Takes the roots of which a value is found; those that are left.
-    fn resolve<'h>(&mut self, hypotheses: Vec<&'h Hypothesis>) -> Result<Vec<&'h Hypothesis>, Fault> {
+    fn resolve<'h>(
+        &mut self,
+        hypotheses: Vec<&'h Hypothesis>,
+    ) -> Result<Vec<&'h Hypothesis>, Fault> {
         self.domain.roots.clear();
         for hypothesis in &hypotheses {
             let Some((name, radicand)) = hypothesis.root() else {
@@ -182,10 +185,9 @@ impl<'a> Ground<'a> {
             };
             let symbol = Symbol::named(name);
             let value = self.evaluator.term(radicand);
-            let (false, Some(radicand)) = (
-                self.is_solved(&symbol),
-                value.ok().as_ref().and_then(plain),
-            ) else {
+            let (false, Some(radicand)) =
+                (self.is_solved(&symbol), value.ok().as_ref().and_then(plain))
+            else {
                 continue;
             };
             match roots::resolved(&radicand, &self.domain) {
@@ -198,7 +200,8 @@ impl<'a> Ground<'a> {
         }
         self.see_positive_roots();
         let open = |h: &&Hypothesis| {
-            h.root().is_some_and(|(name, _)| !self.is_solved(&Symbol::named(name)))
+            h.root()
+                .is_some_and(|(name, _)| !self.is_solved(&Symbol::named(name)))
         };
         Ok(hypotheses.into_iter().filter(open).collect())
     }
@@ -259,7 +262,9 @@ impl<'a> Ground<'a> {
                 }
                 let relation = Relation::Equal;
                 match self.roots_solved {
-                    RootsAre::Symbols => self.domain.constraints.push(Constraint { value, relation }),
+                    RootsAre::Symbols => {
+                        self.domain.constraints.push(Constraint { value, relation })
+                    }
                     RootsAre::Solved => self.vanishes(&value)?,
                 }
             }

@@ -22,11 +22,11 @@ use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::derivation::{Claim, Origin, Written};
 use torse_language::fault::{Fault, Problem};
 use torse_language::syntax::{Connective, Relation};
+use torse_proof::Refuted;
 use torse_proof::identity::{Combination, Equations, Vanishing};
 use torse_proof::proof::Emptiness;
 use torse_proof::proof::ground::Sharpness;
 use torse_proof::sign::Sign;
-use torse_proof::Refuted;
 
 /// Decides a statement on the domain of a claim: the claim's own, or another one in its place.
 ///

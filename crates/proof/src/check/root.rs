@@ -34,7 +34,12 @@ impl Domain<'_> {
         let (_, radicand) = found.ok_or_else(wrong)?;
         let (radicand, met) = self.expanding(place, |expander| {
             let value = expander.value(radicand)?;
-            value.numbers().into_iter().next().cloned().ok_or(Beyond::Large)
+            value
+                .numbers()
+                .into_iter()
+                .next()
+                .cloned()
+                .ok_or(Beyond::Large)
         })?;
         self.note(&met);
         let value = Quotient::of(&determined.value, work)?;
@@ -70,7 +75,12 @@ impl Domain<'_> {
             }
             let (radicand, met) = self.expanding(groups, |expander| {
                 let value = expander.value(radicand)?;
-                value.numbers().into_iter().next().cloned().ok_or(Beyond::Large)
+                value
+                    .numbers()
+                    .into_iter()
+                    .next()
+                    .cloned()
+                    .ok_or(Beyond::Large)
             })?;
             // Every symbol that has its value in it is shown to have it.
             self.note(&met);
@@ -102,7 +112,10 @@ impl Domain<'_> {
                 continue;
             }
             let own = Quotient::from(Polynomial::symbol(root.symbol.clone()));
-            let (mut sum, mut power) = (Quotient::default(), Quotient::number(torse_numbers::rational::integer(1)));
+            let (mut sum, mut power) = (
+                Quotient::default(),
+                Quotient::number(torse_numbers::rational::integer(1)),
+            );
             for pair in above.coefficients_in(&root.symbol).chunks(2) {
                 let mut part = Quotient::default();
                 if let Some(even) = pair.first() {

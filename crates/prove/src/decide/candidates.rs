@@ -86,7 +86,9 @@ impl Domain<'_> {
             symbol,
             self.constraints.iter().map(|c| (&c.value, c.relation)),
         )
-        .into_iter().chain(own) {
+        .into_iter()
+        .chain(own)
+        {
             if inside(&interval, &value) && !found.contains(&value) {
                 found.push(value);
             }
@@ -115,24 +117,24 @@ fn roots<'c>(
     symbol: &Symbol,
     constraints: impl Iterator<Item = (&'c Fraction, Relation)>,
 ) -> Vec<Fraction> {
-        let equations = constraints.filter(|(_, relation)| *relation == Relation::Equal);
-        let square = |value: &Fraction| {
-            let polynomial = value.numerator();
-            if polynomial.symbols() != std::slice::from_ref(symbol) {
-                return None;
+    let equations = constraints.filter(|(_, relation)| *relation == Relation::Equal);
+    let square = |value: &Fraction| {
+        let polynomial = value.numerator();
+        if polynomial.symbols() != std::slice::from_ref(symbol) {
+            return None;
+        }
+        match polynomial.coefficients_in(symbol).as_slice() {
+            [constant, linear, square] if linear.is_zero() => {
+                let radicand = -constant.as_constant()? / square.as_constant()?;
+                Polynomial::square_root(&radicand).ok()
             }
-            match polynomial.coefficients_in(symbol).as_slice() {
-                [constant, linear, square] if linear.is_zero() => {
-                    let radicand = -constant.as_constant()? / square.as_constant()?;
-                    Polynomial::square_root(&radicand).ok()
-                }
-                _ => None,
-            }
-        };
-        let roots = equations.filter_map(|(value, _)| square(value));
-        roots
-            .flat_map(|root| [Fraction::from(root.clone()), Fraction::from(-root)])
-            .collect()
+            _ => None,
+        }
+    };
+    let roots = equations.filter_map(|(value, _)| square(value));
+    roots
+        .flat_map(|root| [Fraction::from(root.clone()), Fraction::from(-root)])
+        .collect()
 }
 
 fn inside(interval: &Interval, value: &Fraction) -> bool {

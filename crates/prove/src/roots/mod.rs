@@ -59,7 +59,9 @@ fn as_multiple(radicand: &Fraction, roots: &[&Root], domain: &Domain<'_>) -> Opt
         rest = rest.over(&root.radicand).ok()?;
     }
     let factor = root_of(&rest)?;
-    let symbols = roots.iter().map(|root| Fraction::symbol(root.symbol.clone()));
+    let symbols = roots
+        .iter()
+        .map(|root| Fraction::symbol(root.symbol.clone()));
     let value = symbols.fold(factor, |product, root| product * root);
     // Where the radicand has a value the root has one, whatever was divided by on the way to it.
     let value = value.without_conditions();
@@ -156,7 +158,9 @@ pub fn multipliers(
         let below = root.radicand.denominator();
         let square = Polynomial::symbol(root.symbol.clone()).power(2);
         let equation = &(&square * &below) - own;
-        let place = equations.iter().position(|e| is_own(&e) && proportion(e, &equation).is_some())?;
+        let place = equations
+            .iter()
+            .position(|e| is_own(&e) && proportion(e, &equation).is_some())?;
         let scale = proportion(equations.get(place)?, &equation)?;
         while degree >= 2 {
             let lead = rest.coefficients_in(&root.symbol).pop()?;

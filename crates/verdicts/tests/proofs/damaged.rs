@@ -161,7 +161,9 @@ fn roots() {
             ("another multiple", &|f| {
                 more(&mut combination(f).multipliers[0][0]);
             }),
-            ("another equation", &|f| more(&mut combination(f).equations[0])),
+            ("another equation", &|f| {
+                more(&mut combination(f).equations[0])
+            }),
         ],
     );
     rejected(

@@ -367,14 +367,19 @@ impl Work {
         let place = radicand.place;
         let order = around.order.filter(|order| *order <= MAX_ORDER);
         let order = order.ok_or_else(|| {
-            let what = format!("a root under a derivative that is not of an order up to {MAX_ORDER}");
+            let what =
+                format!("a root under a derivative that is not of an order up to {MAX_ORDER}");
             Fault::limit(place, what)
         })?;
         let number = |n: u32| made(Node::Number(integer(i64::from(n))), place);
         let there = replaced(radicand, around.variable.number(), around.at);
         let there = self.term(&there, around.scope)?;
         let mut coefficients = vec![self.root(there, place, around.scope)?];
-        let twice = binary(Operator::Multiply, number(2), coefficients_first(&coefficients)?);
+        let twice = binary(
+            Operator::Multiply,
+            number(2),
+            coefficients_first(&coefficients)?,
+        );
         let mut factorial = 1;
         for k in 1..=order {
             factorial *= k;
@@ -430,7 +435,9 @@ struct Around<'s> {
 }
 
 fn coefficients_first(all: &[Term]) -> Result<Term, Fault> {
-    all.first().cloned().ok_or_else(|| nothing(Place::default()))
+    all.first()
+        .cloned()
+        .ok_or_else(|| nothing(Place::default()))
 }
 
 fn nothing(place: Place) -> Fault {

@@ -214,9 +214,10 @@ fn with_positive_term(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Ce
     }
     polynomial.terms().find_map(|term| {
         let powers = term.powers.iter();
-        let one = powers.fold(Polynomial::constant(&term.coefficient), |product, (s, e)| {
-            &product * &Polynomial::symbol((*s).clone()).power(u32::from(*e))
-        });
+        let one = powers.fold(
+            Polynomial::constant(&term.coefficient),
+            |product, (s, e)| &product * &Polynomial::symbol((*s).clone()).power(u32::from(*e)),
+        );
         let positive = direct(&one, domain, &[]).filter(|found| found.strict)?;
         let rest = squares(&(polynomial - &one))?;
         let plain = rest.rest.is_zero() && rest.factors.is_empty() && rest.multipliers.is_empty();
