@@ -233,6 +233,8 @@ impl<'a> Ground<'a> {
         for root in self.domain.roots.clone() {
             let own = Polynomial::symbol(root.symbol.clone());
             if !self.domain.assumes_nonzero(&own) && self.never_zero(root.radicand.numerator()) {
+                let radicand = root.radicand.numerator().clone();
+                self.domain.positive_radicands.push(radicand);
                 self.domain.constraints.push(Constraint {
                     value: own.into(),
                     relation: Relation::Greater,
@@ -268,6 +270,10 @@ impl<'a> Ground<'a> {
                     RootsAre::Solved => self.vanishes(&value)?,
                 }
             }
+        }
+        if self.roots_solved == RootsAre::Solved {
+            // What they are the roots of is written by them now: they are symbols like all others.
+            self.domain.roots.clear();
         }
         Ok(())
     }
@@ -570,7 +576,9 @@ impl<'a> Ground<'a> {
         for root in &mut self.domain.roots {
             root.radicand = put(&root.radicand)?;
         }
-        self.domain.roots.retain(|root| root.symbol != *symbol);
+        self.domain.roots.retain(|root| {
+            root.symbol != *symbol && !mentions(&root.radicand, &root.symbol)
+        });
         let Domain {
             pivots, unsettled, ..
         } = &mut self.domain;

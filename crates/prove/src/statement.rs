@@ -60,7 +60,15 @@ pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, 
     };
     let parts = Parts::of(alternatives::parts(&core), &elaborator, &statement.origin);
     let decision = parts.decide(&core.statement);
-    decision.map_err(|fault| fault.within(&statement.origin))
+    let decision = decision.map_err(|fault| fault.within(&statement.origin))?;
+    Ok(match decision {
+        // The hypotheses may have points all the same, and the statement no value at any of them.
+        Decision::Vacuous(emptiness) if declarations.is_some() => Decision::Open {
+            reason: emptiness.map(&plain).reason(),
+            tried: vec!["a point at which all roots are defined".to_owned()],
+        },
+        decision => decision,
+    })
 }
 
 /// The values of some integers.
@@ -636,6 +644,7 @@ type Nonzero = (Vec<Sign<Polynomial>>, Vec<Polynomial>);
 /// Those of the factors of divisors that were met, and are no conditions.
 fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
     // Roots were taken for positive where their radicands are.
+    met.extend(domain.positive_radicands.iter().cloned());
     for root in &domain.roots {
         if domain.assumes_nonzero(&Polynomial::symbol(root.symbol.clone())) {
             met.push(root.radicand.numerator().clone());

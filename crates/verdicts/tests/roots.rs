@@ -73,6 +73,13 @@ fn a_root_of_a_square_is_that_with_its_sign() {
     states("sqrt(1 - cos(t)^2) == abs(sin(t))", Holds);
     states("sqrt(1 - cos(t)^2) == sin(t)", False);
     verdict("assume = ['x <= 0']\nstates = 'abs(x) == -x'", Holds);
+    // Roots among the hypotheses.
+    verdict("assume = ['sqrt(x) == y']\nstates = 'x == y^2'", Holds);
+    verdict("assume = ['sqrt(x) == y']\nstates = 'y >= 0'", Holds);
+    verdict("assume = ['sqrt(x) == y']\nstates = 'y > 0'", False);
+    verdict("assume = ['x == sqrt(x*y)']\nstates = 'x == y'", False);
+    verdict("assume = ['abs(x) == 1']\nstates = 'x^2 == 1'", Holds);
+    verdict("assume = ['x == 4']\nstates = 'sqrt(x) == 2'", Holds);
     verdict(
         "assume = ['x >= y']\nstates = 'sqrt((x - y)^2) == x - y'",
         Holds,
@@ -164,6 +171,8 @@ fn what_cannot_be_carried_is_refused_and_never_decided() {
     for lines in [
         "states = 'sum(i, 1, 3, sqrt(x + i)) == 0'",
         "states = 'D(sqrt(x^2 + 1), x, 7) == 0'",
+        // Defined nowhere.
+        "states = 'sqrt(-1 - x^2) == 5'",
     ] {
         let paper = common::loaded("roots", SHARED, &[lines]).unwrap();
         let found = torse_verdicts::engine::decide_claim("roots", &paper.claims[0]);

@@ -84,7 +84,10 @@ impl Domain<'_> {
             })?;
             // Every symbol that has its value in it is shown to have it.
             self.note(&met);
-            roots.push(Root { symbol, radicand });
+            // One that an equation has made a formula in the root itself is no root of something else.
+            if radicand.above.degree_in(&symbol) == 0 {
+                roots.push(Root { symbol, radicand });
+            }
         }
         Ok(roots)
     }

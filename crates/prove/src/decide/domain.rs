@@ -76,6 +76,8 @@ pub struct Domain<'a> {
     pub divisors: Vec<Polynomial>,
     /// The roots that have no value in other symbols, those first of which others are made.
     pub roots: Vec<Root>,
+    /// The radicands of roots that were taken for positive, as they were then.
+    pub positive_radicands: Vec<Polynomial>,
     /// The part of the domain that is looked at, see [`Domain::parts`].
     pub part: Vec<Part>,
 }
@@ -92,6 +94,7 @@ impl<'a> Domain<'a> {
             unsettled: vec![],
             divisors: vec![],
             roots: vec![],
+            positive_radicands: vec![],
             part: vec![],
         }
     }
@@ -107,6 +110,7 @@ impl<'a> Domain<'a> {
             unsettled: self.unsettled.clone(),
             divisors: self.divisors.clone(),
             roots: self.roots.clone(),
+            positive_radicands: self.positive_radicands.clone(),
             part: self.part.clone(),
         }
     }

@@ -158,6 +158,9 @@ pub fn multipliers(
         let below = root.radicand.denominator();
         let square = Polynomial::symbol(root.symbol.clone()).power(2);
         let equation = &(&square * &below) - own;
+        if equation.is_zero() || own.degree_in(&root.symbol) > 0 {
+            return None;
+        }
         let place = equations
             .iter()
             .position(|e| is_own(&e) && proportion(e, &equation).is_some())?;
