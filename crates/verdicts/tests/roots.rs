@@ -293,7 +293,8 @@ impl Dice {
             _ => String::new(),
         };
         let (left, right) = left_right;
-        format!("{assumed}states = '{c}*{left} {equal} {right}'")
+        // Of this kind no correction is sought.
+        format!("kind = 'inequality'\n{assumed}states = '{c}*{left} {equal} {right}'")
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a proof stands on: the hypotheses as constraints, the symbols that equations eliminated, and the conditions that
 //! remain.
 
+use crate::polynomial::Polynomial;
 use crate::proof::Proof;
 use crate::ratio::{Constraint, Ratio};
 use crate::sign::Sign;
@@ -132,6 +133,19 @@ impl<P> Elimination<P> {
                 })),
             },
         }
+    }
+}
+
+impl Elimination<Polynomial> {
+    /// The value of a root in words; nothing for other symbols.
+    pub(crate) fn step(&self) -> Option<String> {
+        let (Determining::Root(_), [own]) = (&self.by, self.values.as_slice()) else {
+            return None;
+        };
+        let (root, value) = (&own.symbol, &own.value);
+        Some(format!(
+            "{root} is {value}: the square is the radicand, and this is nowhere negative"
+        ))
     }
 }
 
