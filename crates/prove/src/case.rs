@@ -199,15 +199,25 @@ impl<'a> Ground<'a> {
             self.take_root(&root.symbol, &root.radicand, found)?;
         }
         self.see_positive_roots();
+        // Of one that an equation eliminated the radicand is still to be known.
         let open = |h: &&Hypothesis| {
-            h.root()
-                .is_some_and(|(name, _)| !self.is_solved(&Symbol::named(name)))
+            let root = h.root().map(|(name, _)| Symbol::named(name));
+            root.is_some_and(|root| !self.has_root_value(&root))
         };
         Ok(hypotheses.into_iter().filter(open).collect())
     }
 
     fn is_solved(&self, symbol: &Symbol) -> bool {
         self.domain.solved.iter().any(|(known, _)| known == symbol)
+    }
+
+    /// Whether a root was given a value as such.
+    fn has_root_value(&self, root: &Symbol) -> bool {
+        let root = plain_symbol(root);
+        self.eliminated.iter().any(|elimination| {
+            let mut values = elimination.values.iter();
+            matches!(elimination.by, Determining::Root(_)) && values.any(|v| v.symbol == root)
+        })
     }
 
     /// A root has this value, where its radicand has one.
