@@ -21,6 +21,7 @@
 //! |---|---|---|
 //! | `identity` | the difference vanishes, by its normal form or as a series of symbolic degree | [`identity::Identity`] |
 //! | `combination` | the difference is a sum of multiples of equations | [`identity::Combination`] |
+//! | `forced` | the difference can be nothing but zero: between two signs, by its square, or beside factors that do not vanish | [`forced::Forced`] |
 //! | `order` | the difference has a sign: certificates with boxes, squares, factors, rays | [`order::Order`], [`sign::Sign`] |
 //! | `excluded` | hypotheses say that the difference is not zero | [`order::Excluded`] |
 //! | `enclosure` | printed numbers are the values, rounded or cut off | [`enclosure::Enclosure`] |
@@ -39,6 +40,7 @@ pub mod check;
 pub mod enclosure;
 pub mod evidence;
 pub mod family;
+pub mod forced;
 pub mod identity;
 pub mod number;
 pub mod order;

@@ -39,6 +39,8 @@ pub enum Shown<P> {
     Factors(Vec<Sign<P>>),
     /// The signs of polynomials that make it with products of symbols that run from zero on.
     Rays(Vec<Ray<P>>),
+    /// The sign of what is left when a multiple of an equation is subtracted.
+    Along(Box<Along<P>>),
 }
 
 /// A product of symbols that are not negative, and the sign of what it is multiplied with.
@@ -48,6 +50,18 @@ pub struct Ray<P> {
     pub product: P,
     /// Its coefficient.
     pub coefficient: Sign<P>,
+}
+
+/// A multiple of an equation, of either sign, and the sign of the rest.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Along<P> {
+    /// The place of the equation among the constraints of the ground; its numerator is what is zero.
+    pub equation: usize,
+    /// The number.
+    #[serde(serialize_with = "text::number")]
+    pub multiple: Rational,
+    /// The sign of the rest.
+    pub rest: Sign<P>,
 }
 
 /// A part of the domain: a symbol, or the angle of a cosine, between two numbers.
@@ -200,6 +214,11 @@ impl<P> Sign<P> {
                 Shown::Factors(signs) => {
                     Shown::Factors(signs.iter().map(|sign| sign.map(change)).collect())
                 }
+                Shown::Along(along) => Shown::Along(Box::new(Along {
+                    equation: along.equation,
+                    multiple: along.multiple.clone(),
+                    rest: along.rest.map(change),
+                })),
                 Shown::Rays(rays) => Shown::Rays(
                     rays.iter()
                         .map(|ray| Ray {
@@ -219,6 +238,7 @@ impl<P> Sign<P> {
             Shown::Whole(certificate) => vec![certificate],
             Shown::Parts(parts) => parts.iter().map(|part| &part.certificate).collect(),
             Shown::Factors(signs) => signs.iter().flat_map(Self::certificates).collect(),
+            Shown::Along(along) => along.rest.certificates(),
             Shown::Rays(rays) => {
                 let signs = rays.iter().map(|ray| &ray.coefficient);
                 signs.flat_map(Self::certificates).collect()
@@ -238,9 +258,23 @@ impl<P> Sign<P> {
                 Factor::Symbol(_) | Factor::Square(_) => None,
             }));
         }
+        used.extend(self.equations());
         used.sort_unstable();
         used.dedup();
         used
+    }
+
+    /// The places of the equations of which multiples are subtracted.
+    fn equations(&self) -> Vec<usize> {
+        match &self.by {
+            Shown::Whole(_) | Shown::Parts(_) => vec![],
+            Shown::Factors(signs) => signs.iter().flat_map(Self::equations).collect(),
+            Shown::Rays(rays) => {
+                let signs = rays.iter().map(|ray| &ray.coefficient);
+                signs.flat_map(Self::equations).collect()
+            }
+            Shown::Along(along) => [vec![along.equation], along.rest.equations()].concat(),
+        }
     }
 }
 

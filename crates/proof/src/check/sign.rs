@@ -47,9 +47,8 @@ impl<'a> Signs<'a> {
         })
     }
 
-    /// The constraint in this place, which has to be one of the claim, as a polynomial that is not negative; and whether it
-    /// is not zero either. The product with the denominator has the sign of the quotient.
-    fn constraint(&self, place: usize) -> Result<(Polynomial, bool), Unchecked> {
+    /// The constraint in this place, which has to be one of the claim.
+    fn known(&self, place: usize) -> Result<&Constraint<Polynomial>, Unchecked> {
         let work = self.domain.work;
         let constraint = self.constraints.get(place).ok_or(Wrong::Kind)?;
         let value = Quotient::of(&constraint.value, work)?;
@@ -67,6 +66,23 @@ impl<'a> Signs<'a> {
                 None => Wrong::Constraint(constraint.to_string()).into(),
             });
         }
+        Ok(constraint)
+    }
+
+    /// The numerator of the equation in this place: it is zero wherever the quotient is defined.
+    fn equation(&self, place: usize) -> Result<&Polynomial, Unchecked> {
+        let constraint = self.known(place)?;
+        match constraint.relation {
+            Relation::Equal => Ok(&constraint.value.above),
+            _ => Err(Wrong::Kind.into()),
+        }
+    }
+
+    /// The constraint in this place as a polynomial that is not negative; and whether it is not zero either. The product with
+    /// the denominator has the sign of the quotient.
+    fn constraint(&self, place: usize) -> Result<(Polynomial, bool), Unchecked> {
+        let work = self.domain.work;
+        let constraint = self.known(place)?;
         let Ratio { above, below } = &constraint.value;
         if !below.is_number() && !self.domain.nonzero_at(below, self.groups)? {
             return Err(Beyond::Divisor(below.to_string()).into());
@@ -115,6 +131,15 @@ impl<'a> Signs<'a> {
                     return Err(Wrong::Equation.into());
                 }
                 strict
+            }
+            Shown::Along(along) => {
+                self.sign(&along.rest)?;
+                let value = self.equation(along.equation)?;
+                let sum = along.rest.polynomial.plus(&value.scaled(&along.multiple));
+                if !same(&sum)? {
+                    return Err(Wrong::Equation.into());
+                }
+                along.rest.strict
             }
             Shown::Rays(rays) => {
                 let (mut sum, mut strict) = (Polynomial::zero(), false);

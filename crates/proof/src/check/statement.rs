@@ -7,6 +7,7 @@ use super::quotient::Quotient;
 use super::sign::Signs;
 use super::variation;
 use crate::enclosure::Enclosure;
+use crate::forced::{Forced, Zero};
 use crate::identity::{Combination, Equations, Identity, Vanishing};
 use crate::order::{Excluded, Order};
 use crate::polynomial::Polynomial;
@@ -37,6 +38,7 @@ pub fn check(domain: &Domain<'_>, ground: &Ground<Polynomial>) -> Result<(), Unc
             match proof {
                 Proof::Identity(_) => identity(domain, *relation, &differences)?,
                 Proof::Combination(own) => combination(domain, *relation, &differences, own)?,
+                Proof::Forced(own) => forced(domain, ground, *relation, &differences, own)?,
                 Proof::Order(own) => order(domain, ground, *relation, &differences, own)?,
                 Proof::Excluded(own) => excluded(domain, *relation, &differences, own)?,
                 _ => return Err(Wrong::Kind.into()),
@@ -98,27 +100,53 @@ fn combination(
     if relation != Relation::Equal || own.multipliers.len() != differences.len() {
         return Err(Wrong::Kind.into());
     }
-    let work = domain.work;
-    let (known, gap) = domain.constraints(domain.groups())?;
-    let equations = known.iter().filter(|c| c.relation == Relation::Equal);
-    let equations: Vec<&Compared> = equations.collect();
     let (mut used, mut wrong) = (vec![false; own.equations.len()], None);
     for (difference, row) in differences.iter().zip(&own.multipliers) {
-        let mut sum = Polynomial::zero();
-        for ((equation, multiplier), used) in own.equations.iter().zip(row).zip(&mut used) {
-            if !multiplier.is_zero() {
-                *used = true;
-                sum = sum.plus(&work.times(equation, multiplier)?);
-            }
-        }
+        let sum = sum_of_multiples(domain, &own.equations, row, &mut used)?;
         // The numerators are the same but for what the terms were divided by.
         if !proportional(domain, &difference.above, &sum)? {
             wrong = Some(Wrong::Differs(difference.above.minus(&sum).len()));
         }
     }
-    for (equation, _) in own.equations.iter().zip(&used).filter(|(_, used)| **used) {
+    match own.of {
+        Equations::Assumed | Equations::Together | Equations::Given => {
+            assumed(domain, &own.equations, &used, wrong)
+        }
+    }
+}
+
+/// The sum of the multiples of equations; which of these are used is noted.
+fn sum_of_multiples(
+    domain: &Domain<'_>,
+    equations: &[Polynomial],
+    multipliers: &[Polynomial],
+    used: &mut [bool],
+) -> Result<Polynomial, Unchecked> {
+    let mut sum = Polynomial::zero();
+    for ((equation, multiplier), used) in equations.iter().zip(multipliers).zip(used) {
+        if !multiplier.is_zero() {
+            *used = true;
+            sum = sum.plus(&domain.work.times(equation, multiplier)?);
+        }
+    }
+    Ok(sum)
+}
+
+/// Every equation that is used is one of the hypotheses; of two things that are wrong the first is told.
+fn assumed(
+    domain: &Domain<'_>,
+    equations: &[Polynomial],
+    used: &[bool],
+    mut wrong: Option<Wrong>,
+) -> Result<(), Unchecked> {
+    let (known, gap) = domain.constraints(domain.groups())?;
+    let known: Vec<&Compared> = known
+        .iter()
+        .filter(|c| c.relation == Relation::Equal)
+        .collect();
+    for (equation, _) in equations.iter().zip(used).filter(|(_, used)| **used) {
         let mut same = false;
-        for known in &equations {
+        for known in &known {
             if proportional(domain, &known.difference.above, equation)? {
                 domain.note(&known.met);
                 same = true;
@@ -129,13 +157,61 @@ fn combination(
             wrong = wrong.or(Some(Wrong::NoEquation));
         }
     }
-    match (wrong, gap, own.of) {
-        (None, ..) => Ok(()),
-        (Some(Wrong::NoEquation), Some(gap), _) => Err(gap.into()),
-        (Some(wrong), _, Equations::Assumed | Equations::Together | Equations::Given) => {
-            Err(wrong.into())
+    match (wrong, gap) {
+        (None, _) => Ok(()),
+        (Some(Wrong::NoEquation), Some(gap)) => Err(gap.into()),
+        (Some(wrong), _) => Err(wrong.into()),
+    }
+}
+
+/// Every difference can be nothing but zero.
+fn forced(
+    domain: &Domain<'_>,
+    ground: &Ground<Polynomial>,
+    relation: Relation,
+    differences: &[Quotient],
+    own: &Forced<Polynomial>,
+) -> Result<(), Unchecked> {
+    if relation != Relation::Equal || own.entries.len() != differences.len() {
+        return Err(Wrong::Kind.into());
+    }
+    let work = domain.work;
+    let signs = Signs::new(domain, &ground.constraints, domain.groups())?;
+    for (difference, zero) in differences.iter().zip(&own.entries) {
+        let differs = || Unchecked::from(Wrong::Differs(difference.above.len()));
+        let fits = match zero {
+            Zero::Identically => difference.is_zero(work)?,
+            Zero::Between(pair) => {
+                let [above, below] = &**pair;
+                signs.check(above)?;
+                signs.check(below)?;
+                let turned = below.polynomial == above.polynomial.negated();
+                turned && proportional(domain, &difference.above, &above.polynomial)?
+            }
+            Zero::Square { root, sign } => {
+                signs.check(sign)?;
+                let square = work.times(root, root)?;
+                let turned = Quotient::from(sign.polynomial.plus(&square)).is_zero(work)?;
+                turned && proportional(domain, &difference.above, root)?
+            }
+            Zero::Product {
+                equations,
+                multipliers,
+            } => {
+                if multipliers.len() != equations.len() {
+                    return Err(Wrong::Kind.into());
+                }
+                let mut used = vec![false; equations.len()];
+                let sum = sum_of_multiples(domain, equations, multipliers, &mut used)?;
+                assumed(domain, equations, &used, None)?;
+                proportional(domain, &difference.above, &sum)?
+            }
+        };
+        if !fits {
+            return Err(differs());
         }
     }
+    Ok(())
 }
 
 /// Whether the second is the first times or over what is known not to vanish.

@@ -6,10 +6,12 @@ pub mod refutation;
 use crate::enclosure::Enclosure;
 use crate::evidence::Evidence;
 use crate::family::{Nonnegative, Powers};
+use crate::forced::Forced;
 use crate::identity::{Combination, Identity};
 use crate::order::{Excluded, Order};
 use crate::polynomial::Polynomial;
 use crate::ratio::{Constraint, Ratio};
+use crate::sign::Sign;
 use crate::wronskian::Wronskians;
 use ground::{Elimination, Ground};
 use refutation::Refuted;
@@ -24,6 +26,8 @@ pub enum Proof<P> {
     Identity(Identity<P>),
     /// An equation: the difference is a combination of equations.
     Combination(Combination<P>),
+    /// An equation: the difference can be nothing but zero.
+    Forced(Forced<P>),
     /// A relation of order, by signs.
     Order(Box<Order<P>>),
     /// `!=`, by hypotheses.
@@ -99,6 +103,7 @@ impl<P> Proof<P> {
         match self {
             Self::Identity(proof) => Proof::Identity(proof.map(change)),
             Self::Combination(proof) => Proof::Combination(proof.map(change)),
+            Self::Forced(proof) => Proof::Forced(proof.map(change)),
             Self::Order(proof) => Proof::Order(Box::new(proof.map(change))),
             Self::Excluded(proof) => Proof::Excluded(proof.map(change)),
             Self::Enclosure(proof) => Proof::Enclosure(proof.map(change)),
@@ -152,6 +157,7 @@ impl<P> Proof<P> {
         match self {
             Self::Identity(proof) => proof.by.evidence(),
             Self::Combination(proof) => proof.by.evidence(),
+            Self::Forced(proof) => proof.evidence(),
             Self::Order(_) | Self::Excluded(_) | Self::Wronskians(_) => Evidence::Inequality,
             Self::Enclosure(proof) if proof.is_exact() => Evidence::Identity,
             Self::Enclosure(_) => Evidence::Enclosure,
@@ -175,6 +181,7 @@ impl<P> Proof<P> {
         let mut all: Vec<&P> = match self {
             Self::Identity(proof) => proof.divisors.iter().collect(),
             Self::Combination(proof) => proof.divisors.iter().collect(),
+            Self::Forced(proof) => proof.divisors.iter().collect(),
             Self::Order(proof) => proof.divisors.iter().collect(),
             Self::Excluded(proof) => proof.divisors.iter().collect(),
             Self::On(ground) => ground.conditions.iter().collect(),
@@ -209,6 +216,10 @@ impl<P> Proof<P> {
                 let used = order.signs.iter().flat_map(|sign| sign.constraints());
                 found.extend(used.filter_map(|place| constraints.get(place)));
             }
+            Self::Forced(forced) => {
+                let used = forced.signs().flat_map(Sign::constraints);
+                found.extend(used.filter_map(|place| constraints.get(place)));
+            }
             Self::On(ground) => ground.proof.collect_hypotheses(&ground.constraints, found),
             _ => {
                 for part in self.parts() {
@@ -226,6 +237,7 @@ impl Proof<Polynomial> {
         match self {
             Self::Identity(proof) => proof.steps(),
             Self::Combination(proof) => proof.steps(),
+            Self::Forced(proof) => proof.steps(),
             Self::Order(proof) => proof.steps(),
             Self::Excluded(proof) => proof.steps(),
             Self::Enclosure(proof) => proof.steps(),

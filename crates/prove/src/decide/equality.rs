@@ -5,6 +5,7 @@
 //! degrees the series cancel for every degree or not at all (see [`crate::evaluate::series`]).
 
 use super::domain::Domain;
+use super::forced::forced;
 use super::value::Proof;
 use super::{Decision, Refutation, witness};
 use crate::evaluate::Evaluator;
@@ -87,17 +88,22 @@ pub fn decide(
     };
     let completed = point.and_then(|point| witness::described(&point, kind, &lefts, &rights));
     Ok(match completed {
-        Some(point) => {
-            Decision::Refuted(Box::new(Refutation::at(point).with_sides(lefts, rights)))
-        }
-        None => match follows_from_several(left, right, domain, evaluator) {
-            Some(combination) => Decision::Proven(Proof::Combination(combination)),
-            None => Decision::Open {
-                reason: "the two sides differ as formulas, but no point of the domain was found where they do".to_owned(),
-                tried: vec!["simple rational points of the domain".to_owned()],
-            },
-        },
+        Some(point) => Decision::Refuted(Box::new(Refutation::at(point).with_sides(lefts, rights))),
+        None => follows_from_several(left, right, domain, evaluator)
+            .map(Proof::Combination)
+            .or_else(|| forced(left, right, domain).map(Proof::Forced))
+            .map_or_else(no_difference_found, Decision::Proven),
     })
+}
+
+/// The sides differ as formulas, and nobody knows where.
+fn no_difference_found() -> Decision {
+    Decision::Open {
+        reason:
+            "the two sides differ as formulas, but no point of the domain was found where they do"
+                .to_owned(),
+        tried: vec!["simple rational points of the domain".to_owned()],
+    }
 }
 
 /// How a difference without terms vanishes, by what the evaluator met.

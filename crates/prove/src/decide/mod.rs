@@ -15,6 +15,7 @@ pub mod domain;
 pub mod equality;
 pub mod exponential;
 pub mod family;
+mod forced;
 pub mod instances;
 pub mod interval;
 pub mod lively;

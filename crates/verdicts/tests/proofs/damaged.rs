@@ -25,7 +25,7 @@ type Damage<'a> = (&'a str, &'a dyn Fn(&mut Found));
 
 /// The proof passes, and with each of these damages it is rejected.
 #[track_caller]
-fn rejected(lines: &str, damages: &[Damage<'_>]) {
+pub(crate) fn rejected(lines: &str, damages: &[Damage<'_>]) {
     assert_eq!(found(lines).checked(), Ok(()), "{lines}");
     for (what, damage) in damages {
         let mut found = found(lines);
@@ -47,14 +47,14 @@ fn proof(found: &mut Found) -> &mut Proof<P> {
     }
 }
 
-fn ground(found: &mut Found) -> &mut Ground<P> {
+pub(crate) fn ground(found: &mut Found) -> &mut Ground<P> {
     match proof(found) {
         Proof::On(ground) => ground,
         other => panic!("{other:?}"),
     }
 }
 
-fn order(found: &mut Found) -> &mut Order<P> {
+pub(crate) fn order(found: &mut Found) -> &mut Order<P> {
     match &mut ground(found).proof {
         Proof::Order(order) => order,
         other => panic!("{other:?}"),
@@ -90,7 +90,7 @@ fn point(found: &mut Found) -> &mut Counterexample<P> {
     refuted(found).counterexample_mut()
 }
 
-fn more(p: &mut P) {
+pub(crate) fn more(p: &mut P) {
     *p = p.plus(&Polynomial::one());
 }
 

@@ -44,6 +44,10 @@ kinds! {
     a_sign_by_rays: "states = 'u*v*(1 + a + a^2) + a^2 - a + 1 > 0'";
     a_sign_by_factors: "states = '(x + 1)*(a^2 + a + 1) > 0'";
     a_sign_by_a_multiple_of_a_hypothesis: "assume = ['a + b >= 1']\nstates = '2*a + 2*b > 1'";
+    a_sign_along_an_equation: "assume = ['a^2 + b^2 == 1']\nstates = 'a^2 <= 1'";
+    no_choice_but_zero_by_two_signs: "assume = ['u + v == 0']\nstates = 'u == 0'";
+    no_choice_but_zero_by_a_square: "assume = ['a^2 + b^2 == 0']\nstates = 'a == 0'";
+    no_choice_but_zero_beside_a_factor: "assume = ['a^2 == 4', 'a != 2']\nstates = 'a == -2'";
     printed_decimals: "states = 'agrees([pi, sqrt(2)], [3.142, 1.4142])'";
     an_existing_point: "states = 'not (x^2 == x)'";
     all_instances: "states = 'i*(i - 1)*(i - 2) == 0'";

@@ -13,6 +13,7 @@ mod common;
 
 mod damaged;
 mod faults;
+mod forced;
 mod kinds;
 mod random;
 

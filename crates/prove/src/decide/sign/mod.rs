@@ -5,7 +5,8 @@
 //! polynomials sum to one, so if all coefficients are nonnegative the polynomial is, and if moreover every
 //! face of the box has a positive coefficient it is positive. Assumed inequalities c >= 0 help in three
 //! ways: parts of the box where one fails are left out, one that divides the polynomial is split off, and
-//! multiples of one are subtracted. Every proof is a [`certificate`], which is replayed by other means.
+//! multiples of one are subtracted; of equations multiples of either sign are. Every proof is a [`certificate`], which is
+//! replayed by other means.
 
 mod bernstein;
 pub mod certificate;
@@ -67,6 +68,29 @@ pub fn of(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Sign> {
 /// The same with its certificate.
 #[must_use]
 pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
+    let along = |polynomial: &Polynomial| Proof::of_equations(polynomial, domain);
+    without_equations(polynomial, domain)
+        .or_else(|| along(polynomial))
+        .or_else(|| along(&-polynomial).map(|(sign, proof)| (sign.negated(), proof)))
+}
+
+/// That the polynomial is zero or more, if that can be proved: one that is zero everywhere is zero or less as well.
+fn not_negative(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
+    match Proof::of(polynomial, domain) {
+        Some(proof) if proof.strict() => Some((Sign::Positive, proof)),
+        Some(proof) => Some((Sign::Nonnegative, proof)),
+        None => Proof::of_equations(polynomial, domain),
+    }
+}
+
+/// That it is zero or less.
+fn not_positive(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
+    let (sign, proof) = not_negative(&-polynomial, domain)?;
+    Some((sign.negated(), proof))
+}
+
+/// The same by inequalities alone.
+fn without_equations(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
     let shown = |polynomial: &Polynomial| {
         let proof = Proof::of(polynomial, domain)?;
         Some((proof.strict(), proof))
@@ -91,13 +115,12 @@ pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proo
 /// What shows that the polynomial is nowhere negative on the domain, replayed.
 #[must_use]
 pub fn nonnegative(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Written<Polynomial>> {
-    match proof(polynomial, domain)? {
-        (Sign::Positive | Sign::Nonnegative, proof) => {
-            proof.check(domain).ok()?;
-            proof.written(domain)
-        }
-        _ => None,
-    }
+    let wanted = |(sign, _): &(Sign, Proof)| matches!(sign, Sign::Positive | Sign::Nonnegative);
+    let (_, proof) = proof(polynomial, domain)
+        .filter(wanted)
+        .or_else(|| not_negative(polynomial, domain))?;
+    proof.check(domain).ok()?;
+    proof.written(domain)
 }
 
 /// What shows that the polynomial or its negative is positive on the domain, replayed.
@@ -186,7 +209,15 @@ pub fn compare(
             divisors: divisors(),
         })));
     }
-    if let Some(found) = sign_of_fraction(&difference, domain) {
+    // What is nowhere negative may be nowhere positive either.
+    let other = |turned: fn(&Polynomial, &Domain<'_>) -> Option<(Sign, Proof)>| {
+        let above = turned(difference.numerator(), domain)?;
+        with_denominator(above, &difference, domain)
+    };
+    let one = || sign_of_fraction(&difference, domain);
+    let tried: [&dyn Fn() -> Option<Found>; 3] =
+        [&one, &|| other(not_negative), &|| other(not_positive)];
+    for found in tried.iter().filter_map(|try_one| try_one()) {
         let sign = found.sign;
         let proven = match relation {
             Relation::Different => matches!(sign, Sign::Positive | Sign::Negative),
@@ -328,12 +359,8 @@ const MAX_PRODUCT: usize = 200;
 /// The sign of a fraction, with the proofs: from the signs of its parts, or else from that of the product of numerator
 /// and denominator, which is the same wherever there is a fraction.
 fn sign_of_fraction(value: &Fraction, domain: &Domain<'_>) -> Option<Found> {
-    if let Some((sign, proofs)) = sign_of_parts(value, domain) {
-        return Some(Found {
-            sign,
-            product: false,
-            proofs,
-        });
+    if let Some(found) = sign_of_parts(value, domain) {
+        return Some(found);
     }
     let (above, below) = (value.numerator(), value.denominator());
     if below.as_constant().is_some() || above.len() * below.len() > MAX_PRODUCT {
@@ -347,8 +374,16 @@ fn sign_of_fraction(value: &Fraction, domain: &Domain<'_>) -> Option<Found> {
     })
 }
 
-fn sign_of_parts(value: &Fraction, domain: &Domain<'_>) -> Option<(Sign, Vec<Proof>)> {
-    let (above, first) = proof(value.numerator(), domain)?;
+fn sign_of_parts(value: &Fraction, domain: &Domain<'_>) -> Option<Found> {
+    with_denominator(proof(value.numerator(), domain)?, value, domain)
+}
+
+/// The sign of a fraction from that of its numerator.
+fn with_denominator(
+    (above, first): (Sign, Proof),
+    value: &Fraction,
+    domain: &Domain<'_>,
+) -> Option<Found> {
     let (mut negative, mut proofs) = (false, vec![first]);
     for (factor, exponent) in value.denominator_factors() {
         let (sign, proof) = proof(factor, domain)?;
@@ -360,5 +395,9 @@ fn sign_of_parts(value: &Fraction, domain: &Domain<'_>) -> Option<(Sign, Vec<Pro
         proofs.push(proof);
     }
     let sign = if negative { above.negated() } else { above };
-    Some((sign, proofs))
+    Some(Found {
+        sign,
+        product: false,
+        proofs,
+    })
 }

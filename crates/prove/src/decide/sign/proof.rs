@@ -1,13 +1,14 @@
 //! Proofs of sign: one certificate, one for each part of the domain, or proofs about factors or coefficients.
 
 use super::certificate::{self, Certificate, CertificateError};
-use super::{Sign, proof, prove};
+use super::{Sign, proof, prove, without_equations};
 use crate::decide::domain::Domain;
 use crate::decide::interval::Bound;
 use crate::decide::value::{plain_symbol, quotient};
 use crate::formula::factored;
 use std::collections::BTreeMap;
 use torse_algebra::{Polynomial, Rational, Symbol};
+use torse_language::syntax::Relation;
 use torse_proof::sign::{self as written, Bounded, End, Part, Ray, Sign as Written};
 
 /// A proof of sign about one polynomial, with what shows it.
@@ -30,6 +31,8 @@ pub enum Shown {
     Factors(Vec<Proof>),
     /// Proofs about polynomials that make it with products of symbols that are not negative.
     Rays(Vec<(Polynomial, Proof)>),
+    /// A multiple of the equation in this place of the constraints, and a proof about the rest.
+    Along(usize, Rational, Box<Proof>),
 }
 
 impl Proof {
@@ -97,6 +100,13 @@ impl Proof {
                     })
                 };
                 written::Shown::Rays(terms.iter().map(ray).collect::<Option<_>>()?)
+            }
+            Shown::Along(equation, multiple, rest) => {
+                written::Shown::Along(Box::new(written::Along {
+                    equation: *equation,
+                    multiple: multiple.clone(),
+                    rest: rest.written(domain)?,
+                }))
             }
         };
         Some(Written {
@@ -175,6 +185,32 @@ impl Proof {
         })
     }
 
+    /// The sign of a polynomial from that of what is left when a multiple of an assumed equation is subtracted: one that
+    /// cancels a term, or twice that, for `(u + v)^2` is at most `2 u^2 + 2 v^2`.
+    pub(super) fn of_equations(
+        polynomial: &Polynomial,
+        domain: &Domain<'_>,
+    ) -> Option<(Sign, Self)> {
+        if polynomial.len() > MAX_TERMS {
+            return None;
+        }
+        for (place, value) in equations(domain).filter(|(_, value)| value.len() <= MAX_TERMS) {
+            for multiple in multiples(polynomial, value) {
+                let rest = polynomial - &value.scaled(&multiple);
+                if let Some((sign @ (Sign::Positive | Sign::Nonnegative), rest)) =
+                    without_equations(&rest, domain)
+                {
+                    let own = Self {
+                        polynomial: polynomial.clone(),
+                        shown: Shown::Along(place, multiple, Box::new(rest)),
+                    };
+                    return Some((sign, own));
+                }
+            }
+        }
+        None
+    }
+
     /// Whether the polynomial is shown to be more than zero.
     pub(super) fn strict(&self) -> bool {
         match &self.shown {
@@ -185,6 +221,7 @@ impl Proof {
             Shown::Rays(terms) => terms
                 .iter()
                 .any(|(rays, proof)| rays.is_constant() && proof.strict()),
+            Shown::Along(_, _, rest) => rest.strict(),
         }
     }
 
@@ -226,8 +263,44 @@ impl Proof {
                 }
                 terms.iter().try_for_each(|(_, proof)| proof.check(domain))
             }
+            Shown::Along(place, multiple, rest) => {
+                let equation = equations(domain).find(|(own, _)| own == place);
+                let (_, value) = equation.ok_or(CertificateError::Domain)?;
+                if &rest.polynomial + &value.scaled(multiple) != self.polynomial {
+                    return Err(CertificateError::Equation);
+                }
+                rest.check(domain)
+            }
         }
     }
+}
+
+/// The longest polynomial, and the longest equation, that are looked at together, and the most multiples.
+const MAX_TERMS: usize = 16;
+const MAX_MULTIPLES: usize = 6;
+
+/// The numerators of the assumed equations, with their places among the constraints.
+fn equations<'d>(domain: &'d Domain<'_>) -> impl Iterator<Item = (usize, &'d Polynomial)> {
+    let numbered = domain.constraints.iter().enumerate();
+    let equations = numbered.filter(|(_, c)| c.relation == Relation::Equal);
+    equations.map(|(place, c)| (place, c.value.numerator()))
+}
+
+/// Multiples of an equation that cancel a term of the polynomial, and twice these.
+fn multiples(polynomial: &Polynomial, equation: &Polynomial) -> Vec<Rational> {
+    let mut found: Vec<Rational> = vec![];
+    for own in equation.terms() {
+        for term in polynomial.terms().filter(|term| term.powers == own.powers) {
+            let multiple = term.coefficient / own.coefficient.clone();
+            if !found.contains(&multiple) {
+                found.push(multiple);
+            }
+        }
+    }
+    found.truncate(MAX_MULTIPLES);
+    let twice: Vec<Rational> = found.iter().map(|m| m + m).collect();
+    found.extend(twice);
+    found
 }
 
 /// Whether a symbol is any number that is not negative.

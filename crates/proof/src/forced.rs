@@ -1,0 +1,118 @@
+//! Equality where a difference can be nothing but zero: between two signs, by its square, or beside factors that do not
+//! vanish.
+
+use crate::evidence::Evidence;
+use crate::sign::Sign;
+use serde::Serialize;
+
+/// Each difference is zero, one entry after the other.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Forced<P> {
+    /// Why, entry by entry.
+    pub entries: Vec<Zero<P>>,
+    /// What was divided by on the way.
+    pub divisors: Vec<P>,
+}
+
+/// Why a difference is zero.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Zero<P> {
+    /// It vanishes.
+    Identically,
+    /// Its numerator, and the negative of it, are not negative.
+    Between(Box<[Sign<P>; 2]>),
+    /// The negative of the square of its numerator is not negative.
+    Square {
+        /// The numerator.
+        root: P,
+        /// The sign of minus its square.
+        sign: Box<Sign<P>>,
+    },
+    /// The product of its numerator with what does not vanish by hypothesis is a sum of multiples of equations.
+    Product {
+        /// What is zero by hypothesis.
+        equations: Vec<P>,
+        /// The multipliers of the equations.
+        multipliers: Vec<P>,
+    },
+}
+
+impl<P> Forced<P> {
+    /// The same in other polynomials.
+    pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Forced<Q> {
+        Forced {
+            entries: self.entries.iter().map(|zero| zero.map(change)).collect(),
+            divisors: self.divisors.iter().map(change).collect(),
+        }
+    }
+
+    /// All signs that it rests on.
+    pub fn signs(&self) -> impl Iterator<Item = &Sign<P>> {
+        self.entries.iter().flat_map(Zero::signs)
+    }
+
+    /// What it rests on.
+    #[must_use]
+    pub fn evidence(&self) -> Evidence {
+        match self.signs().next() {
+            Some(_) => Evidence::Inequality,
+            None => Evidence::Identity,
+        }
+    }
+
+    /// The steps in words.
+    #[must_use]
+    pub fn steps(&self) -> Vec<String> {
+        let mut steps: Vec<String> = vec![];
+        for step in self.entries.iter().filter_map(Zero::step) {
+            if !steps.iter().any(|known| known == step) {
+                steps.push(step.to_owned());
+            }
+        }
+        steps
+    }
+}
+
+impl<P> Zero<P> {
+    fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Zero<Q> {
+        let all = |list: &[P]| list.iter().map(change).collect();
+        match self {
+            Self::Identically => Zero::Identically,
+            Self::Between(signs) => {
+                let [above, below] = &**signs;
+                Zero::Between(Box::new([above.map(change), below.map(change)]))
+            }
+            Self::Square { root, sign } => Zero::Square {
+                root: change(root),
+                sign: Box::new(sign.map(change)),
+            },
+            Self::Product {
+                equations,
+                multipliers,
+            } => Zero::Product {
+                equations: all(equations),
+                multipliers: all(multipliers),
+            },
+        }
+    }
+
+    fn signs(&self) -> &[Sign<P>] {
+        match self {
+            Self::Between(signs) => &**signs,
+            Self::Square { sign, .. } => std::slice::from_ref(sign),
+            Self::Identically | Self::Product { .. } => &[],
+        }
+    }
+
+    fn step(&self) -> Option<&'static str> {
+        match self {
+            Self::Identically => None,
+            Self::Between(_) => Some("the difference is neither negative nor positive"),
+            Self::Square { .. } => Some("the square of the difference is not positive"),
+            Self::Product { .. } => Some(
+                "the difference, times what is assumed not to vanish, is a combination of the equations that are assumed",
+            ),
+        }
+    }
+}
