@@ -586,9 +586,9 @@ impl<'a> Ground<'a> {
         for root in &mut self.domain.roots {
             root.radicand = put(&root.radicand)?;
         }
-        self.domain.roots.retain(|root| {
-            root.symbol != *symbol && !mentions(&root.radicand, &root.symbol)
-        });
+        self.domain
+            .roots
+            .retain(|root| root.symbol != *symbol && !mentions(&root.radicand, &root.symbol));
         let Domain {
             pivots, unsettled, ..
         } = &mut self.domain;
