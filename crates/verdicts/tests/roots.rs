@@ -73,11 +73,15 @@ fn a_root_of_a_square_is_that_with_its_sign() {
     states("sqrt(1 - cos(t)^2) == abs(sin(t))", Holds);
     states("sqrt(1 - cos(t)^2) == sin(t)", False);
     verdict("assume = ['x <= 0']\nstates = 'abs(x) == -x'", Holds);
+    states("sqrt(x - x) + sqrt(a)/sqrt(a) == 1", Holds);
     // Roots among the hypotheses.
     verdict("assume = ['sqrt(x) == y']\nstates = 'x == y^2'", Holds);
     verdict("assume = ['sqrt(x) == y']\nstates = 'y >= 0'", Holds);
     verdict("assume = ['sqrt(x) == y']\nstates = 'y > 0'", False);
-    verdict("assume = ['x == sqrt(x*y)']\nstates = 'x == y'", Conditional);
+    verdict(
+        "assume = ['x == sqrt(x*y)']\nstates = 'x == y'",
+        Conditional,
+    );
     verdict("assume = ['abs(x) == 1']\nstates = 'x^2 == 1'", Holds);
     verdict("assume = ['x == 4']\nstates = 'sqrt(x) == 2'", Holds);
     verdict(

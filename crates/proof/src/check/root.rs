@@ -149,7 +149,9 @@ impl Domain<'_> {
         }
         for root in self.roots(groups)?.iter().rev() {
             let own = Polynomial::symbol(root.symbol.clone());
-            while let Some(quotient) = rest.quotient(&own) {
+            while !rest.is_zero()
+                && let Some(quotient) = rest.quotient(&own)
+            {
                 rest = self.work.times(&quotient, &root.radicand.above)?;
             }
         }

@@ -195,7 +195,9 @@ pub fn unrooted(polynomial: &Polynomial, roots: &[Root]) -> Polynomial {
     let mut rest = polynomial.clone();
     for root in roots.iter().rev() {
         let own = Polynomial::symbol(root.symbol.clone());
-        while let Some(quotient) = rest.exact_quotient(&own) {
+        while !rest.is_zero()
+            && let Some(quotient) = rest.exact_quotient(&own)
+        {
             rest = &quotient * root.radicand.numerator();
         }
     }
