@@ -151,6 +151,11 @@ fn relations_of_order_with_roots() {
     states("sqrt(x) >= 0", Holds);
     states("norm(p) >= 0", Holds);
     states("sqrt(x^2 + 1) > 0", Holds);
+    // The root stays positive where what it is the root of is eliminated.
+    verdict(
+        "assume = ['y^2*x^2 > x']\nstates = '-(sqrt(x) + y^2*x^2)^2 != x + 2*y^2*x^2*sqrt(x) + y^4*x^4'",
+        Holds,
+    );
     states("abs(x) < 1", False);
     states("sqrt(s) <= s", False);
     states("sqrt(x^2 + 1) <= 1", False);

@@ -98,11 +98,9 @@ impl Domain<'_> {
         if !names.any(|(name, _)| Symbol::Named(Arc::clone(name)) == *symbol) {
             return Ok(false);
         }
-        let roots = self.roots(groups)?;
-        match roots.iter().any(|root| root.symbol == *symbol) {
-            true => self.nonzero_at(&Polynomial::symbol(symbol.clone()), groups),
-            false => Ok(false),
-        }
+        // What is so before any elimination is so after it: an elimination may have hidden what the root is one of.
+        let own = Polynomial::symbol(symbol.clone());
+        Ok(self.nonzero_at(&own, groups)? || self.nonzero_at(&own, 0)?)
     }
 
     /// The polynomial with the squares of roots replaced by their radicands.
