@@ -9,7 +9,7 @@ which refutes but does not prove. Statements about every degree are looked at fo
 
 import itertools
 
-from sympy import (E as e, Matrix, Rational, S, cos, cosh, diff, exp, expand, lambdify, simplify, sin, sinh, solve,
+from sympy import (Abs, E as e, Matrix, Rational, S, cos, cosh, diff, exp, expand, lambdify, simplify, sin, sinh, solve, sqrt,
                    symbols, tanh, together)
 
 from expected import compare
@@ -31,6 +31,12 @@ def equal(left, right):
     # As a quotient of sums of exponentials, which SymPy multiplies by adding exponents.
     above = together(difference.rewrite(exp)).as_numer_denom()[0]
     return expand(above, power_exp=False) == 0 or simplify(difference) == 0
+
+
+def agree(left, right):
+    """Whether two expressions have the same values at points of either sign."""
+    points = [Rational(n, 5) for n in (-9, -4, -1, 2, 7, 11)]
+    return all(abs((left - right).subs(y, point).evalf(40)) < 1e-20 for point in points)
 
 
 def on_grid(value, relation, inside=lambda *point: True, **ranges):
@@ -199,6 +205,12 @@ CHECKS = {
     "catenary.length": lambda: equal(diff(sinh(y), y) ** 2, square(dK)),
     "catenary.curvature": lambda: equal(curvature(K), 1 / cosh(y) ** 4),
     "catenary.curvature.slip": lambda: equal(curvature(K), 1 / cosh(y) ** 2),
+    # Both sides are positive, or of one sign, where their squares are equal and they agree at points of either sign.
+    "catenary.norm": lambda: equal(square(dK), cosh(y) ** 2) and agree(sqrt(square(dK)), cosh(y)),
+    "catenary.bend": lambda: equal(curvature(K), 1 / cosh(y) ** 4)
+    and agree(dK[0] * K[1].diff(y, 2) / sqrt(square(dK)) ** 3, 1 / cosh(y) ** 2),
+    "catenary.bend.slip": lambda: agree(dK[0] * K[1].diff(y, 2) / sqrt(square(dK)) ** 3, 1 / cosh(y)),
+    "tractrix.norm": lambda: equal(square(dT), tanh(y) ** 2) and agree(sqrt(square(dT)), Abs(tanh(y))),
     "catenary.load": lambda: equal(diff(cosh(y), y, 2) ** 2, 1 + diff(cosh(y), y) ** 2),
     "catenoid.conformal": lambda: equal(square(Xu), square(Xv)) and equal(Xu.dot(Xv), 0),
     "catenoid.minimal": lambda: all(equal(x, 0) for x in X.diff(u, 2) + X.diff(v, 2)),

@@ -11,7 +11,7 @@ such that it holds.
 
 import random
 
-from sympy import Matrix, Poly, Rational, S, cos, diff, expand, sin, symbols, together
+from sympy import Matrix, Poly, Rational, S, cos, diff, expand, sin, sqrt, symbols, together
 
 from expected import compare
 
@@ -62,6 +62,21 @@ def zero(value):
 
 def equal(left, right):
     return zero(left - right)
+
+
+def agree(left, right):
+    """Whether two expressions with roots have the same values at u = 0, for functions with random coefficients."""
+    difference = S(left - right).subs(u, 0)
+    free = sorted(difference.free_symbols, key=str)
+    for seed in range(5):
+        chosen = random.Random(seed)
+        point = {s: Rational(chosen.randint(-9, 9), chosen.randint(1, 9)) for s in free}
+        if abs(difference.subs(point).evalf(40)) > 1e-20:
+            return False
+    return True
+
+
+tangent = D(c) / sqrt(square(D(c)))
 
 
 def normal(c, r):
@@ -254,6 +269,13 @@ CHECKS = {
     "binormals.skew": lambda: zero(delta(flat, D(flat).cross(D(flat, 2)))),
     "conoid.skew": lambda: equal(det(*conoid), D(a)),
     "slope.torse": lambda: zero(det(Matrix([D(x4), D(y4), 0]), slope_r, D(slope_r))),
+    # Squared; the sides of the first and the last have one sign.
+    "unit.speed": lambda: agree(D(sqrt(square(D(c)))), D(c).dot(D(c, 2)) / sqrt(square(D(c)))),
+    "unit.speed.slip": lambda: agree(D(sqrt(square(D(c)))), sqrt(square(D(c, 2)))),
+    "unit.orthogonal": lambda: agree(tangent.dot(D(tangent)), 0),
+    "unit.turn": lambda: agree(
+        sqrt(square(D(tangent))) / sqrt(square(D(c))),
+        sqrt(square(D(c).cross(D(c, 2)))) / sqrt(square(D(c))) ** 3),
     "planes.ruling": lambda: zero(n.dot(rotated(n))) and zero(D(n).dot(rotated(n))),
     "planes.turn": lambda: equal(rotated(rotated(n)), W * n),
     "planes.turn.slip": lambda: equal(rotated(rotated(n)), W * D(n)),

@@ -30,6 +30,21 @@ def equal(left, right):
     return simplify(difference) == 0 or simplify(expand(difference.rewrite(exp))) == 0
 
 
+def same(left, right):
+    """Whether two expressions with roots are equal for positive symbols: their squares as functions, their signs at points."""
+    positive = {s: symbols(str(s), positive=True) for s in (left - right).free_symbols}
+    left, right = left.subs(positive), right.subs(positive)
+    for shift in range(4):
+        point = {s: Rational(3 + 2 * n + 5 * shift, 7 + n) for n, s in enumerate(sorted(positive.values(), key=str))}
+        if abs((left - right).subs(point).evalf(40)) > 1e-20:
+            return False
+    return simplify(left ** 2 - right ** 2) == 0
+
+
+def unit(p):
+    return p / sqrt(simplify(square(p)))
+
+
 def on_grid(value, relation, **ranges):
     """Whether a relation with zero holds at all points of a grid, closed at both ends."""
     names = list(ranges)
@@ -83,6 +98,8 @@ cycloid = Matrix([t - sin(t), 1 - cos(t)])
 cardioid = Matrix([(1 + cos(t)) * cos(t), (1 + cos(t)) * sin(t)])
 helix = Matrix([r * cos(t), r * sin(t), h * t])
 normal = Matrix([cos(t), sin(t), 0])
+cylinder = Matrix([r * cos(t), r * sin(t), v])
+round_normal = cylinder.diff(t).cross(cylinder.diff(v))
 D1, D2, D3 = (helix.diff(t, n) for n in (1, 2, 3))
 
 
@@ -163,6 +180,18 @@ CHECKS = {
     "helix.normal": lambda: all(
         equal(x, w) for x, w in zip((D1 + v * D2).cross(D1), v * D2.cross(D1))),
     "helix.regular": lambda: on_grid(simplify(square(D2.cross(D1))), ">", r=(near, 3), h=(near, 3)),
+    "helix.length": lambda: same(sqrt(square(D1)), sqrt(r ** 2 + h ** 2)),
+    "helix.bend": lambda: same(sqrt(square(D1.cross(D2))) / sqrt(square(D1)) ** 3, r / (r ** 2 + h ** 2)),
+    "helix.bend.slip": lambda: same(
+        sqrt(square(D1.cross(D2))) / sqrt(square(D1)) ** 3, r ** 2 / (r ** 2 + h ** 2) ** 2),
+    "helix.bend.turn": lambda: same(
+        sqrt(square(unit(D1).diff(t))) / sqrt(square(D1)), r / (r ** 2 + h ** 2)),
+    "helix.principal": lambda: all(same(x, w) for x, w in zip(unit(unit(D1).diff(t)), -normal)),
+    "helix.principal.slip": lambda: all(same(x, w) for x, w in zip(unit(unit(D1).diff(t)), normal)),
+    "cylinder.normal": lambda: all(same(x, w) for x, w in zip(unit(round_normal), normal)),
+    "cylinder.offset": lambda: all(
+        same(x, w) for x, w in zip(
+            cylinder + h * unit(round_normal), [(r + h) * cos(t), (r + h) * sin(t), v])),
     "helicoid.skew": lambda: equal(det(D1, normal, normal.diff(t)), h),
     "helicoid.skew.slip": lambda: equal(det(D1, normal, normal.diff(t)), 0 * t),
 }

@@ -47,6 +47,8 @@ pub enum Planted {
     CorrectionUnproved,
     /// A coefficient of a determinant is taken for positive on a cell without a look.
     CoefficientUnlooked,
+    /// The root of a square is that of which it is the square, whatever its sign.
+    RootSignIgnored,
     /// The checker of proofs reads a difference as a sum.
     DifferenceReadAsSum,
 }

@@ -16,6 +16,7 @@ use crate::evaluate::Evaluator;
 use crate::evaluate::linear::{single_symbol, solve_for};
 use crate::evaluate::series::polynomial_of;
 use crate::evaluate::value::{NOWHERE, Statement, Value};
+use crate::roots::{self, Resolved, Root};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
@@ -25,7 +26,7 @@ use torse_language::derivation::declarations::SymbolKind;
 use torse_language::derivation::{Claim, Written};
 use torse_language::fault::Fault;
 use torse_language::syntax::{Connective, Relation};
-use torse_proof::proof::ground::{Determined, Determining, Elimination};
+use torse_proof::proof::ground::{Determined, Determining, Elimination, Rooted};
 
 /// Divisors of more terms than this are not examined for their sign.
 const MAX_EXAMINED: usize = 40;
@@ -39,6 +40,16 @@ pub struct Ground<'a> {
     /// How symbols were eliminated, in this order.
     pub eliminated: Vec<Elimination<Polynomial>>,
     solving: Solving,
+    roots_solved: RootsAre,
+}
+
+/// What becomes of the equations `w^2 == r` of roots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RootsAre {
+    /// They stay, and w is a symbol.
+    Symbols,
+    /// A symbol of r in which they are linear is eliminated: for relations of order.
+    Solved,
 }
 
 /// When an assumed equation is solved for a symbol.
@@ -98,7 +109,20 @@ impl<'a> Ground<'a> {
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
     ) -> Result<Self, Fault> {
-        let mut ground = Self::assumed(claim, elaborator, fixed, Solving::Always)?;
+        Self::with_roots(claim, elaborator, fixed, RootsAre::Symbols)
+    }
+
+    /// The same with the equations of roots taken one way or the other.
+    ///
+    /// # Errors
+    /// As [`Ground::new`].
+    pub fn with_roots(
+        claim: &core::Claim,
+        elaborator: Rc<Elaborator<'a>>,
+        fixed: &BTreeMap<String, Fraction>,
+        roots: RootsAre,
+    ) -> Result<Self, Fault> {
+        let mut ground = Self::made(claim, elaborator, fixed, (Solving::Always, roots))?;
         ground.solve(&ground.given(claim)?, claim)?;
         ground.bound_integers(claim, fixed);
         Ok(ground)
@@ -114,12 +138,22 @@ impl<'a> Ground<'a> {
         fixed: &BTreeMap<String, Fraction>,
         solving: Solving,
     ) -> Result<Self, Fault> {
+        Self::made(claim, elaborator, fixed, (solving, RootsAre::Symbols))
+    }
+
+    fn made(
+        claim: &core::Claim,
+        elaborator: Rc<Elaborator<'a>>,
+        fixed: &BTreeMap<String, Fraction>,
+        (solving, roots_solved): (Solving, RootsAre),
+    ) -> Result<Self, Fault> {
         let evaluator = Evaluator::with(elaborator);
         let mut ground = Self {
             domain: Domain::new(evaluator.declarations),
             evaluator: evaluator.fixing(fixed),
             eliminated: vec![],
             solving,
+            roots_solved,
         };
         for (name, value) in fixed {
             ground.keep_range(&Symbol::named(name), value);
@@ -129,8 +163,129 @@ impl<'a> Ground<'a> {
         // Inequalities first: they may say that the divisor of an elimination does not vanish.
         let (equations, others) = assumed.partition(|h| has_equation(&h.statement));
         ground.assume_all(others)?;
+        let rooted = claim.hypotheses.iter().filter(|h| h.root().is_some());
+        let mut roots = ground.resolve(rooted.collect())?;
         ground.assume_all(equations)?;
+        if ground.domain.pivots.is_empty() {
+            roots = ground.resolve(roots)?;
+        }
+        ground.constrain_roots(&roots)?;
         Ok(ground)
+    }
+
+    /// Takes the roots of which a value is found; those that are left.
+    fn resolve<'h>(
+        &mut self,
+        hypotheses: Vec<&'h Hypothesis>,
+    ) -> Result<Vec<&'h Hypothesis>, Fault> {
+        self.domain.roots.clear();
+        for hypothesis in &hypotheses {
+            let Some((name, radicand)) = hypothesis.root() else {
+                continue;
+            };
+            let symbol = Symbol::named(name);
+            let value = self.evaluator.term(radicand);
+            let (false, Some(radicand)) =
+                (self.is_solved(&symbol), value.ok().as_ref().and_then(plain))
+            else {
+                continue;
+            };
+            match roots::resolved(&radicand, &self.domain) {
+                Some(found) => self.take_root(&symbol, &radicand, found)?,
+                None => self.domain.roots.push(Root { symbol, radicand }),
+            }
+        }
+        while let Some((root, found)) = roots::resolved_by_others(&self.domain) {
+            self.take_root(&root.symbol, &root.radicand, found)?;
+        }
+        self.see_positive_roots();
+        // Of one that an equation eliminated the radicand is still to be known.
+        let open = |h: &&Hypothesis| {
+            let root = h.root().map(|(name, _)| Symbol::named(name));
+            root.is_some_and(|root| !self.has_root_value(&root))
+        };
+        Ok(hypotheses.into_iter().filter(open).collect())
+    }
+
+    fn is_solved(&self, symbol: &Symbol) -> bool {
+        self.domain.solved.iter().any(|(known, _)| known == symbol)
+    }
+
+    /// Whether a root was given a value as such.
+    fn has_root_value(&self, root: &Symbol) -> bool {
+        let root = plain_symbol(root);
+        self.eliminated.iter().any(|elimination| {
+            let mut values = elimination.values.iter();
+            matches!(elimination.by, Determining::Root(_)) && values.any(|v| v.symbol == root)
+        })
+    }
+
+    /// A root has this value, where its radicand has one.
+    fn take_root(
+        &mut self,
+        symbol: &Symbol,
+        radicand: &Fraction,
+        found: Resolved,
+    ) -> Result<(), Fault> {
+        let rooted = Rooted {
+            sign: found.sign,
+            constraints: written(&self.domain.constraints),
+        };
+        let value = found.value.under(radicand.conditions());
+        let value = self.eliminate(symbol, &value)?;
+        let by = Determining::Root(Box::new(rooted));
+        self.eliminated_by(vec![(symbol.clone(), value)], by);
+        Ok(())
+    }
+
+    /// Roots are positive where their radicands do not vanish.
+    fn see_positive_roots(&mut self) {
+        for root in self.domain.roots.clone() {
+            let own = Polynomial::symbol(root.symbol.clone());
+            if !self.domain.assumes_nonzero(&own) && self.never_zero(root.radicand.numerator()) {
+                let radicand = root.radicand.numerator().clone();
+                self.domain.positive_radicands.push(radicand);
+                self.domain.constraints.push(Constraint {
+                    value: own.into(),
+                    relation: Relation::Greater,
+                });
+            }
+        }
+    }
+
+    /// The equations of the roots that are left. A root has a value where its radicand has one.
+    fn constrain_roots(&mut self, roots: &[&Hypothesis]) -> Result<(), Fault> {
+        for hypothesis in roots {
+            let within = |f: Fault| f.within(&hypothesis.origin);
+            let Some((name, _)) = hypothesis.root() else {
+                continue;
+            };
+            let statement = self.evaluator.truth(&hypothesis.statement);
+            let mut forms = vec![];
+            statement
+                .and_then(|statement| equations(&statement, &mut forms))
+                .map_err(within)?;
+            for form in forms {
+                let value = self.resolved(&form)?;
+                let symbol = Symbol::named(name);
+                if !self.is_solved(&symbol) {
+                    let own = Fraction::symbol(symbol).under(value.conditions());
+                    self.evaluator.fix(name.to_string(), own);
+                }
+                let relation = Relation::Equal;
+                match self.roots_solved {
+                    RootsAre::Symbols => {
+                        self.domain.constraints.push(Constraint { value, relation })
+                    }
+                    RootsAre::Solved => self.vanishes(&value)?,
+                }
+            }
+        }
+        if self.roots_solved == RootsAre::Solved {
+            // What they are the roots of is written by them now: they are symbols like all others.
+            self.domain.roots.clear();
+        }
+        Ok(())
     }
 
     /// The differences of the sides of the given equations.
@@ -408,7 +563,7 @@ impl<'a> Ground<'a> {
     }
 
     /// Keeps how symbols were eliminated.
-    fn eliminated_by(&mut self, values: Vec<(Symbol, Fraction)>, by: Determining) {
+    fn eliminated_by(&mut self, values: Vec<(Symbol, Fraction)>, by: Determining<Polynomial>) {
         let values = values.iter().map(|(symbol, value)| Determined {
             symbol: plain_symbol(symbol),
             value: quotient(value),
@@ -428,6 +583,12 @@ impl<'a> Ground<'a> {
         for (_, solved) in &mut self.domain.solved {
             *solved = put(solved)?;
         }
+        for root in &mut self.domain.roots {
+            root.radicand = put(&root.radicand)?;
+        }
+        self.domain
+            .roots
+            .retain(|root| root.symbol != *symbol && !mentions(&root.radicand, &root.symbol));
         let Domain {
             pivots, unsettled, ..
         } = &mut self.domain;
@@ -529,6 +690,15 @@ impl<'a> Ground<'a> {
             .iter()
             .try_for_each(|form| self.vanishes(form).map_err(within))
     }
+}
+
+/// The constraints as parts of a proof.
+pub(crate) fn written(constraints: &[Constraint]) -> Vec<torse_proof::Constraint<Polynomial>> {
+    let constraint = |c: &Constraint| torse_proof::Constraint {
+        value: quotient(&c.value),
+        relation: c.relation,
+    };
+    constraints.iter().map(constraint).collect()
 }
 
 /// Whether an equation is part of a hypothesis.

@@ -13,6 +13,7 @@ pub mod evaluate;
 pub mod evidence;
 pub mod formula;
 pub mod ideal;
+pub mod roots;
 pub mod sample;
 pub mod statement;
 

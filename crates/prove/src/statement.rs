@@ -5,27 +5,28 @@
 //! symbolically, or, where a symbolic degree cannot be carried, at small values of the integers.
 
 use crate::alternatives;
-use crate::case::{Ground, Solving};
+use crate::case::{Ground, RootsAre, Solving, written};
 use crate::combination::multipliers;
 use crate::decide::contradiction::contradiction;
 use crate::decide::domain::Domain;
-use crate::decide::value::{Proof, plain, quotient};
+use crate::decide::value::{Proof, plain};
 use crate::decide::{self, Decision, conditions, equality, exponential, instances, sign, witness};
 use crate::evaluate::value::{Statement, Value};
+use crate::roots;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::core::{self, Elaborator};
-use torse_language::derivation::declarations::SymbolKind;
+use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::derivation::{Claim, Origin, Written};
 use torse_language::fault::{Fault, Problem};
 use torse_language::syntax::{Connective, Relation};
+use torse_proof::Refuted;
 use torse_proof::identity::{Combination, Equations, Vanishing};
 use torse_proof::proof::Emptiness;
 use torse_proof::proof::ground::Sharpness;
 use torse_proof::sign::Sign;
-use torse_proof::{Constraint, Refuted};
 
 /// Decides a statement on the domain of a claim: the claim's own, or another one in its place.
 ///
@@ -34,9 +35,40 @@ use torse_proof::{Constraint, Refuted};
 pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, Fault> {
     let elaborator = Rc::new(Elaborator::new(&claim.declarations));
     let core = core::Claim::elaborated(&elaborator, claim, statement)?;
+    let rooted = core
+        .rooted(&statement.origin)
+        .map_err(|fault| fault.within(&statement.origin))?;
+    let mut declarations = None;
+    for name in rooted.roots() {
+        let set = rooted.symbols.get(name).cloned();
+        let known = declarations.take();
+        let known = known.unwrap_or_else(|| Declarations::clone(&claim.declarations));
+        declarations = Some(match set {
+            Some(set) => known.with_symbol(name, set),
+            None => known,
+        });
+    }
+    let (core, elaborator) = match &declarations {
+        None => (core, elaborator),
+        Some(more) => {
+            let elaborator = Rc::new(Elaborator::new(more));
+            let core = core::Claim::elaborated(&elaborator, claim, statement)?;
+            let rooted = core.rooted(&statement.origin);
+            let rooted = rooted.map_err(|fault| fault.within(&statement.origin))?;
+            (rooted, elaborator)
+        }
+    };
     let parts = Parts::of(alternatives::parts(&core), &elaborator, &statement.origin);
     let decision = parts.decide(&core.statement);
-    decision.map_err(|fault| fault.within(&statement.origin))
+    let decision = decision.map_err(|fault| fault.within(&statement.origin))?;
+    Ok(match decision {
+        // The hypotheses may have points all the same, and the statement no value at any of them.
+        Decision::Vacuous(emptiness) if declarations.is_some() => Decision::Open {
+            reason: emptiness.map(&plain).reason(),
+            tried: vec!["a point at which all roots are defined".to_owned()],
+        },
+        decision => decision,
+    })
 }
 
 /// The values of some integers.
@@ -305,11 +337,12 @@ impl Decider<'_> {
     }
 
     fn ground(&self, instance: &Instance) -> Result<Ground<'_>, Fault> {
-        Ground::new(
-            &self.claim,
-            Rc::clone(&self.elaborator),
-            &instances::fixed(instance),
-        )
+        self.ground_where(instance, RootsAre::Symbols)
+    }
+
+    fn ground_where(&self, instance: &Instance, roots: RootsAre) -> Result<Ground<'_>, Fault> {
+        let fixed = instances::fixed(instance);
+        Ground::with_roots(&self.claim, Rc::clone(&self.elaborator), &fixed, roots)
     }
 
     /// A statement that is no conjunction and no negation.
@@ -434,7 +467,7 @@ impl Decider<'_> {
         };
         let conditions: Vec<Polynomial> =
             divisors.chain(of(&differences)).chain(of(&forms)).collect();
-        let open = open_conditions(conditions::separated(&conditions), &ground);
+        let open = open_conditions(unrooted(&conditions, &ground), &ground);
         let combination = Combination {
             of: Equations::Given,
             equations: forms.iter().map(|f| f.numerator().clone()).collect(),
@@ -469,17 +502,36 @@ impl Decider<'_> {
         let (domain, evaluator) = (&ground.domain, &ground.evaluator);
         let combination = equality::follows(&left, &right, domain, evaluator)
             .or_else(|| equality::follows_from_several(&left, &right, domain, evaluator))?;
-        let open = open_conditions(conditions::separated(&combination.divisors), &ground);
+        let open = open_conditions(unrooted(&combination.divisors, &ground), &ground);
         Some((ground, combination, open))
     }
 
-    /// The decision with some integers fixed.
+    /// The decision with some integers fixed. Where roots are left that settle nothing as symbols, what they are the roots of
+    /// is written by them.
     fn symbolic(
         &self,
         statement: &core::Statement,
         instance: &Instance,
     ) -> Result<Decision, Fault> {
-        let mut ground = self.ground(instance)?;
+        let ground = self.ground(instance)?;
+        let rooted = !ground.domain.roots.is_empty();
+        let decision = self.on_ground(statement, instance, ground)?;
+        if rooted && matches!(decision, Decision::Open { .. }) {
+            let ground = self.ground_where(instance, RootsAre::Solved);
+            let again = ground.and_then(|ground| self.on_ground(statement, instance, ground));
+            if let Ok(decided @ (Decision::Proven(_) | Decision::Refuted(_))) = again {
+                return Ok(decided);
+            }
+        }
+        Ok(decision)
+    }
+
+    fn on_ground(
+        &self,
+        statement: &core::Statement,
+        instance: &Instance,
+        mut ground: Ground<'_>,
+    ) -> Result<Decision, Fault> {
         let names: Vec<String> = self
             .claim
             .symbols
@@ -534,7 +586,7 @@ impl Decider<'_> {
         if !is_equality(&value) {
             met.extend(ground.domain.pivots.iter().cloned());
         }
-        let met = conditions::separated(&met);
+        let met = unrooted(&met, &ground);
         let conditions = open_conditions(met.clone(), &ground);
         if !conditions.is_empty()
             && let Some((unsolved, combination, weaker)) =
@@ -556,7 +608,7 @@ impl Decider<'_> {
                 .all(|condition| conditions.contains(condition))
             && weaker.len() < conditions.len()
         {
-            let met = conditions::separated(&combination.divisors);
+            let met = unrooted(&combination.divisors, &kept);
             let nonzero = nonzero(met, &weaker, &kept.domain);
             let combination = Proof::Combination(combination);
             return Ok(proved(kept, combination, (weaker, nonzero), vec![]));
@@ -574,12 +626,8 @@ fn proved(
     (conditions, (nonzero, seen)): (Vec<Polynomial>, Nonzero),
     ranges: Vec<Sharpness<Polynomial>>,
 ) -> Decision {
-    let constraints = ground.domain.constraints.iter().map(|c| Constraint {
-        value: quotient(&c.value),
-        relation: c.relation,
-    });
     Decision::Proven(Proof::On(Box::new(torse_proof::proof::ground::Ground {
-        constraints: constraints.collect(),
+        constraints: written(&ground.domain.constraints),
         eliminated: ground.eliminated,
         proof,
         conditions,
@@ -594,7 +642,15 @@ fn proved(
 type Nonzero = (Vec<Sign<Polynomial>>, Vec<Polynomial>);
 
 /// Those of the factors of divisors that were met, and are no conditions.
-fn nonzero(met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
+fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
+    // Roots were taken for positive where their radicands are.
+    met.extend(domain.positive_radicands.iter().cloned());
+    for root in &domain.roots {
+        if domain.assumes_nonzero(&Polynomial::symbol(root.symbol.clone())) {
+            met.push(root.radicand.numerator().clone());
+        }
+    }
+    let met = conditions::separated(&met);
     let declared = Domain::new(domain.declarations);
     let (mut signs, mut seen) = (vec![], vec![]);
     for divisor in met {
@@ -655,6 +711,13 @@ fn divisors(statement: &Statement) -> Vec<Polynomial> {
 fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
     condition == divisor
         || condition.len() < divisor.len() && divisor.exact_quotient(condition).is_some()
+}
+
+/// The divisors, factor by factor, with radicands for roots, which vanish where these do.
+fn unrooted(divisors: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
+    let roots = &ground.domain.roots;
+    let plain: Vec<Polynomial> = divisors.iter().map(|p| roots::unrooted(p, roots)).collect();
+    conditions::separated(&plain)
 }
 
 /// The conditions, factor by factor, that neither the hypotheses state nor the domain implies.

@@ -154,6 +154,10 @@ fn goal(
     let elaborator = Elaborator::new(&claim.declarations);
     let unread = |what: &dyn std::fmt::Debug| Gap::Unread(format!("{what:?}"));
     let core = core::Claim::elaborated(&elaborator, claim, statement).map_err(|f| unread(&f))?;
+    let rooted = core.rooted(&statement.origin).map_err(|f| unread(&f))?;
+    if rooted.roots().next().is_some() {
+        return Err(Gap::Theory("roots of formulas with symbols"));
+    }
     let mut added = vec![];
     for text in conditions {
         let written = written(text, &finding.id)?;

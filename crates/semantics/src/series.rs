@@ -214,13 +214,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
             return Err(Unknown::Precision.into());
         };
         if first.is_zero(a) == Some(true) && !rest.is_empty() {
-            return Err(match rest.first().and_then(|second| second.is_zero(a)) {
-                Some(false) => Undefined::NotDifferentiable.into(),
-                _ => Unknown::NotCovered {
-                    what: "the derivative of a root at a double zero",
-                }
-                .into(),
-            });
+            return Err(Undefined::NotDifferentiable.into());
         }
         let mut root = vec![first.square_root(a)?];
         let twice = root

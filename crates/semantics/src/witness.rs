@@ -42,7 +42,7 @@ pub fn read<'t>(
     numbers: impl IntoIterator<Item = (&'t str, &'t str)>,
 ) -> Result<Point, Unreadable> {
     let mut values = Numbers::new();
-    for (name, value) in numbers {
+    for (name, value) in numbers.into_iter().filter(|(name, _)| !is_root(name)) {
         let unknown_name = || Unreadable::Name {
             name: name.to_owned(),
         };
@@ -59,6 +59,12 @@ pub fn read<'t>(
         values,
         near: false,
     })
+}
+
+/// Whether a name is that of a root, which the values of the symbols determine.
+fn is_root(name: &str) -> bool {
+    let heads = ["sqrt(", "norm(", "abs(", "\u{221a}"];
+    heads.iter().any(|head| name.starts_with(head))
 }
 
 /// The value of a closed formula.

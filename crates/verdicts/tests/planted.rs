@@ -190,6 +190,12 @@ const CASES: &[Case] = &[
         Caught::Net,
     ),
     case(
+        Planted::RootSignIgnored,
+        "states = 'sqrt(a^2) == a'",
+        False,
+        Caught::Net,
+    ),
+    case(
         Planted::CorrectionUnproved,
         "kind = 'identity'\nstates = 'a*b + 1 == a*b + 2*a'",
         False,

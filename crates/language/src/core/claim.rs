@@ -43,6 +43,8 @@ pub enum Source {
     Assume,
     /// `given`
     Given,
+    /// No field: what the symbol of a root is, see [`Claim::rooted`].
+    Root,
 }
 
 impl Claim {

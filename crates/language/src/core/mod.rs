@@ -11,6 +11,7 @@
 
 mod claim;
 mod elaborate;
+mod roots;
 mod walk;
 
 pub use claim::{Claim, Hypothesis, Source};

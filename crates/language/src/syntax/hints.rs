@@ -7,7 +7,7 @@ use super::token::Token;
 pub fn character(found: char) -> Option<&'static str> {
     Some(match found {
         '=' => "an equation is written with `==`",
-        '|' => "the norm of a vector is written `norm(v)`, the size of a number `sqrt(x^2)`",
+        '|' => "the norm of a vector is written `norm(v)`, the size of a number `abs(x)`",
         '\u{2225}' | '\u{2016}' => "the norm of a vector is written `norm(v)`",
         '\u{2265}' | '\u{2a7e}' => "write `>=`",
         '\u{2264}' | '\u{2a7d}' => "write `<=`",
@@ -113,11 +113,10 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         "cot" => "`cot` is not in the language: write `cos(x)/sin(x)`",
         "sec" => "`sec` is not in the language: write `1/cos(x)`",
         "csc" => "`csc` is not in the language: write `1/sin(x)`",
-        "abs" => "`abs` is not in the language: write `sqrt(x^2)`",
         "coth" => "`coth` is not in the language: write `cosh(x)/sinh(x)`",
         "ln" | "log" | "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan" | "atan2"
         | "min" | "max" | "floor" | "ceil" | "gamma" | "lim" | "int" | "integral" => {
-            "this function is not in the language: its functions are rational, sqrt, sin, cos, tan, exp, sinh, cosh and tanh"
+            "this function is not in the language: its functions are rational, sqrt, abs, sin, cos, tan, exp, sinh, cosh and tanh"
         }
         "e" => "the base of natural logarithms is written `exp(1)`",
         "inf" | "infinity" => "formulas have no infinity; `inf` is an end of an interval",

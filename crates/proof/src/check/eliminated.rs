@@ -39,7 +39,7 @@ impl Domain<'_> {
                     self.by_given(place, places, known)
                 }
                 Determining::Assumed { plainly } => self.by_one(place, *plainly, known),
-                Determining::Instance => Ok(()),
+                Determining::Root(own) => self.by_root(place, own),
             };
             match (determined, hypotheses.gap.clone()) {
                 // The equation may be one that was not expanded.
@@ -149,6 +149,7 @@ impl Domain<'_> {
         known: &[Compared],
         groups: usize,
     ) -> Result<bool, Beyond> {
+        let polynomial = &self.unrooted(polynomial, groups)?;
         if self.divides(polynomial, known, groups, false)? {
             return Ok(true);
         }
@@ -225,7 +226,9 @@ impl Domain<'_> {
         let unplain = |group: &Elimination<Polynomial>| {
             matches!(group.by, Determining::Assumed { plainly: false })
         };
-        let seen = self.divides(divisor, known, groups, true)?;
+        let unrooted = self.unrooted(divisor, groups)?;
+        let seen = self.divides(divisor, known, groups, true)?
+            || self.divides(&unrooted, known, groups, true)?;
         Ok(match seen || self.groups.iter().any(unplain) {
             true => Beyond::Divisor(divisor.to_string()).into(),
             false => Wrong::Divisor(divisor.to_string()).into(),
@@ -240,8 +243,17 @@ impl Domain<'_> {
 
     /// Whether the denominator of a quotient of the proof is known to differ from zero.
     pub fn nonzero_here(&self, polynomial: &Polynomial) -> Result<bool, Beyond> {
-        let known = self.hypotheses(self.groups.len());
-        self.is_nonzero(polynomial, &known.all, self.groups.len())
+        self.nonzero_at(polynomial, self.groups.len())
+    }
+
+    /// The same where the first groups have their values.
+    pub(super) fn nonzero_at(
+        &self,
+        polynomial: &Polynomial,
+        groups: usize,
+    ) -> Result<bool, Beyond> {
+        let known = self.hypotheses(groups);
+        self.is_nonzero(polynomial, &known.all, groups)
     }
 }
 

@@ -305,6 +305,15 @@ impl<'a> Domain<'a> {
             }
             met.insert(symbol.clone());
             met.retain(|symbol| values.contains_key(symbol) && !self.fixed.contains_key(symbol));
+            if self.is_positive_root(&symbol, groups)? {
+                let zero = Met::new();
+                found.push(Compared {
+                    difference: value.clone(),
+                    relation: Relation::Greater,
+                    source: Source::Assume,
+                    met: zero,
+                });
+            }
             for (bound, relation) in self.bounds(set, &values)? {
                 found.push(Compared {
                     difference: value.minus(&bound, self.work)?,

@@ -15,6 +15,7 @@ mod point;
 mod printed;
 mod quotient;
 mod range;
+mod root;
 mod sign;
 mod statement;
 mod turn;
@@ -61,7 +62,7 @@ pub fn proves(
         conditions,
         work,
     };
-    check.proof(claim, proof, &BTreeMap::new())
+    check.proof(&with_roots(claim, origin)?, proof, &BTreeMap::new())
 }
 
 /// Checks a refutation of the statement of a claim.
@@ -82,7 +83,13 @@ pub fn refutes(
         conditions: &[],
         work,
     };
-    check.refutation(claim, refuted, &BTreeMap::new())
+    check.refutation(&with_roots(claim, origin)?, refuted, &BTreeMap::new())
+}
+
+/// The claim with symbols for its roots, and what they are: what a proof is about.
+fn with_roots(claim: &Claim, origin: &Origin) -> Result<Claim, Unchecked> {
+    let rooted = claim.rooted(origin);
+    rooted.map_err(|_| Beyond::Construct("such a root").into())
 }
 
 fn has_exponential(p: &Polynomial) -> bool {
@@ -153,7 +160,14 @@ impl Check<'_> {
             (_, Proof::On(ground)) => {
                 let own = || Domain::new(claim, self.conditions, Some(ground), integers, self.work);
                 let nonzero = nonzero(&own(), &ground.nonzero)?;
-                statement::check(&own().with_nonzero(nonzero), ground)
+                let checked = statement::check(&own().with_nonzero(nonzero), ground);
+                match ground.seen.first() {
+                    // That a root is positive may rest on this.
+                    Some(seen) if claim.roots().next().is_some() => {
+                        checked.map_err(|_| Beyond::Divisor(seen.to_string()).into())
+                    }
+                    _ => checked,
+                }
             }
             (_, Proof::Defined(proof)) => {
                 // The conditions have to follow from the definedness of the terms.

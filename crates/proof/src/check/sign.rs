@@ -24,6 +24,8 @@ pub struct Signs<'a> {
     own: Vec<Compared>,
     gap: Option<Beyond>,
     ranges: Ranges,
+    /// How many groups of symbols have their values.
+    groups: usize,
 }
 
 impl<'a> Signs<'a> {
@@ -41,6 +43,7 @@ impl<'a> Signs<'a> {
             own,
             gap,
             ranges,
+            groups,
         })
     }
 
@@ -81,7 +84,7 @@ impl<'a> Signs<'a> {
         let work = self.domain.work;
         let constraint = self.known(place)?;
         let Ratio { above, below } = &constraint.value;
-        if !below.is_number() && !self.domain.nonzero_here(below)? {
+        if !below.is_number() && !self.domain.nonzero_at(below, self.groups)? {
             return Err(Beyond::Divisor(below.to_string()).into());
         }
         let product = work.times(above, below)?;

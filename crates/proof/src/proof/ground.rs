@@ -1,6 +1,7 @@
 //! What a proof stands on: the hypotheses as constraints, the symbols that equations eliminated, and the conditions that
 //! remain.
 
+use crate::polynomial::Polynomial;
 use crate::proof::Proof;
 use crate::ratio::{Constraint, Ratio};
 use crate::sign::Sign;
@@ -35,7 +36,7 @@ pub struct Elimination<P> {
     /// The symbols with their values, in terms of those that were not eliminated then.
     pub values: Vec<Determined<P>>,
     /// Which equations, and why they determine the symbols.
-    pub by: Determining,
+    pub by: Determining<P>,
 }
 
 /// A symbol with the value that equations give it.
@@ -50,7 +51,7 @@ pub struct Determined<P> {
 /// How equations determine symbols.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Determining {
+pub enum Determining<P> {
     /// An assumed equation, linear in the one symbol.
     Assumed {
         /// Whether its coefficient is a number, or differs from zero by a hypothesis or a condition of the proof; else its
@@ -60,8 +61,17 @@ pub enum Determining {
     /// As many of the `given` equations, by their places among all entries of these: linear in the symbols, with a
     /// determinant that is not zero.
     Given(Vec<usize>),
-    /// A value chosen for an integer.
-    Instance,
+    /// The symbol is a root, and the square of the value is its radicand.
+    Root(Box<Rooted<P>>),
+}
+
+/// Why a value is the root, which is not negative, and not its negative.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Rooted<P> {
+    /// Numerator times denominator of the value, which is not negative.
+    pub sign: Sign<P>,
+    /// The constraints that the sign names by their places.
+    pub constraints: Vec<Constraint<P>>,
 }
 
 /// Whether the range of a parameter is the largest one.
@@ -114,8 +124,28 @@ impl<P> Elimination<P> {
         };
         Elimination {
             values: self.values.iter().map(value).collect(),
-            by: self.by.clone(),
+            by: match &self.by {
+                Determining::Assumed { plainly } => Determining::Assumed { plainly: *plainly },
+                Determining::Given(places) => Determining::Given(places.clone()),
+                Determining::Root(own) => Determining::Root(Box::new(Rooted {
+                    sign: own.sign.map(change),
+                    constraints: own.constraints.iter().map(|c| c.map(change)).collect(),
+                })),
+            },
         }
+    }
+}
+
+impl Elimination<Polynomial> {
+    /// The value of a root in words; nothing for other symbols.
+    pub(crate) fn step(&self) -> Option<String> {
+        let (Determining::Root(_), [own]) = (&self.by, self.values.as_slice()) else {
+            return None;
+        };
+        let (root, value) = (&own.symbol, &own.value);
+        Some(format!(
+            "{root} is {value}: the square is the radicand, and this is nowhere negative"
+        ))
     }
 }
 

@@ -13,7 +13,7 @@ use crate::polynomial::Polynomial;
 use crate::ratio::{Constraint, Ratio};
 use crate::sign::Sign;
 use crate::wronskian::Wronskians;
-use ground::Ground;
+use ground::{Elimination, Ground};
 use refutation::Refuted;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -246,8 +246,9 @@ impl Proof<Polynomial> {
             Self::Wronskians(proof) => proof.steps(),
             Self::On(ground) => {
                 let ranges = ground.ranges.iter().map(|range| range.text());
-                let steps = ground.proof.steps();
-                steps.into_iter().chain(ranges).collect()
+                let roots = ground.eliminated.iter().filter_map(Elimination::step);
+                let steps = roots.chain(ground.proof.steps());
+                steps.chain(ranges).collect()
             }
             Self::Instances(instances) => instances.iter().map(Instance::step).collect(),
             Self::Nowhere(emptiness) => {

@@ -82,7 +82,13 @@ impl Domain<'_> {
         } else {
             suggested(&interval)
         };
-        for value in self.roots(symbol).into_iter().chain(own) {
+        for value in roots(
+            symbol,
+            self.constraints.iter().map(|c| (&c.value, c.relation)),
+        )
+        .into_iter()
+        .chain(own)
+        {
             if inside(&interval, &value) && !found.contains(&value) {
                 found.push(value);
             }
@@ -92,30 +98,43 @@ impl Domain<'_> {
 }
 
 impl Domain<'_> {
-    /// The values of a symbol that assumed equations such as `2*w^2 == 3` leave.
-    fn roots(&self, symbol: &Symbol) -> Vec<Fraction> {
-        let equations = self
-            .constraints
-            .iter()
-            .filter(|c| c.relation == Relation::Equal);
-        let square = |value: &Fraction| {
-            let polynomial = value.numerator();
-            if polynomial.symbols() != std::slice::from_ref(symbol) {
-                return None;
-            }
-            match polynomial.coefficients_in(symbol).as_slice() {
-                [constant, linear, square] if linear.is_zero() => {
-                    let radicand = -constant.as_constant()? / square.as_constant()?;
-                    Polynomial::square_root(&radicand).ok()
-                }
-                _ => None,
-            }
-        };
-        let roots = equations.filter_map(|c| square(&c.value));
-        roots
-            .flat_map(|root| [Fraction::from(root.clone()), Fraction::from(-root)])
-            .collect()
+    /// The values of a symbol in its interval that equations such as `2*w^2 == 3` leave.
+    pub(crate) fn roots_of(
+        &self,
+        symbol: &Symbol,
+        constraints: &[(Fraction, Relation)],
+    ) -> Vec<Fraction> {
+        let interval = self.interval(symbol);
+        let mut values = roots(symbol, constraints.iter().map(|(value, r)| (value, *r)));
+        values.retain(|value| inside(&interval, value));
+        values.dedup();
+        values
     }
+}
+
+/// The values of a symbol that equations such as `2*w^2 == 3` leave.
+fn roots<'c>(
+    symbol: &Symbol,
+    constraints: impl Iterator<Item = (&'c Fraction, Relation)>,
+) -> Vec<Fraction> {
+    let equations = constraints.filter(|(_, relation)| *relation == Relation::Equal);
+    let square = |value: &Fraction| {
+        let polynomial = value.numerator();
+        if polynomial.symbols() != std::slice::from_ref(symbol) {
+            return None;
+        }
+        match polynomial.coefficients_in(symbol).as_slice() {
+            [constant, linear, square] if linear.is_zero() => {
+                let radicand = -constant.as_constant()? / square.as_constant()?;
+                Polynomial::square_root(&radicand).ok()
+            }
+            _ => None,
+        }
+    };
+    let roots = equations.filter_map(|(value, _)| square(value));
+    roots
+        .flat_map(|root| [Fraction::from(root.clone()), Fraction::from(-root)])
+        .collect()
 }
 
 fn inside(interval: &Interval, value: &Fraction) -> bool {

@@ -2,6 +2,7 @@
 
 use crate::decide::interval::{Bound, Interval, Part};
 use crate::decide::order::order;
+use crate::roots::Root;
 use std::cmp::Ordering;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
@@ -73,6 +74,10 @@ pub struct Domain<'a> {
     pub unsettled: Vec<Polynomial>,
     /// Divisors of the statement: it says nothing where one vanishes, so no point there refutes it.
     pub divisors: Vec<Polynomial>,
+    /// The roots that have no value in other symbols, those first of which others are made.
+    pub roots: Vec<Root>,
+    /// The radicands of roots that were taken for positive, as they were then.
+    pub positive_radicands: Vec<Polynomial>,
     /// The part of the domain that is looked at, see [`Domain::parts`].
     pub part: Vec<Part>,
 }
@@ -88,6 +93,8 @@ impl<'a> Domain<'a> {
             pivots: vec![],
             unsettled: vec![],
             divisors: vec![],
+            roots: vec![],
+            positive_radicands: vec![],
             part: vec![],
         }
     }
@@ -102,6 +109,8 @@ impl<'a> Domain<'a> {
             pivots: self.pivots.clone(),
             unsettled: self.unsettled.clone(),
             divisors: self.divisors.clone(),
+            roots: self.roots.clone(),
+            positive_radicands: self.positive_radicands.clone(),
             part: self.part.clone(),
         }
     }

@@ -10,7 +10,7 @@ use super::value::Proof;
 use super::{Decision, Refutation, witness};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{NOWHERE, Value};
-use crate::ideal;
+use crate::{ideal, roots};
 use torse_algebra::{Fraction, Polynomial};
 use torse_language::fault::Fault;
 use torse_language::syntax::Relation;
@@ -72,7 +72,8 @@ pub fn decide(
             "two sums of symbolic degree do not cancel",
         ));
     };
-    if let Some(combination) = follows(left, right, domain, evaluator) {
+    let by_roots = || follows_by_roots(left, right, domain, evaluator);
+    if let Some(combination) = follows(left, right, domain, evaluator).or_else(by_roots) {
         return Ok(Decision::Proven(Proof::Combination(combination)));
     }
     let point = witness::find(
@@ -127,6 +128,21 @@ pub(crate) fn follows(
         let (slot, quotient) = found.find_map(|(slot, q)| Some((slot, q?)))?;
         *slot = quotient;
         Some(row)
+    })
+}
+
+/// Every difference as a sum of multiples of the equations of roots, if these reduce it to zero.
+pub(crate) fn follows_by_roots(
+    left: &Value,
+    right: &Value,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Option<Combination<Polynomial>> {
+    if domain.roots.is_empty() {
+        return None;
+    }
+    combined(left, right, domain, evaluator, |numerator, equations| {
+        roots::multipliers(numerator, equations, &domain.roots)
     })
 }
 

@@ -119,6 +119,9 @@ pub fn find(
         return None;
     }
     bounding_integers(&mut symbols, domain);
+    // Roots last: the others determine them.
+    let is_root = |s: &Symbol| domain.roots.iter().any(|root| root.symbol == *s);
+    symbols.sort_by_key(is_root);
     let candidates: Vec<(Symbol, Vec<Fraction>)> = symbols
         .into_iter()
         .map(|s| {
@@ -211,7 +214,11 @@ impl Search<'_> {
         if constraints.iter().any(fails) {
             return false;
         }
-        for at in values {
+        let own = match self.domain.roots.iter().any(|root| root.symbol == *symbol) {
+            true => self.domain.roots_of(symbol, constraints),
+            false => values.clone(),
+        };
+        for at in &own {
             self.tries += 1;
             if self.tries > MAX_TRIES {
                 return false;

@@ -11,7 +11,7 @@ use torse_proof::identity::Combination;
 use torse_proof::order::Order;
 use torse_proof::point::{Counterexample, Failure};
 use torse_proof::proof::Proof;
-use torse_proof::proof::ground::{Determining, Ground};
+use torse_proof::proof::ground::{Determining, Ground, Rooted};
 use torse_proof::proof::refutation::Refuted;
 use torse_proof::sign::{Certificate, Coordinate, Factor, Shown, Sign};
 use torse_proof::wronskian::{Cell, Exchange, Wronskians};
@@ -112,6 +112,68 @@ fn an_identity_that_is_none() {
                 return;
             };
             *of = Proof::Conclusion(Box::new(of.clone()));
+        })],
+    );
+}
+
+/// What shows the value of a root.
+fn rooted(found: &mut Found) -> &mut Rooted<P> {
+    match &mut ground(found).eliminated[0].by {
+        Determining::Root(own) => own,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn roots() {
+    // The right proof of another statement.
+    let mut wrong = found("states = 'sqrt(u^2) == u'");
+    wrong.core = found("states = 'sqrt(a^2) == a'").core;
+    assert!(matches!(wrong.checked(), Err(Unchecked::Wrong(_))));
+    rejected(
+        "states = 'sqrt(u^2*v^2) == u*v'",
+        &[
+            ("no value", &|f| ground(f).eliminated.clear()),
+            ("another value", &|f| {
+                more(&mut ground(f).eliminated[0].values[0].value.above);
+            }),
+            ("the other sign", &|f| {
+                let value = &mut ground(f).eliminated[0].values[0].value.above;
+                *value = value.negated();
+            }),
+            ("another denominator", &|f| {
+                more(&mut ground(f).eliminated[0].values[0].value.below);
+            }),
+            ("the sign of something else", &|f| {
+                more(&mut rooted(f).sign.polynomial);
+            }),
+            ("the value of another symbol", &|f| {
+                ground(f).eliminated[0].values[0].symbol = Symbol::named("u");
+            }),
+            ("an assumed equation", &|f| {
+                ground(f).eliminated[0].by = Determining::Assumed { plainly: true };
+            }),
+        ],
+    );
+    rejected(
+        "states = 'sqrt(u)^3 == u*sqrt(u)'",
+        &[
+            ("another multiple", &|f| {
+                more(&mut combination(f).multipliers[0][0]);
+            }),
+            ("another equation", &|f| {
+                more(&mut combination(f).equations[0])
+            }),
+        ],
+    );
+    rejected(
+        "states = 'sqrt(a) == b'",
+        &[("another root", &|f| {
+            for value in &mut point(f).at {
+                if value.symbol == Symbol::named("sqrt(a)") {
+                    more(&mut value.value.above);
+                }
+            }
         })],
     );
 }

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use torse_numbers::{Rational, rational};
 
 /// The names of the built-in functions.
-pub(super) const NAMES: [&str; 26] = [
+pub(super) const NAMES: [&str; 27] = [
     "sum",
     "D",
     "at",
@@ -25,6 +25,7 @@ pub(super) const NAMES: [&str; 26] = [
     "sinh",
     "tanh",
     "sqrt",
+    "abs",
     "dot",
     "cross",
     "det",
@@ -146,6 +147,13 @@ impl Elaborator<'_> {
             ("cosh" | "sinh" | "tanh", [x]) => {
                 let x = self.term_in(x, scope)?;
                 return Ok(Meaning::Term(self.hyperbolic(name, &x, place)));
+            }
+            // The absolute value is the root of the square.
+            ("abs", [x]) => {
+                let x = self.term_in(x, scope)?;
+                let square = self.made(Node::Binary(Operator::Multiply, x.clone(), x), place);
+                let node = Node::Apply(BuiltIn::SquareRoot, vec![square]);
+                return Ok(Meaning::Term(self.made(node, place)));
             }
             ("binom", [_, _]) => BuiltIn::Binomial,
             ("factorial", [_]) => BuiltIn::Factorial,

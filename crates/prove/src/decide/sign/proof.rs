@@ -1,7 +1,7 @@
 //! Proofs of sign: one certificate, one for each part of the domain, or proofs about factors or coefficients.
 
 use super::certificate::{self, Certificate, CertificateError};
-use super::{Sign, proof, prove, without_equations};
+use super::{Sign, prove, without_equations};
 use crate::decide::domain::Domain;
 use crate::decide::interval::Bound;
 use crate::decide::value::{plain_symbol, quotient};
@@ -124,7 +124,7 @@ impl Proof {
         }
         let (mut negative, mut strict, mut proofs) = (content < Rational::default(), true, vec![]);
         for (factor, exponent) in factors {
-            let (sign, proof) = proof(&factor, domain)?;
+            let (sign, proof) = without_equations(&factor, domain)?;
             negative ^= matches!(sign, Sign::Negative | Sign::Nonpositive) && exponent % 2 == 1;
             strict &= matches!(sign, Sign::Positive | Sign::Negative);
             proofs.extend((0..exponent).map(|_| proof.clone()));
@@ -167,7 +167,8 @@ impl Proof {
         }
         let (mut strict, mut terms) = (false, vec![]);
         for (rays, coefficient) in groups {
-            let (sign, proof) = proof(&coefficient, domain)?;
+            // A multiple of an equation may bring back what was split: without end.
+            let (sign, proof) = without_equations(&coefficient, domain)?;
             match sign {
                 Sign::Positive => strict |= rays.as_constant().is_some(),
                 Sign::Nonnegative => {}

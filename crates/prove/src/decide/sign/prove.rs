@@ -80,6 +80,11 @@ pub fn prove(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate
     {
         best = better(best, found);
     }
+    if best.as_ref().is_some_and(|c| !c.strict)
+        && let Some(found) = with_positive_term(polynomial, domain)
+    {
+        best = better(best, found);
+    }
     best.or_else(|| without_square(polynomial, domain, &assumed))
 }
 
@@ -197,6 +202,30 @@ fn combined(
 fn better(best: Option<Certificate>, found: Certificate) -> Option<Certificate> {
     best.filter(|own| own.strict || !found.strict)
         .or(Some(found))
+}
+
+/// The most terms of a sum of which one is sought that is positive.
+const MAX_SUM: usize = 8;
+
+/// A certificate that the polynomial is a positive term and a sum of squares.
+fn with_positive_term(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate> {
+    if !(2..=MAX_SUM).contains(&polynomial.len()) {
+        return None;
+    }
+    polynomial.terms().find_map(|term| {
+        let powers = term.powers.iter();
+        let one = powers.fold(
+            Polynomial::constant(&term.coefficient),
+            |product, (s, e)| &product * &Polynomial::symbol((*s).clone()).power(u32::from(*e)),
+        );
+        let positive = direct(&one, domain, &[]).filter(|found| found.strict)?;
+        let rest = squares(&(polynomial - &one))?;
+        let plain = rest.rest.is_zero() && rest.factors.is_empty() && rest.multipliers.is_empty();
+        plain.then_some(Certificate {
+            squares: rest.squares,
+            ..positive
+        })
+    })
 }
 
 /// A certificate with a square split off: where it vanishes inside a box no halving may ever meet.
