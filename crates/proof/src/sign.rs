@@ -41,6 +41,8 @@ pub enum Shown<P> {
     Rays(Vec<Ray<P>>),
     /// The sign of what is left when a multiple of an equation is subtracted.
     Along(Box<Along<P>>),
+    /// It is a - b where a is not negative and the square of a is not below that of b.
+    Squares(Box<Squares<P>>),
 }
 
 /// A product of symbols that are not negative, and the sign of what it is multiplied with.
@@ -57,11 +59,19 @@ pub struct Ray<P> {
 pub struct Along<P> {
     /// The place of the equation among the constraints of the ground; its numerator is what is zero.
     pub equation: usize,
-    /// The number.
-    #[serde(serialize_with = "text::number")]
-    pub multiple: Rational,
+    /// What it is multiplied with.
+    pub multiple: P,
     /// The sign of the rest.
     pub rest: Sign<P>,
+}
+
+/// A difference a - b by squares. **Theorem.** If a >= 0 and a^2 >= b^2 then a >= |b| >= b; if a^2 > b^2 then a > b.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Squares<P> {
+    /// The sign of a.
+    pub larger: Sign<P>,
+    /// The sign of a^2 - b^2; strictness comes from here.
+    pub difference: Sign<P>,
 }
 
 /// A part of the domain: a symbol, or the angle of a cosine, between two numbers.
@@ -216,8 +226,12 @@ impl<P> Sign<P> {
                 }
                 Shown::Along(along) => Shown::Along(Box::new(Along {
                     equation: along.equation,
-                    multiple: along.multiple.clone(),
+                    multiple: change(&along.multiple),
                     rest: along.rest.map(change),
+                })),
+                Shown::Squares(own) => Shown::Squares(Box::new(Squares {
+                    larger: own.larger.map(change),
+                    difference: own.difference.map(change),
                 })),
                 Shown::Rays(rays) => Shown::Rays(
                     rays.iter()
@@ -239,6 +253,9 @@ impl<P> Sign<P> {
             Shown::Parts(parts) => parts.iter().map(|part| &part.certificate).collect(),
             Shown::Factors(signs) => signs.iter().flat_map(Self::certificates).collect(),
             Shown::Along(along) => along.rest.certificates(),
+            Shown::Squares(own) => {
+                [own.larger.certificates(), own.difference.certificates()].concat()
+            }
             Shown::Rays(rays) => {
                 let signs = rays.iter().map(|ray| &ray.coefficient);
                 signs.flat_map(Self::certificates).collect()
@@ -274,6 +291,7 @@ impl<P> Sign<P> {
                 signs.flat_map(Self::equations).collect()
             }
             Shown::Along(along) => [vec![along.equation], along.rest.equations()].concat(),
+            Shown::Squares(own) => [own.larger.equations(), own.difference.equations()].concat(),
         }
     }
 }

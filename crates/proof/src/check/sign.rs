@@ -135,11 +135,28 @@ impl<'a> Signs<'a> {
             Shown::Along(along) => {
                 self.sign(&along.rest)?;
                 let value = self.equation(along.equation)?;
-                let sum = along.rest.polynomial.plus(&value.scaled(&along.multiple));
+                let sum = along
+                    .rest
+                    .polynomial
+                    .plus(&work.times(value, &along.multiple)?);
                 if !same(&sum)? {
                     return Err(Wrong::Equation.into());
                 }
                 along.rest.strict
+            }
+            Shown::Squares(own) => {
+                self.sign(&own.larger)?;
+                self.sign(&own.difference)?;
+                let larger = &own.larger.polynomial;
+                let smaller = larger.minus(&sign.polynomial);
+                let squares = work
+                    .times(larger, larger)?
+                    .minus(&work.times(&smaller, &smaller)?);
+                let wrong = squares.minus(&own.difference.polynomial);
+                if !Quotient::from(wrong).is_zero(work)? {
+                    return Err(Wrong::Equation.into());
+                }
+                own.difference.strict
             }
             Shown::Rays(rays) => {
                 let (mut sum, mut strict) = (Polynomial::zero(), false);

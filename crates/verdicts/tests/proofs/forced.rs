@@ -5,7 +5,7 @@ use crate::{Found, found, tried};
 use torse_proof::check::{Unchecked, Wrong};
 use torse_proof::forced::{Forced, Zero};
 use torse_proof::proof::Proof;
-use torse_proof::sign::{Along, Shown, Sign};
+use torse_proof::sign::{Along, Shown, Sign, Squares};
 use torse_proof::{Polynomial, Symbol};
 use torse_verdicts::grounds::Grounds;
 
@@ -67,8 +67,7 @@ fn a_square() {
             }),
             ("another square", &|f| turned(&mut square(f).1.polynomial)),
             ("another multiple", &|f| {
-                let own = along(square(f).1);
-                own.multiple = -&own.multiple;
+                turned(&mut along(square(f).1).multiple);
             }),
             ("another rest", &|f| {
                 more(&mut along(square(f).1).rest.polynomial);
@@ -129,6 +128,34 @@ fn a_sign_along_an_inequality_is_none() {
     assert!(
         matches!(said, Err(Unchecked::Wrong(Wrong::Kind))),
         "{said:?}"
+    );
+}
+
+#[test]
+fn squares_of_a_difference() {
+    fn squares(found: &mut Found) -> &mut Squares<Polynomial> {
+        match &mut order(found).signs[0].by {
+            Shown::Squares(own) => own,
+            other => panic!("{other:?}"),
+        }
+    }
+    rejected(
+        "states = 'sqrt(a^2 + 1) > a'",
+        &[
+            ("another larger one", &|f| {
+                more(&mut squares(f).larger.polynomial);
+            }),
+            ("a larger one that may be negative", &|f| {
+                turned(&mut squares(f).larger.polynomial);
+            }),
+            ("another difference", &|f| {
+                more(&mut squares(f).difference.polynomial);
+            }),
+            ("no strictness", &|f| squares(f).difference.strict = false),
+            ("another multiple", &|f| {
+                more(&mut along(&mut squares(f).difference).multiple);
+            }),
+        ],
     );
 }
 

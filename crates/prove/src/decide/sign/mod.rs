@@ -13,6 +13,7 @@ pub mod certificate;
 pub mod coordinates;
 mod proof;
 mod prove;
+mod rooted;
 mod samples;
 mod squares;
 
@@ -72,6 +73,11 @@ pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proo
     without_equations(polynomial, domain)
         .or_else(|| along(polynomial))
         .or_else(|| along(&-polynomial).map(|(sign, proof)| (sign.negated(), proof)))
+        .or_else(|| rooted::proof(polynomial, domain))
+        .or_else(|| {
+            let (sign, proof) = rooted::proof(&-polynomial, domain)?;
+            Some((sign.negated(), proof))
+        })
 }
 
 /// That the polynomial is zero or more, if that can be proved: one that is zero everywhere is zero or less as well.

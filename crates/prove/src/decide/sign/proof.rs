@@ -32,7 +32,9 @@ pub enum Shown {
     /// Proofs about polynomials that make it with products of symbols that are not negative.
     Rays(Vec<(Polynomial, Proof)>),
     /// A multiple of the equation in this place of the constraints, and a proof about the rest.
-    Along(usize, Rational, Box<Proof>),
+    Along(usize, Polynomial, Box<Proof>),
+    /// A proof that a is zero or more, and one about a^2 - b^2, for a - b.
+    Squares(Box<[Proof; 2]>),
 }
 
 impl Proof {
@@ -106,6 +108,13 @@ impl Proof {
                     equation: *equation,
                     multiple: multiple.clone(),
                     rest: rest.written(domain)?,
+                }))
+            }
+            Shown::Squares(own) => {
+                let [larger, difference] = &**own;
+                written::Shown::Squares(Box::new(written::Squares {
+                    larger: larger.written(domain)?,
+                    difference: difference.written(domain)?,
                 }))
             }
         };
@@ -201,6 +210,7 @@ impl Proof {
                 if let Some((sign @ (Sign::Positive | Sign::Nonnegative), rest)) =
                     without_equations(&rest, domain)
                 {
+                    let multiple = Polynomial::constant(&multiple);
                     let own = Self {
                         polynomial: polynomial.clone(),
                         shown: Shown::Along(place, multiple, Box::new(rest)),
@@ -223,6 +233,7 @@ impl Proof {
                 .iter()
                 .any(|(rays, proof)| rays.is_constant() && proof.strict()),
             Shown::Along(_, _, rest) => rest.strict(),
+            Shown::Squares(own) => own[1].strict(),
         }
     }
 
@@ -267,10 +278,19 @@ impl Proof {
             Shown::Along(place, multiple, rest) => {
                 let equation = equations(domain).find(|(own, _)| own == place);
                 let (_, value) = equation.ok_or(CertificateError::Domain)?;
-                if &rest.polynomial + &value.scaled(multiple) != self.polynomial {
+                if &rest.polynomial + &(value * multiple) != self.polynomial {
                     return Err(CertificateError::Equation);
                 }
                 rest.check(domain)
+            }
+            Shown::Squares(own) => {
+                let [larger, difference] = &**own;
+                let smaller = &larger.polynomial - &self.polynomial;
+                if &larger.polynomial.power(2) - &smaller.power(2) != difference.polynomial {
+                    return Err(CertificateError::Equation);
+                }
+                larger.check(domain)?;
+                difference.check(domain)
             }
         }
     }
@@ -281,7 +301,9 @@ const MAX_TERMS: usize = 16;
 const MAX_MULTIPLES: usize = 6;
 
 /// The numerators of the assumed equations, with their places among the constraints.
-fn equations<'d>(domain: &'d Domain<'_>) -> impl Iterator<Item = (usize, &'d Polynomial)> {
+pub(super) fn equations<'d>(
+    domain: &'d Domain<'_>,
+) -> impl Iterator<Item = (usize, &'d Polynomial)> {
     let numbered = domain.constraints.iter().enumerate();
     let equations = numbered.filter(|(_, c)| c.relation == Relation::Equal);
     equations.map(|(place, c)| (place, c.value.numerator()))
