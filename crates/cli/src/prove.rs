@@ -22,6 +22,11 @@ use torse_rocq::{script, trial};
 use torse_verdicts::grounds::Grounds;
 use torse_verdicts::outcome::Outcome;
 
+/// Why theorems have no proof, by name.
+type Unproved = BTreeMap<String, String>;
+/// Which script proves a theorem where it is not the first.
+type Chosen = BTreeMap<String, usize>;
+
 /// Write statements and proofs of verdicts for the Rocq kernel, and have them checked.
 ///
 /// For each claim with a verdict a statement in the order of the print, with all that has to be defined as premises,
@@ -136,9 +141,9 @@ impl Prove {
         &self,
         coqc: &Coqc,
         findings: &[(String, Vec<Finding<'_>>)],
-        mut unproved: BTreeMap<String, String>,
-        mut chosen: BTreeMap<String, usize>,
-    ) -> Result<(BTreeMap<String, String>, BTreeMap<String, usize>), Failure> {
+        mut unproved: Unproved,
+        mut chosen: Chosen,
+    ) -> Result<(Unproved, Chosen), Failure> {
         let all = Folder::new(findings, &BTreeMap::new());
         let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
         // Without names this run knows all there is.

@@ -284,6 +284,7 @@ fn other_scripts_prove_what_follows_from_equations_and_nothing_else() {
         conditions: vec![],
         correction: None,
         witness: vec![],
+        solved: vec![],
     };
     let findings: Vec<Finding<'_>> = claims.iter().enumerate().map(finding).collect();
     let papers = [("p".to_owned(), findings)];

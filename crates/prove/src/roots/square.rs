@@ -117,7 +117,7 @@ impl Free {
 
     fn root(&self) -> Option<Polynomial> {
         let (lead, number) = self.terms.last_key_value()?;
-        let half = |e: &u16| (e % 2 == 0).then_some(e / 2);
+        let half = |e: &u16| e.is_multiple_of(2).then_some(e / 2);
         let lead: Monomial = lead.iter().map(half).collect::<Option<_>>()?;
         let factor = Polynomial::square_root(number).ok()?;
         let mut rest = self.clone();
