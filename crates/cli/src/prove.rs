@@ -16,7 +16,7 @@ use torse_report::{ReportError, write_file};
 use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Fingerprints, Limits};
 use torse_rocq::folder::{self, ACCEPTED, Folder, SCRIPTS, Theorem, UNPROVED};
 use torse_rocq::merge;
-use torse_rocq::solved::{Solved, solutions};
+use torse_rocq::solutions::{Solved, solutions};
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::{script, trial};
 use torse_verdicts::grounds::Grounds;

@@ -6,39 +6,15 @@
 //! own value, and `forall p0, ...` the equations with `A_of_p0 p0` for `A`. The coefficient is
 //! `Derive_n (fun p0 => form with A_of_p0 p0) 1 p0`.
 
+use crate::binder::Binder;
 use crate::code::{Code, Level};
 use crate::context::Context;
 use crate::defined::mentions;
 use crate::gap::Gap;
-use crate::statement::Binder;
+use crate::unknowns::{Along, FUNCTION};
 use std::sync::Arc;
 use torse_language::core::{Claim, Node, Set, Source, Statement, Term};
 use torse_language::syntax::{Connective, Relation};
-
-/// The type of such a function.
-pub const FUNCTION: &str = "R -> R";
-
-/// The unknowns as functions of one symbol.
-#[derive(Debug, Clone)]
-pub struct Along {
-    /// The symbol.
-    pub symbol: Arc<str>,
-    /// Its name.
-    pub name: String,
-    /// The unknowns with the names of their functions.
-    pub functions: Vec<(Arc<str>, String)>,
-}
-
-impl Along {
-    /// The values that stand for the unknowns where the symbol is a variable.
-    #[must_use]
-    pub fn values(&self) -> Vec<(Arc<str>, String)> {
-        let value = |(unknown, function): &(Arc<str>, String)| {
-            (Arc::clone(unknown), format!("({function} {})", self.name))
-        };
-        self.functions.iter().map(value).collect()
-    }
-}
 
 /// What a statement with such functions has besides.
 #[derive(Debug, Clone, Default)]
@@ -119,7 +95,7 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
                     "coefficients along what is more than equations",
                 ));
             }
-            let defined = crate::statement::defined(context, [&hypothesis.statement])?;
+            let defined = crate::said::defined(context, [&hypothesis.statement])?;
             let moves = |text: &str| {
                 mentions(text, &along.name)
                     || along.functions.iter().any(|(unknown, _)| {
@@ -134,7 +110,7 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
                 ));
             }
             let before = context.moved(along.values());
-            let equations = crate::statement::said(context, &hypothesis.statement, claim);
+            let equations = crate::said::said(context, &hypothesis.statement, claim);
             context.moved(before);
             let text = format!("forall {} : R, {}", along.name, equations?.text());
             all.premises.push(Code::new(text, Level::Open));

@@ -4,11 +4,11 @@
 //! Every opened definition and every basis family becomes a `Definition` of its own, with the symbols and variables that
 //! occur in it as arguments: the statement then reads like the claim, and parts that occur often are written once.
 
-use crate::along::Along;
 use crate::code::Code;
 use crate::gap::Gap;
 use crate::name::{Names, identifier};
 use crate::shape::Shape;
+use crate::unknowns::Along;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_language::core::{Family, Node, Set, Term, Variable};

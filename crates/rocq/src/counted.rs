@@ -5,42 +5,12 @@
 //! row of the bases. So that degree has to be a number.
 
 use crate::code::{Code, Level};
-use crate::context::{Context, Kind, Local, Used};
+use crate::context::{Context, Kind, Local};
 use crate::defined::Premises;
 use crate::gap::Gap;
 use crate::integer::literal;
-use crate::shape::Shape;
-use std::collections::BTreeSet;
 use torse_language::core::{Family, Node, Term, Variable};
 use torse_language::syntax::Operator;
-
-/// What the variable and the parameters of a family stand for: integers where they occur in an index, else numbers.
-#[must_use]
-pub fn kinds(family: &Family) -> Vec<Kind> {
-    let mut indexing = BTreeSet::new();
-    for part in family.seeds.iter().chain([&family.step.0, &family.step.1]) {
-        collect_indexing(part, &mut indexing);
-    }
-    let kind = |variable: &Variable| match indexing.contains(variable) {
-        true => Kind::Integer,
-        false => Kind::Value(Shape::Number),
-    };
-    family.variables.iter().map(kind).collect()
-}
-
-/// The variables in indices of members.
-fn collect_indexing(term: &Term, found: &mut BTreeSet<Variable>) {
-    if let Node::Member(_, indices) = &*term.node {
-        found.extend(
-            indices
-                .iter()
-                .flat_map(|index| Used::of(index).variables.into_iter()),
-        );
-    }
-    for part in term.parts() {
-        collect_indexing(part, found);
-    }
-}
 
 impl Context<'_> {
     /// The argument of a family for a variable of this kind.

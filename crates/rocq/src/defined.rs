@@ -6,9 +6,9 @@
 
 use crate::code::{Code, Level};
 use crate::context::{Context, Kind, Local};
-use crate::counted::kinds;
 use crate::gap::Gap;
 use crate::integer::{affine, literal};
+use crate::kinds::kinds;
 use crate::shape::Shape;
 use std::collections::BTreeSet;
 use std::sync::Arc;

@@ -13,6 +13,7 @@
 )]
 
 pub mod along;
+pub mod binder;
 pub mod chapter;
 pub mod check;
 pub mod code;
@@ -22,19 +23,25 @@ pub mod counted;
 pub mod defined;
 pub mod degree;
 pub mod digest;
+pub mod domain;
 pub mod folder;
 pub mod forms;
 pub mod gap;
 pub mod integer;
+pub mod kinds;
 pub mod library;
 pub mod merge;
 mod modules;
 pub mod name;
 pub mod point;
+pub mod proposition;
+pub mod said;
 pub mod script;
 pub mod shape;
+pub mod solutions;
 pub mod solved;
 pub mod statement;
 pub mod task;
 pub mod trial;
+pub mod unknowns;
 pub mod value;

@@ -3,11 +3,11 @@
 //! The witness of a verdict says its values. Where it says none, integers are the least that are in their sets together,
 //! numbers are in their intervals, and others so different that determinants of them do not vanish.
 
-use crate::along::FUNCTION;
+use crate::binder::Binder;
 use crate::code::Code;
 use crate::solved::{bound, known, value};
-use crate::statement::Binder;
 use crate::task::Goal;
+use crate::unknowns::FUNCTION;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_language::core::Set;

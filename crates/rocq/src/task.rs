@@ -2,8 +2,9 @@
 
 use crate::gap::Gap;
 use crate::name::identifier;
-use crate::solved::Solved;
-use crate::statement::{Proposition, proposition};
+use crate::proposition::Proposition;
+use crate::solutions::Solved;
+use crate::statement::proposition;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_language::core::{self, Elaborator, Set};

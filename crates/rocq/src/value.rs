@@ -5,9 +5,9 @@
 
 use crate::code::{Code, Level, integer_scope};
 use crate::context::{Context, Kind, Local, Used, Value};
-use crate::counted::kinds;
 use crate::gap::Gap;
 use crate::integer::{is_zero, literal};
+use crate::kinds::kinds;
 use crate::shape::Shape;
 use std::sync::Arc;
 use torse_language::core::{BuiltIn, Family, Node, Points, Set, Term, Variable};

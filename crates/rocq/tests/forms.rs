@@ -10,7 +10,7 @@ use torse_language::derivation::{Claim, LoadError, Source, paper};
 use torse_language::words::Verdict;
 use torse_rocq::coqc::{AXIOMS, Answer, Coqc, Limits};
 use torse_rocq::folder::Folder;
-use torse_rocq::solved::Solved;
+use torse_rocq::solutions::Solved;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
 

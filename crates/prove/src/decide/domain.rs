@@ -2,7 +2,7 @@
 
 use crate::decide::interval::{Bound, Interval, Part};
 use crate::decide::order::order;
-use crate::roots::Root;
+use crate::decide::root::Root;
 use std::cmp::Ordering;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};

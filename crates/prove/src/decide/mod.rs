@@ -20,6 +20,7 @@ pub mod instances;
 pub mod interval;
 pub mod lively;
 pub mod order;
+pub mod root;
 pub mod sharpness;
 pub mod sign;
 pub mod value;

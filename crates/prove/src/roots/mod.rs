@@ -8,25 +8,17 @@
 mod square;
 
 use crate::decide::domain::Domain;
+use crate::decide::root::Root;
 use crate::decide::sign;
 use square::root_of;
 use torse_algebra::planted::{Planted, planted};
-use torse_algebra::{Fraction, Polynomial, Symbol};
+use torse_algebra::{Fraction, Polynomial};
 use torse_proof::sign::Sign;
 
 /// Radicands of more terms than this are not examined for their sign.
 const MAX_EXAMINED: usize = 60;
 /// The most roots of which two are multiplied to make another one.
 const MAX_PAIRED: usize = 8;
-
-/// A root that is no value of other symbols.
-#[derive(Debug, Clone)]
-pub struct Root {
-    /// The symbol.
-    pub symbol: Symbol,
-    /// What it is the root of.
-    pub radicand: Fraction,
-}
 
 /// What a root is, and the sign of numerator times denominator of that.
 pub struct Resolved {
