@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From Bezier Require Part_Algebraic.
 Open Scope R_scope.
 
@@ -8,5 +8,5 @@ Import Bezier.Part_Algebraic.reach_root.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; combined. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (2), (3), (1); met) | (exists (0), (0), (1); met) | (exists (13), (8), (1); met) | (exists (1), (1), (1); met) | (exists (1), (0), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (2), (3), (1); met) | (exists (0), (0), (1); met) | (exists (13), (8), (8); met) | (exists (1), (1), (1); met) | (exists (1), (0), (1); met)]. Qed.
 End reach_root.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From Bezier Require Part_Bounds.
 Open Scope R_scope.
 
@@ -16,7 +16,7 @@ Import Bezier.Part_Bounds.reach_simplex.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (1), (1), (1), (1 / 3), (1 / 3); met) | (exists (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (1), (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (1), (1), (1), (1 / 3), (1 / 3); met) | (exists (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (13), (8), (8), (1 / 3), (1 / 3); met) | (exists (1), (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1), (1 / 3), (1 / 3); met)]. Qed.
 End reach_simplex.
 
 Module reach_between.

@@ -1,12 +1,12 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From Bezier Require Part_C.
 Open Scope R_scope.
 
 Module join_C0.
 Import Bezier.Part_C.join_C0.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement B S_ C_]; prepared; unknown (R_ 0%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement B S_ C_]; prepared; unknown (R_ 0%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance B S_ C_]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
 End join_C0.
@@ -14,7 +14,7 @@ End join_C0.
 Module join_C1.
 Import Bezier.Part_C.join_C1.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement B S_ C_ S__ C__]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement B S_ C_ S__ C__]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance B S_ C_ S__ C__]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
 End join_C1.
@@ -28,7 +28,7 @@ End join_C1_slip.
 Module join_C1_slip_corrected.
 Import Bezier.Part_C.join_C1_slip_corrected.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement B S_ C_ S__ C__]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement B S_ C_ S__ C__]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance B S_ C_ S__ C__]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
 End join_C1_slip_corrected.
@@ -36,7 +36,7 @@ End join_C1_slip_corrected.
 Module join_C2.
 Import Bezier.Part_C.join_C2.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance B S_ C_ S__ C__ d1 d2]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
 End join_C2.
@@ -50,7 +50,7 @@ End join_C2_slip.
 Module join_C2_slip_corrected.
 Import Bezier.Part_C.join_C2_slip_corrected.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance B S_ C_ S__ C__ d1 d2]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
 End join_C2_slip_corrected.
@@ -58,7 +58,7 @@ End join_C2_slip_corrected.
 Module join_C3.
 Import Bezier.Part_C.join_C3.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2 d3]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); unknown (R_ 3%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2 d3]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); unknown (R_ 3%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance B S_ C_ S__ C__ d1 d2 d3]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
 End join_C3.
@@ -66,7 +66,7 @@ End join_C3.
 Module join_C2_sufficient.
 Import Bezier.Part_C.join_C2_sufficient.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement d1 d2 B S_ C_ S__ C__]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement d1 d2 B S_ C_ S__ C__]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance d1 d2 B S_ C_ S__ C__]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
 End join_C2_sufficient.
@@ -78,19 +78,3 @@ Proof. cbv beta zeta delta [statement B S_ C_ S__ C__]; combined. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance B S_ C_ S__ C__]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), (6), (7); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (8), (7); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), (1), (1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (1), (0); met)]. Qed.
 End join_knot.
-
-Module trigonometric_C1.
-Import Bezier.Part_C.trigonometric_C1.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement T G F G_ F_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance T G F G_ F_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 2), ((-1) / 2), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 1), (fun _ => 1), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1)), ((-1)), ((-1)), ((-1)); met)]. Qed.
-End trigonometric_C1.
-
-Module trigonometric_C1_inside.
-Import Bezier.Part_C.trigonometric_C1_inside.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement T G F G_ F_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance T G F G_ F_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 2), ((-1) / 2), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 1), (fun _ => 1), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1)), ((-1)), ((-1)), ((-1)); met)]. Qed.
-End trigonometric_C1_inside.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From Bezier Require Part_README.
 Open Scope R_scope.
 
@@ -68,7 +68,7 @@ Import Bezier.Part_README.language_declared.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (6); met) | (exists (6); met) | (exists (6); met) | (exists (6); met) | (exists (6); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (6); met) | (exists (6); met) | (exists (18); met) | (exists (6); met) | (exists (6); met)]. Qed.
 End language_declared.
 
 Module language_decimals_false.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtDevelopable Require Part_Abstract.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import GbtDevelopable.Part_Abstract.abs_conics_points.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement points]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance points]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (1 / 3); met) | (exists 7, 7, 2, 7, 7, 2, 7, 7, 2, (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance points]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (1 / 3); met) | (exists 7, 7, 2, 7, 7, 2, 7, 7, 2, (1 / 3); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (1 / 3); met)]. Qed.
 End abs_conics_points.
 
 Module abs_4d_factor.
@@ -16,5 +16,5 @@ Import GbtDevelopable.Part_Abstract.abs_4d_factor.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement normal direction moment foot midpoint]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal direction moment foot midpoint]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (1); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (1); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (1); met) | (exists 4, 13, 8, 8, 13, 8, 8, 6, (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance normal direction moment foot midpoint]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (1); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (1); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (7); met) | (exists 4, 13, 8, 8, 13, 8, 8, 6, (1); met) | (exists 1, 0, 0, 0, 0, 1, 0, 0, (1); met)]. Qed.
 End abs_4d_factor.

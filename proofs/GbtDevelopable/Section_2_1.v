@@ -300,6 +300,29 @@ exists (mu : R) (nu : R),
   (-1) <= nu <= 1.
 End thm_1_1_degeneration_only.
 
+Module thm_1_1_no_degeneration.
+(* gbt-developable/thm-1.1.no-degeneration, Sect. 2.1, Theorem 1, item 1
+   printed: At k ≥ 3 the functions are Bernstein functions of some z for no shape parameters at all.
+   stated: k*(k - 1)*(k - 2)*(p - 1)^3 == 0 *)
+Definition statement : Prop :=
+forall (k : Z) (mu : R) (nu : R) (p : R),
+  (3 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  IZR k - 2 + PI / 2 * (1 + mu) = IZR k * p ->
+  (IZR k - 2) * (IZR k - 3) + (IZR k - 2) * PI * (1 + mu) + PI ^ 2 / 4 * (1 - nu) = IZR k * (IZR k - 1) * p ^ 2 ->
+  (IZR k - 2) * (IZR k - 3) * (IZR k - 4) + 3 / 2 * (IZR k - 2) * (IZR k - 3) * PI * (1 + mu) + 3 / 4 * (IZR k - 2) * PI ^ 2 * (1 - nu) = IZR k * (IZR k - 1) * (IZR k - 2) * p ^ 3 ->
+  IZR k * (IZR k - 1) * (IZR k - 2) * (p - 1) ^ 3 = 0.
+Definition instance : Prop :=
+exists (k : Z) (mu : R) (nu : R) (p : R),
+  (3 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  IZR k - 2 + PI / 2 * (1 + mu) = IZR k * p /\
+  (IZR k - 2) * (IZR k - 3) + (IZR k - 2) * PI * (1 + mu) + PI ^ 2 / 4 * (1 - nu) = IZR k * (IZR k - 1) * p ^ 2 /\
+  (IZR k - 2) * (IZR k - 3) * (IZR k - 4) + 3 / 2 * (IZR k - 2) * (IZR k - 3) * PI * (1 + mu) + 3 / 4 * (IZR k - 2) * PI ^ 2 * (1 - nu) = IZR k * (IZR k - 1) * (IZR k - 2) * p ^ 3.
+End thm_1_1_no_degeneration.
+
 Module thm_1_1_jets.
 (* gbt-developable/thm-1.1.jets, Sect. 2.1, Theorem 1, item 1
    printed: The derivatives of the functions at x = 0, at k ≥ 3.
@@ -554,26 +577,3 @@ exists (k : Z) (R_ : Z -> R) (mu : R) (nu : R),
   (-1) <= nu <= 1 /\
   (0 <= k <= k)%Z.
 End thm_1_6_d.
-
-Module thm_1_1_no_degeneration.
-(* gbt-developable/thm-1.1.no-degeneration, Sect. 2.1, Theorem 1, item 1
-   printed: At k ≥ 3 the functions are Bernstein functions of some z for no shape parameters at all.
-   stated: k*(k - 1)*(k - 2)*(p - 1)^3 == 0 *)
-Definition statement : Prop :=
-forall (k : Z) (mu : R) (nu : R) (p : R),
-  (3 <= k)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  IZR k - 2 + PI / 2 * (1 + mu) = IZR k * p ->
-  (IZR k - 2) * (IZR k - 3) + (IZR k - 2) * PI * (1 + mu) + PI ^ 2 / 4 * (1 - nu) = IZR k * (IZR k - 1) * p ^ 2 ->
-  (IZR k - 2) * (IZR k - 3) * (IZR k - 4) + 3 / 2 * (IZR k - 2) * (IZR k - 3) * PI * (1 + mu) + 3 / 4 * (IZR k - 2) * PI ^ 2 * (1 - nu) = IZR k * (IZR k - 1) * (IZR k - 2) * p ^ 3 ->
-  IZR k * (IZR k - 1) * (IZR k - 2) * (p - 1) ^ 3 = 0.
-Definition instance : Prop :=
-exists (k : Z) (mu : R) (nu : R) (p : R),
-  (3 <= k)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  IZR k - 2 + PI / 2 * (1 + mu) = IZR k * p /\
-  (IZR k - 2) * (IZR k - 3) + (IZR k - 2) * PI * (1 + mu) + PI ^ 2 / 4 * (1 - nu) = IZR k * (IZR k - 1) * p ^ 2 /\
-  (IZR k - 2) * (IZR k - 3) * (IZR k - 4) + 3 / 2 * (IZR k - 2) * (IZR k - 3) * PI * (1 + mu) + 3 / 4 * (IZR k - 2) * PI ^ 2 * (1 - nu) = IZR k * (IZR k - 1) * (IZR k - 2) * p ^ 3.
-End thm_1_1_no_degeneration.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtDevelopable Require Section_2_1.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import GbtDevelopable.Section_2_1.def_1_g0.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End def_1_g0.
 
 Module def_1_g1.
@@ -16,7 +16,7 @@ Import GbtDevelopable.Section_2_1.def_1_g1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End def_1_g1.
 
 Module def_1_g2.
@@ -24,7 +24,7 @@ Import GbtDevelopable.Section_2_1.def_1_g2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End def_1_g2.
 
 Module def_1_range.
@@ -32,7 +32,7 @@ Import GbtDevelopable.Section_2_1.def_1_range.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End def_1_range.
 
 Module eq_2_1.
@@ -40,7 +40,7 @@ Import GbtDevelopable.Section_2_1.eq_2_1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_2_1.
 
 Module def_1_zero.
@@ -48,7 +48,7 @@ Import GbtDevelopable.Section_2_1.def_1_zero.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End def_1_zero.
 
 Module thm_1_1_k2_functions.
@@ -62,7 +62,7 @@ Import GbtDevelopable.Section_2_1.thm_1_1_k2_substitution.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g first last]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g first last]; first [(exists (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1 / 2), (1 / 2); met) | (exists (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g first last]; first [(exists (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1 / 2), (1 / 2); met) | (exists (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1 / 3), (1 / 3); met)]. Qed.
 End thm_1_1_k2_substitution.
 
 Module thm_1_1_k3plus_functions.
@@ -82,7 +82,7 @@ Import GbtDevelopable.Section_2_1.thm_1_1_k3plus_letters.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement formal g b]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance formal g b]; first [(exists (0)%Z, (2)%Z, (1), (1), (1 / 3); met) | (exists (0)%Z, (2)%Z, (1), (1), (1 / 2); met) | (exists (0)%Z, (2)%Z, (1), (1), (1 / 3); met) | (exists (0)%Z, (2)%Z, (1), (1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance formal g b]; first [(exists (0)%Z, (2)%Z, (1), (1), (1 / 3); met) | (exists (0)%Z, (2)%Z, (1), (1), (1 / 2); met) | (exists (0)%Z, (2)%Z, (1), (1), (1 / 3); met) | (exists (0)%Z, (2)%Z, (1), (1), (1 / 3); met) | (exists (0)%Z, (2)%Z, (1), (1), (1 / 3); met)]. Qed.
 End thm_1_1_k3plus_letters.
 
 Module thm_1_1_degeneration.
@@ -90,7 +90,7 @@ Import GbtDevelopable.Section_2_1.thm_1_1_degeneration.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g f0 s f2 c]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g f0 s f2 c]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g f0 s f2 c]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_1_degeneration.
 
 Module thm_1_1_degeneration_only.
@@ -98,7 +98,7 @@ Import GbtDevelopable.Section_2_1.thm_1_1_degeneration_only.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage g; stage at0; stage at1; staged_goal middle; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g at0 at1 middle]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g at0 at1 middle]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_1_degeneration_only.
 
 Module thm_1_1_jets.
@@ -106,7 +106,7 @@ Import GbtDevelopable.Section_2_1.thm_1_1_jets.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (0), (0); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (0), (0); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_1_jets.
 
 Module thm_1_2.
@@ -114,7 +114,7 @@ Import GbtDevelopable.Section_2_1.thm_1_2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_2.
 
 Module thm_1_3.
@@ -122,7 +122,7 @@ Import GbtDevelopable.Section_2_1.thm_1_3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (0), (0), (1 / 2); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (0), (0), (1 / 2); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_3.
 
 Module thm_1_4.
@@ -130,7 +130,7 @@ Import GbtDevelopable.Section_2_1.thm_1_4.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_4.
 
 Module thm_1_5_quadratic.
@@ -138,7 +138,7 @@ Import GbtDevelopable.Section_2_1.thm_1_5_quadratic.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_quadratic.
 
 Module thm_1_5_all.
@@ -146,7 +146,7 @@ Import GbtDevelopable.Section_2_1.thm_1_5_all.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g G b A B C_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g G b A B C_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g G b A B C_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_5_all.
 
 Module thm_1_6_a.
@@ -154,7 +154,7 @@ Import GbtDevelopable.Section_2_1.thm_1_6_a.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (0), (0); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (0), (0); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_6_a.
 
 Module thm_1_6_b.
@@ -162,7 +162,7 @@ Import GbtDevelopable.Section_2_1.thm_1_6_b.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (0), (0); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (0), (0); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_6_b.
 
 Module thm_1_6_c.
@@ -170,7 +170,7 @@ Import GbtDevelopable.Section_2_1.thm_1_6_c.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g]; first [(exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (1)%Z, (2)%Z, (0), (0); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g]; first [(exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (1)%Z, (2)%Z, (0), (0); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_6_c.
 
 Module thm_1_6_d.
@@ -178,13 +178,5 @@ Import GbtDevelopable.Section_2_1.thm_1_6_d.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g G]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g G]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g G]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_6_d.
-
-Module thm_1_1_no_degeneration.
-Import GbtDevelopable.Section_2_1.thm_1_1_no_degeneration.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; combined. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (3)%Z, ((-1) / 3), ((-1) / 3), (5); met) | (exists (3)%Z, (0), (0), (0); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3), (6); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3), (1); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3), (1); met)]. Qed.
-End thm_1_1_no_degeneration.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtDevelopable Require Section_3_2.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import GbtDevelopable.Section_3_2.eq_3_5.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g HT normal W F]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g HT normal W F]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), (7), (8), (9), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (7), (9), (7), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 7), (fun _ => 9), (fun _ => 7), (fun _ => 7), (1), (1), (1), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g HT normal W F]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), (7), (8), (9), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (7), (9), (7), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 7), (fun _ => 9), (fun _ => 7), (fun _ => 7), (1), (1), (1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_3_5.
 
 Module eq_3_6.
@@ -16,7 +16,7 @@ Import GbtDevelopable.Section_3_2.eq_3_6.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g HT normal W F]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g HT normal W F]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), (7), (8), (9), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (7), (9), (7), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 7), (fun _ => 9), (fun _ => 7), (fun _ => 7), (1), (1), (1), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g HT normal W F]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), (7), (8), (9), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (7), (9), (7), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 7), (fun _ => 9), (fun _ => 7), (fun _ => 7), (1), (1), (1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_3_6.
 
 Module sec_3_2_phi.
@@ -30,7 +30,7 @@ Import GbtDevelopable.Section_3_2.sec_3_2_theta.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement a W a' phi theta]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a W a' phi theta]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10), (11), (12); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9), (7), (7), (2), (11); met) | (exists (1), (1), (1), (1), (1), (1), (1), (1), (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance a W a' phi theta]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10), (11), (12); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9), (7), (7), (2), (11); met) | (exists (1), (1), (1), (1), (1), (1), (1), (1), (1), (1), (1); met) | (exists (1), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
 End sec_3_2_theta.
 
 Module sec_3_2_phi_exp.
@@ -44,7 +44,7 @@ Import GbtDevelopable.Section_3_2.sec_3_2_psi_vec.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement a a' phi theta psi]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a a' phi theta psi]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9), (7); met) | (exists (1), (1), (1), (1), (1), (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance a a' phi theta psi]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9), (7); met) | (exists (1), (1), (1), (1), (1), (1), (1), (1); met) | (exists (1), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
 End sec_3_2_psi_vec.
 
 Module sec_3_2_psi_nearest.
@@ -52,7 +52,7 @@ Import GbtDevelopable.Section_3_2.sec_3_2_psi_nearest.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement a a' phi theta psi]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a a' phi theta psi]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9), (7), (7); met) | (exists (1), (1), (1), (1), (1), (1), (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance a a' phi theta psi]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9), (7), (7); met) | (exists (1), (1), (1), (1), (1), (1), (1), (1), (1); met) | (exists (1), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
 End sec_3_2_psi_nearest.
 
 Module sec_3_2_psi_x.
@@ -90,5 +90,5 @@ Import GbtDevelopable.Section_3_2.eq_3_7.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement a a' phi W normal direction theta psi moment foot]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a a' phi W normal direction theta psi moment foot]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10), (11), (12), (13); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9), (7), (7), (2), (11), (1); met) | (exists (1), (1), (1), (1), (1), (1), (1), (1), (1), (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance a a' phi W normal direction theta psi moment foot]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10), (11), (12), (13); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9), (7), (7), (2), (11), (1); met) | (exists (1), (1), (1), (1), (1), (1), (1), (1), (1), (1), (1), (1); met) | (exists (1), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
 End eq_3_7.

@@ -266,6 +266,41 @@ exists (a0 : R) (a0' : R) (a0'' : R) (a0''' : R) (a1 : R) (a1' : R) (a1'' : R) (
   a0 * a1' * a2'' - a0 * a1'' * a2' - a0' * a1 * a2'' + a0' * a1'' * a2 + a0'' * a1 * a2' - a0'' * a1' * a2 <> 0.
 End sec_3_3_regression_velocity.
 
+Module sec_3_3_regression_quadratic.
+(* gbt-developable/sec-3.3.regression.quadratic, Sect. 3.3
+   printed: A quadratic family has no spine curve: its surface is a cone.
+   stated: meet(quadratic(x), quadratic'(x), quadratic''(x)) == meet(U[0], U[1], U[2]) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition quadratic (U : Z -> list R) (mu : R) (nu : R) (x : R) : list R :=
+  vadd (vadd (vscale (g x mu nu 0%Z 2%Z) (U 0%Z)) (vscale (g x mu nu 1%Z 2%Z) (U 1%Z))) (vscale (g x mu nu 2%Z 2%Z) (U 2%Z)).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
+  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
+Definition statement : Prop :=
+forall (U'1 U'2 U'3 U'4 : Z -> R) (mu : R) (nu : R) (x : R),
+  let U := fun i0 => [U'1 i0; U'2 i0; U'3 i0; U'4 i0] in
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  det [normal (quadratic U mu nu x); normal (vDerive 4 (fun x_ => quadratic U mu nu x_) 1 x); normal (vDerive 4 (fun x_ => quadratic U mu nu x_) 2 x)] <> 0 ->
+  det [normal (U 0%Z); normal (U 1%Z); normal (U 2%Z)] <> 0 ->
+  entry (U 0%Z) 1 * entry (U 1%Z) 2 * entry (U 2%Z) 3 - entry (U 0%Z) 1 * entry (U 1%Z) 3 * entry (U 2%Z) 2 - entry (U 0%Z) 2 * entry (U 1%Z) 1 * entry (U 2%Z) 3 + entry (U 0%Z) 2 * entry (U 1%Z) 3 * entry (U 2%Z) 1 + entry (U 0%Z) 3 * entry (U 1%Z) 1 * entry (U 2%Z) 2 - entry (U 0%Z) 3 * entry (U 1%Z) 2 * entry (U 2%Z) 1 <> 0 ->
+  2 * mu * nu * sin (PI / 2 * x) * cos (PI / 2 * x) ^ 2 - 2 * mu * nu * sin (PI / 2 * x) - 2 * mu * nu * cos (PI / 2 * x) ^ 3 + mu * nu + 2 * mu * sin (PI / 2 * x) * cos (PI / 2 * x) ^ 2 - 2 * mu * sin (PI / 2 * x) + mu - 2 * nu * cos (PI / 2 * x) ^ 3 + nu + 1 <> 0 ->
+  meet (quadratic U mu nu x) (vDerive 4 (fun x_ => quadratic U mu nu x_) 1 x) (vDerive 4 (fun x_ => quadratic U mu nu x_) 2 x) = meet (U 0%Z) (U 1%Z) (U 2%Z).
+Definition instance : Prop :=
+exists (U'1 U'2 U'3 U'4 : Z -> R) (mu : R) (nu : R) (x : R),
+  let U := fun i0 => [U'1 i0; U'2 i0; U'3 i0; U'4 i0] in
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= x <= 1 /\
+  det [normal (quadratic U mu nu x); normal (vDerive 4 (fun x_ => quadratic U mu nu x_) 1 x); normal (vDerive 4 (fun x_ => quadratic U mu nu x_) 2 x)] <> 0 /\
+  det [normal (U 0%Z); normal (U 1%Z); normal (U 2%Z)] <> 0 /\
+  entry (U 0%Z) 1 * entry (U 1%Z) 2 * entry (U 2%Z) 3 - entry (U 0%Z) 1 * entry (U 1%Z) 3 * entry (U 2%Z) 2 - entry (U 0%Z) 2 * entry (U 1%Z) 1 * entry (U 2%Z) 3 + entry (U 0%Z) 2 * entry (U 1%Z) 3 * entry (U 2%Z) 1 + entry (U 0%Z) 3 * entry (U 1%Z) 1 * entry (U 2%Z) 2 - entry (U 0%Z) 3 * entry (U 1%Z) 2 * entry (U 2%Z) 1 <> 0 /\
+  2 * mu * nu * sin (PI / 2 * x) * cos (PI / 2 * x) ^ 2 - 2 * mu * nu * sin (PI / 2 * x) - 2 * mu * nu * cos (PI / 2 * x) ^ 3 + mu * nu + 2 * mu * sin (PI / 2 * x) * cos (PI / 2 * x) ^ 2 - 2 * mu * sin (PI / 2 * x) + mu - 2 * nu * cos (PI / 2 * x) ^ 3 + nu + 1 <> 0.
+End sec_3_3_regression_quadratic.
+
 Module eq_3_10.
 (* gbt-developable/eq-3.10, Sect. 3.3, eq. (3.10)
    printed: V(x2, x; μ, ν) = S(x) + x2 S'(x), x2 ∈ (−∞, ∞), x ∈ [0, 1]
@@ -365,38 +400,3 @@ exists (a0 : R) (a0' : R) (a0'' : R) (a0''' : R) (a0'''' : R) (a1 : R) (a1' : R)
   locally (IZR 0%Z) (fun e => det [normal [entry (B a0 a0' a0'' a0''' a0'''' a1 a1' a1'' a1''' a1'''' a2 a2' a2'' a2''' a2'''' e) 1; entry (B a0 a0' a0'' a0''' a0'''' a1 a1' a1'' a1''' a1'''' a2 a2' a2'' a2''' a2'''' e) 2; entry (B a0 a0' a0'' a0''' a0'''' a1 a1' a1'' a1''' a1'''' a2 a2' a2'' a2''' a2'''' e) 3; B3 a3 a3' a3'' a3''' a3'''' e]; normal [entry (vDerive 3 (fun e_ => B a0 a0' a0'' a0''' a0'''' a1 a1' a1'' a1''' a1'''' a2 a2' a2'' a2''' a2'''' e_) 1 e) 1; entry (vDerive 3 (fun e_ => B a0 a0' a0'' a0''' a0'''' a1 a1' a1'' a1''' a1'''' a2 a2' a2'' a2''' a2'''' e_) 1 e) 2; entry (vDerive 3 (fun e_ => B a0 a0' a0'' a0''' a0'''' a1 a1' a1'' a1''' a1'''' a2 a2' a2'' a2''' a2'''' e_) 1 e) 3; Derive_n (fun e_ => B3 a3 a3' a3'' a3''' a3'''' e_) 1 e]; normal [entry (vDerive 3 (fun e_ => B a0 a0' a0'' a0''' a0'''' a1 a1' a1'' a1''' a1'''' a2 a2' a2'' a2''' a2'''' e_) 2 e) 1; entry (vDerive 3 (fun e_ => B a0 a0' a0'' a0''' a0'''' a1 a1' a1'' a1''' a1'''' a2 a2' a2'' a2''' a2'''' e_) 2 e) 2; entry (vDerive 3 (fun e_ => B a0 a0' a0'' a0''' a0'''' a1 a1' a1'' a1''' a1'''' a2 a2' a2'' a2''' a2'''' e_) 2 e) 3; Derive_n (fun e_ => B3 a3 a3' a3'' a3''' a3'''' e_) 2 e]] <> 0) /\
   x2 * four a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' a3 a3' a3'' a3''' ^ 2 <> 0.
 End sec_3_3_developable.
-
-Module sec_3_3_regression_quadratic.
-(* gbt-developable/sec-3.3.regression.quadratic, Sect. 3.3
-   printed: A quadratic family has no spine curve: its surface is a cone.
-   stated: meet(quadratic(x), quadratic'(x), quadratic''(x)) == meet(U[0], U[1], U[2]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition quadratic (U : Z -> list R) (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vscale (g x mu nu 0%Z 2%Z) (U 0%Z)) (vscale (g x mu nu 1%Z 2%Z) (U 1%Z))) (vscale (g x mu nu 2%Z 2%Z) (U 2%Z)).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
-  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
-Definition statement : Prop :=
-forall (U'1 U'2 U'3 U'4 : Z -> R) (mu : R) (nu : R) (x : R),
-  let U := fun i0 => [U'1 i0; U'2 i0; U'3 i0; U'4 i0] in
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  0 <= x <= 1 ->
-  det [normal (quadratic U mu nu x); normal (vDerive 4 (fun x_ => quadratic U mu nu x_) 1 x); normal (vDerive 4 (fun x_ => quadratic U mu nu x_) 2 x)] <> 0 ->
-  det [normal (U 0%Z); normal (U 1%Z); normal (U 2%Z)] <> 0 ->
-  entry (U 0%Z) 1 * entry (U 1%Z) 2 * entry (U 2%Z) 3 - entry (U 0%Z) 1 * entry (U 1%Z) 3 * entry (U 2%Z) 2 - entry (U 0%Z) 2 * entry (U 1%Z) 1 * entry (U 2%Z) 3 + entry (U 0%Z) 2 * entry (U 1%Z) 3 * entry (U 2%Z) 1 + entry (U 0%Z) 3 * entry (U 1%Z) 1 * entry (U 2%Z) 2 - entry (U 0%Z) 3 * entry (U 1%Z) 2 * entry (U 2%Z) 1 <> 0 ->
-  2 * mu * nu * sin (PI / 2 * x) * cos (PI / 2 * x) ^ 2 - 2 * mu * nu * sin (PI / 2 * x) - 2 * mu * nu * cos (PI / 2 * x) ^ 3 + mu * nu + 2 * mu * sin (PI / 2 * x) * cos (PI / 2 * x) ^ 2 - 2 * mu * sin (PI / 2 * x) + mu - 2 * nu * cos (PI / 2 * x) ^ 3 + nu + 1 <> 0 ->
-  meet (quadratic U mu nu x) (vDerive 4 (fun x_ => quadratic U mu nu x_) 1 x) (vDerive 4 (fun x_ => quadratic U mu nu x_) 2 x) = meet (U 0%Z) (U 1%Z) (U 2%Z).
-Definition instance : Prop :=
-exists (U'1 U'2 U'3 U'4 : Z -> R) (mu : R) (nu : R) (x : R),
-  let U := fun i0 => [U'1 i0; U'2 i0; U'3 i0; U'4 i0] in
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  0 <= x <= 1 /\
-  det [normal (quadratic U mu nu x); normal (vDerive 4 (fun x_ => quadratic U mu nu x_) 1 x); normal (vDerive 4 (fun x_ => quadratic U mu nu x_) 2 x)] <> 0 /\
-  det [normal (U 0%Z); normal (U 1%Z); normal (U 2%Z)] <> 0 /\
-  entry (U 0%Z) 1 * entry (U 1%Z) 2 * entry (U 2%Z) 3 - entry (U 0%Z) 1 * entry (U 1%Z) 3 * entry (U 2%Z) 2 - entry (U 0%Z) 2 * entry (U 1%Z) 1 * entry (U 2%Z) 3 + entry (U 0%Z) 2 * entry (U 1%Z) 3 * entry (U 2%Z) 1 + entry (U 0%Z) 3 * entry (U 1%Z) 1 * entry (U 2%Z) 2 - entry (U 0%Z) 3 * entry (U 1%Z) 2 * entry (U 2%Z) 1 <> 0 /\
-  2 * mu * nu * sin (PI / 2 * x) * cos (PI / 2 * x) ^ 2 - 2 * mu * nu * sin (PI / 2 * x) - 2 * mu * nu * cos (PI / 2 * x) ^ 3 + mu * nu + 2 * mu * sin (PI / 2 * x) * cos (PI / 2 * x) ^ 2 - 2 * mu * sin (PI / 2 * x) + mu - 2 * nu * cos (PI / 2 * x) ^ 3 + nu + 1 <> 0.
-End sec_3_3_regression_quadratic.

@@ -458,6 +458,113 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   2 * (IZR k - 2) + PI * (1 + mu) <> 0.
 End sec_3_4_m0_r2.
 
+Module sec_3_4_m0_r3_c1.
+(* gbt-developable/sec-3.4.m0-r3.c1, Sect. 3.4, first matrix, row 3, entry 1
+   printed: 1
+   stated: inverse(start)[3,1] == 1 *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= 0 <= k)%Z ->
+  (0 <= 1 <= k)%Z ->
+  (0 <= 2 <= k)%Z ->
+  det (start Q k mu nu) <> 0 ->
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + mu) + PI ^ 2 * (1 - nu) <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + mu) <> 0 ->
+  entry (row (inverse (start Q k mu nu)) 3) 1 = 1.
+Definition instance : Prop :=
+exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= 0 <= k)%Z /\
+  (0 <= 1 <= k)%Z /\
+  (0 <= 2 <= k)%Z /\
+  det (start Q k mu nu) <> 0 /\
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + mu) + PI ^ 2 * (1 - nu) <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + mu) <> 0.
+End sec_3_4_m0_r3_c1.
+
+Module sec_3_4_m0_r3_c2.
+(* gbt-developable/sec-3.4.m0-r3.c2, Sect. 3.4, first matrix, row 3, entry 2
+   printed: 2(8 k_1 + π²(1 − ν + 2μ) / ((2(k−2) + π(1+μ)) (4 k_1 − π²(1 − ν)))
+   read as: Unbalanced bracket as printed; read as 2(8 k_1 + π²(1 − ν + 2μ)) over the product.
+   stated: inverse(start)[3,2] == 2*(8*k1 + pi^2*(1 - nu + 2*mu))/((2*(k - 2) + pi*(1 + mu))*(4*k1 - pi^2*(1 - nu))) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
+Definition k1 (k : Z) (mu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= 0 <= k)%Z ->
+  (0 <= 1 <= k)%Z ->
+  (0 <= 2 <= k)%Z ->
+  det (start Q k mu nu) <> 0 ->
+  (2 * (IZR k - 2) + PI * (1 + mu)) * (4 * k1 k mu - PI ^ 2 * (1 - nu)) <> 0 ->
+  entry (row (inverse (start Q k mu nu)) 3) 2 = 2 * (8 * k1 k mu + PI ^ 2 * (1 - nu + 2 * mu)) / ((2 * (IZR k - 2) + PI * (1 + mu)) * (4 * k1 k mu - PI ^ 2 * (1 - nu))).
+End sec_3_4_m0_r3_c2.
+
+Module sec_3_4_m0_r3_c2_corrected.
+(* gbt-developable/sec-3.4.m0-r3.c2 (corrected), Sect. 3.4, first matrix, row 3, entry 2
+   printed: 2(8 k_1 + π²(1 − ν + 2μ) / ((2(k−2) + π(1+μ)) (4 k_1 − π²(1 − ν)))
+   read as: Unbalanced bracket as printed; read as 2(8 k_1 + π²(1 − ν + 2μ)) over the product.
+   stated: inverse(start)[3,2] == 2*(8*k1 + pi^2*(1 - nu + 2*mu))/((2*(k - 2) + pi*(1 + mu))*(4*k1 + pi^2*(1 - nu))) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
+Definition k1 (k : Z) (mu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= 0 <= k)%Z ->
+  (0 <= 1 <= k)%Z ->
+  (0 <= 2 <= k)%Z ->
+  det (start Q k mu nu) <> 0 ->
+  (2 * (IZR k - 2) + PI * (1 + mu)) * (4 * k1 k mu + PI ^ 2 * (1 - nu)) <> 0 ->
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + mu) + PI ^ 2 * (1 - nu) <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + mu) <> 0 ->
+  entry (row (inverse (start Q k mu nu)) 3) 2 = 2 * (8 * k1 k mu + PI ^ 2 * (1 - nu + 2 * mu)) / ((2 * (IZR k - 2) + PI * (1 + mu)) * (4 * k1 k mu + PI ^ 2 * (1 - nu))).
+Definition instance : Prop :=
+exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= 0 <= k)%Z /\
+  (0 <= 1 <= k)%Z /\
+  (0 <= 2 <= k)%Z /\
+  det (start Q k mu nu) <> 0 /\
+  (2 * (IZR k - 2) + PI * (1 + mu)) * (4 * k1 k mu + PI ^ 2 * (1 - nu)) <> 0 /\
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + mu) + PI ^ 2 * (1 - nu) <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + mu) <> 0.
+End sec_3_4_m0_r3_c2_corrected.
+
 Module sec_3_4_m0_r3_true.
 (* gbt-developable/sec-3.4.m0-r3.true, Sect. 3.4, first matrix, row 3
    printed: Q_2 from H(0), H'(0) and H''(0): the true third row of the first matrix.
@@ -492,6 +599,76 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + mu) + PI ^ 2 * (1 - nu) <> 0 /\
   2 * (IZR k - 2) + PI * (1 + mu) <> 0.
 End sec_3_4_m0_r3_true.
+
+Module sec_3_4_m0_r3_c3.
+(* gbt-developable/sec-3.4.m0-r3.c3, Sect. 3.4, first matrix, row 3, entry 3
+   printed: 1/(k_1 − 1/4 π² (1 − ν))
+   read as: The printed entry ends with one more ')' than it opens.
+   stated: inverse(start)[3,3] == 1/(k1 - 1/4*pi^2*(1 - nu)) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
+Definition k1 (k : Z) (mu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= 0 <= k)%Z ->
+  (0 <= 1 <= k)%Z ->
+  (0 <= 2 <= k)%Z ->
+  det (start Q k mu nu) <> 0 ->
+  k1 k mu - 1 / 4 * PI ^ 2 * (1 - nu) <> 0 ->
+  entry (row (inverse (start Q k mu nu)) 3) 3 = 1 / (k1 k mu - 1 / 4 * PI ^ 2 * (1 - nu)).
+End sec_3_4_m0_r3_c3.
+
+Module sec_3_4_m0_r3_c3_corrected.
+(* gbt-developable/sec-3.4.m0-r3.c3 (corrected), Sect. 3.4, first matrix, row 3, entry 3
+   printed: 1/(k_1 − 1/4 π² (1 − ν))
+   read as: The printed entry ends with one more ')' than it opens.
+   stated: inverse(start)[3,3] == 1/(k1 + 1/4*pi^2*(1 - nu)) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
+Definition k1 (k : Z) (mu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= 0 <= k)%Z ->
+  (0 <= 1 <= k)%Z ->
+  (0 <= 2 <= k)%Z ->
+  det (start Q k mu nu) <> 0 ->
+  k1 k mu + 1 / 4 * PI ^ 2 * (1 - nu) <> 0 ->
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + mu) + PI ^ 2 * (1 - nu) <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + mu) <> 0 ->
+  entry (row (inverse (start Q k mu nu)) 3) 3 = 1 / (k1 k mu + 1 / 4 * PI ^ 2 * (1 - nu)).
+Definition instance : Prop :=
+exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= 0 <= k)%Z /\
+  (0 <= 1 <= k)%Z /\
+  (0 <= 2 <= k)%Z /\
+  det (start Q k mu nu) <> 0 /\
+  k1 k mu + 1 / 4 * PI ^ 2 * (1 - nu) <> 0 /\
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + mu) + PI ^ 2 * (1 - nu) <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + mu) <> 0.
+End sec_3_4_m0_r3_c3_corrected.
 
 Module sec_3_4_m1_r1.
 (* gbt-developable/sec-3.4.m1-r1, Sect. 3.4, second matrix, row 1
@@ -545,6 +722,113 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   2 * (IZR k - 2) + PI * (1 + nu) <> 0.
 End sec_3_4_m1_r2.
 
+Module sec_3_4_m1_r3_c1.
+(* gbt-developable/sec-3.4.m1-r3.c1, Sect. 3.4, second matrix, row 3, entry 1
+   printed: 1
+   stated: inverse(end)[3,1] == 1 *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition end_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q k t) k mu nu 1%Z) 1 (Q k); Derive_n (fun t => H (update1 Q (k - 1)%Z t) k mu nu 1%Z) 1 (Q (k - 1)%Z); Derive_n (fun t => H (update1 Q (k - 2)%Z t) k mu nu 1%Z) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x := 1%Z in Derive_n (fun x_ => H_ (update1 Q k t) k mu nu x_) 1 (IZR x)) 1 (Q k); Derive_n (fun t => let x_ := 1%Z in Derive_n (fun x__ => H_ (update1 Q (k - 1)%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x__ := 1%Z in Derive_n (fun x___ => H_ (update1 Q (k - 2)%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x___ := 1%Z in Derive_n (fun x____ => H_ (update1 Q k t) k mu nu x____) 2 (IZR x___)) 1 (Q k); Derive_n (fun t => let x____ := 1%Z in Derive_n (fun x_____ => H_ (update1 Q (k - 1)%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x_____ := 1%Z in Derive_n (fun x______ => H_ (update1 Q (k - 2)%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q (k - 2)%Z)]].
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= k <= k)%Z ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= k - 2 <= k)%Z ->
+  det (end_ Q k mu nu) <> 0 ->
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + nu) + PI ^ 2 * (1 - mu) <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + nu) <> 0 ->
+  entry (row (inverse (end_ Q k mu nu)) 3) 1 = 1.
+Definition instance : Prop :=
+exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= k <= k)%Z /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= k - 2 <= k)%Z /\
+  det (end_ Q k mu nu) <> 0 /\
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + nu) + PI ^ 2 * (1 - mu) <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + nu) <> 0.
+End sec_3_4_m1_r3_c1.
+
+Module sec_3_4_m1_r3_c2.
+(* gbt-developable/sec-3.4.m1-r3.c2, Sect. 3.4, second matrix, row 3, entry 2
+   printed: −2(8 k_2 + π²(1 − μ + 2ν) / ((2(k−2) + π(1+ν)) (4 k_2 − π²(1 − μ)))
+   read as: Unbalanced bracket as printed; read as −2(8 k_2 + π²(1 − μ + 2ν)) over the product.
+   stated: inverse(end)[3,2] == -2*(8*k2 + pi^2*(1 - mu + 2*nu))/((2*(k - 2) + pi*(1 + nu))*(4*k2 - pi^2*(1 - mu))) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition end_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q k t) k mu nu 1%Z) 1 (Q k); Derive_n (fun t => H (update1 Q (k - 1)%Z t) k mu nu 1%Z) 1 (Q (k - 1)%Z); Derive_n (fun t => H (update1 Q (k - 2)%Z t) k mu nu 1%Z) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x := 1%Z in Derive_n (fun x_ => H_ (update1 Q k t) k mu nu x_) 1 (IZR x)) 1 (Q k); Derive_n (fun t => let x_ := 1%Z in Derive_n (fun x__ => H_ (update1 Q (k - 1)%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x__ := 1%Z in Derive_n (fun x___ => H_ (update1 Q (k - 2)%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x___ := 1%Z in Derive_n (fun x____ => H_ (update1 Q k t) k mu nu x____) 2 (IZR x___)) 1 (Q k); Derive_n (fun t => let x____ := 1%Z in Derive_n (fun x_____ => H_ (update1 Q (k - 1)%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x_____ := 1%Z in Derive_n (fun x______ => H_ (update1 Q (k - 2)%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q (k - 2)%Z)]].
+Definition k2 (k : Z) (nu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= k <= k)%Z ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= k - 2 <= k)%Z ->
+  det (end_ Q k mu nu) <> 0 ->
+  (2 * (IZR k - 2) + PI * (1 + nu)) * (4 * k2 k nu - PI ^ 2 * (1 - mu)) <> 0 ->
+  entry (row (inverse (end_ Q k mu nu)) 3) 2 = - 2 * (8 * k2 k nu + PI ^ 2 * (1 - mu + 2 * nu)) / ((2 * (IZR k - 2) + PI * (1 + nu)) * (4 * k2 k nu - PI ^ 2 * (1 - mu))).
+End sec_3_4_m1_r3_c2.
+
+Module sec_3_4_m1_r3_c2_corrected.
+(* gbt-developable/sec-3.4.m1-r3.c2 (corrected), Sect. 3.4, second matrix, row 3, entry 2
+   printed: −2(8 k_2 + π²(1 − μ + 2ν) / ((2(k−2) + π(1+ν)) (4 k_2 − π²(1 − μ)))
+   read as: Unbalanced bracket as printed; read as −2(8 k_2 + π²(1 − μ + 2ν)) over the product.
+   stated: inverse(end)[3,2] == -2*(8*k2 + pi^2*(1 - mu + 2*nu))/((2*(k - 2) + pi*(1 + nu))*(4*k2 + pi^2*(1 - mu))) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition end_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q k t) k mu nu 1%Z) 1 (Q k); Derive_n (fun t => H (update1 Q (k - 1)%Z t) k mu nu 1%Z) 1 (Q (k - 1)%Z); Derive_n (fun t => H (update1 Q (k - 2)%Z t) k mu nu 1%Z) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x := 1%Z in Derive_n (fun x_ => H_ (update1 Q k t) k mu nu x_) 1 (IZR x)) 1 (Q k); Derive_n (fun t => let x_ := 1%Z in Derive_n (fun x__ => H_ (update1 Q (k - 1)%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x__ := 1%Z in Derive_n (fun x___ => H_ (update1 Q (k - 2)%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x___ := 1%Z in Derive_n (fun x____ => H_ (update1 Q k t) k mu nu x____) 2 (IZR x___)) 1 (Q k); Derive_n (fun t => let x____ := 1%Z in Derive_n (fun x_____ => H_ (update1 Q (k - 1)%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x_____ := 1%Z in Derive_n (fun x______ => H_ (update1 Q (k - 2)%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q (k - 2)%Z)]].
+Definition k2 (k : Z) (nu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= k <= k)%Z ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= k - 2 <= k)%Z ->
+  det (end_ Q k mu nu) <> 0 ->
+  (2 * (IZR k - 2) + PI * (1 + nu)) * (4 * k2 k nu + PI ^ 2 * (1 - mu)) <> 0 ->
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + nu) + PI ^ 2 * (1 - mu) <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + nu) <> 0 ->
+  entry (row (inverse (end_ Q k mu nu)) 3) 2 = - 2 * (8 * k2 k nu + PI ^ 2 * (1 - mu + 2 * nu)) / ((2 * (IZR k - 2) + PI * (1 + nu)) * (4 * k2 k nu + PI ^ 2 * (1 - mu))).
+Definition instance : Prop :=
+exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= k <= k)%Z /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= k - 2 <= k)%Z /\
+  det (end_ Q k mu nu) <> 0 /\
+  (2 * (IZR k - 2) + PI * (1 + nu)) * (4 * k2 k nu + PI ^ 2 * (1 - mu)) <> 0 /\
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + nu) + PI ^ 2 * (1 - mu) <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + nu) <> 0.
+End sec_3_4_m1_r3_c2_corrected.
+
 Module sec_3_4_m1_r3_true.
 (* gbt-developable/sec-3.4.m1-r3.true, Sect. 3.4, second matrix, row 3
    printed: Q_{k−2} from H(1), H'(1) and H''(1): the true third row of the second matrix.
@@ -579,6 +863,48 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + nu) + PI ^ 2 * (1 - mu) <> 0 /\
   2 * (IZR k - 2) + PI * (1 + nu) <> 0.
 End sec_3_4_m1_r3_true.
+
+Module sec_3_4_m1_r3_c3.
+(* gbt-developable/sec-3.4.m1-r3.c3, Sect. 3.4, second matrix, row 3, entry 3
+   printed: 1/(k_2 + 1/4 π² (1 − μ))
+   read as: The printed entry ends with one more ')' than it opens.
+   stated: inverse(end)[3,3] == 1/(k2 + 1/4*pi^2*(1 - mu)) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition end_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q k t) k mu nu 1%Z) 1 (Q k); Derive_n (fun t => H (update1 Q (k - 1)%Z t) k mu nu 1%Z) 1 (Q (k - 1)%Z); Derive_n (fun t => H (update1 Q (k - 2)%Z t) k mu nu 1%Z) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x := 1%Z in Derive_n (fun x_ => H_ (update1 Q k t) k mu nu x_) 1 (IZR x)) 1 (Q k); Derive_n (fun t => let x_ := 1%Z in Derive_n (fun x__ => H_ (update1 Q (k - 1)%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x__ := 1%Z in Derive_n (fun x___ => H_ (update1 Q (k - 2)%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x___ := 1%Z in Derive_n (fun x____ => H_ (update1 Q k t) k mu nu x____) 2 (IZR x___)) 1 (Q k); Derive_n (fun t => let x____ := 1%Z in Derive_n (fun x_____ => H_ (update1 Q (k - 1)%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x_____ := 1%Z in Derive_n (fun x______ => H_ (update1 Q (k - 2)%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q (k - 2)%Z)]].
+Definition k2 (k : Z) (nu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (0 <= k <= k)%Z ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= k - 2 <= k)%Z ->
+  det (end_ Q k mu nu) <> 0 ->
+  k2 k nu + 1 / 4 * PI ^ 2 * (1 - mu) <> 0 ->
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + nu) + PI ^ 2 * (1 - mu) <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + nu) <> 0 ->
+  entry (row (inverse (end_ Q k mu nu)) 3) 3 = 1 / (k2 k nu + 1 / 4 * PI ^ 2 * (1 - mu)).
+Definition instance : Prop :=
+exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (0 <= k <= k)%Z /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= k - 2 <= k)%Z /\
+  det (end_ Q k mu nu) <> 0 /\
+  k2 k nu + 1 / 4 * PI ^ 2 * (1 - mu) <> 0 /\
+  4 * (IZR k - 2) * (IZR k - 3) + 4 * PI * (IZR k - 2) * (1 + nu) + PI ^ 2 * (1 - mu) <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + nu) <> 0.
+End sec_3_4_m1_r3_c3.
 
 Module sec_3_4_S0.
 (* gbt-developable/sec-3.4.S0, Sect. 3.4, last paragraph

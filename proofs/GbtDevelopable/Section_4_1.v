@@ -1168,6 +1168,37 @@ exists (mu : R) (nu : R) (x : R) (y : R),
   0 <= x <= 1.
 End ex_4_2_pencil.
 
+Module ex_4_2_lengths.
+(* gbt-developable/ex-4.2.lengths, Sect. 4.1, Example 4.2
+   printed: Example 4.2: the lengths of both end generators.
+   stated: length2(E2(0), E2'(0)) == 3750*(2 + pi*(1 + mu))^2 and length2(E2(1), E2'(1)) == 3750*(2 + pi*(1 + nu))^2 *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition E2_0 : list R :=
+  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
+Definition E2_1 : list R :=
+  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
+Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
+  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
+Definition E2_ (mu : R) (nu : R) (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition direction (P : list R) (D_ : list R) : list R :=
+  cross (normal P) (normal D_).
+Definition length2 (P : list R) (D_ : list R) : R :=
+  dot (direction P D_) (direction P D_).
+Definition statement : Prop :=
+forall (mu : R) (nu : R),
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  length2 (E2 mu nu 0%Z) (let x__ := 0%Z in vDerive 4 (fun x___ => E2_ mu nu x___) 1 (IZR x__)) = 3750 * (2 + PI * (1 + mu)) ^ 2 /\ length2 (E2 mu nu 1%Z) (let x___ := 1%Z in vDerive 4 (fun x____ => E2_ mu nu x____) 1 (IZR x___)) = 3750 * (2 + PI * (1 + nu)) ^ 2.
+Definition instance : Prop :=
+exists (mu : R) (nu : R),
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1.
+End ex_4_2_lengths.
+
 Module ex_4_2_c1_a.
 (* gbt-developable/ex-4.2.c1.a, Sect. 4.1, Example 4.2, conclusion 1
    printed: When we fix the value of ν, the length of generator J(1; μ, ν) will modify ... with fluctuating values of μ
@@ -1637,34 +1668,3 @@ forall (nu : R) (x : R),
   locally nu (fun nu_ => dot (direction (E2 nu_ nu_ x) (vDerive 4 (fun x_ => E2 nu_ nu_ x_) 1 x)) (direction (E2 nu_ nu_ x) (vDerive 4 (fun x_ => E2 nu_ nu_ x_) 1 x)) <> 0) ->
   vDerive 3 (fun nu_ => line nu_ x) 1 nu = zeros 3 /\ cross (along nu x) (vDerive 3 (fun nu_ => along nu_ x) 1 nu) = zeros 3).
 End ex_4_2_c3_d.
-
-Module ex_4_2_lengths.
-(* gbt-developable/ex-4.2.lengths, Sect. 4.1, Example 4.2
-   printed: Example 4.2: the lengths of both end generators.
-   stated: length2(E2(0), E2'(0)) == 3750*(2 + pi*(1 + mu))^2 and length2(E2(1), E2'(1)) == 3750*(2 + pi*(1 + nu))^2 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
-Definition statement : Prop :=
-forall (mu : R) (nu : R),
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  length2 (E2 mu nu 0%Z) (let x__ := 0%Z in vDerive 4 (fun x___ => E2_ mu nu x___) 1 (IZR x__)) = 3750 * (2 + PI * (1 + mu)) ^ 2 /\ length2 (E2 mu nu 1%Z) (let x___ := 1%Z in vDerive 4 (fun x____ => E2_ mu nu x____) 1 (IZR x___)) = 3750 * (2 + PI * (1 + nu)) ^ 2.
-Definition instance : Prop :=
-exists (mu : R) (nu : R),
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1.
-End ex_4_2_lengths.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtDevelopable Require Section_4_1.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import GbtDevelopable.Section_4_1.ex_4_1_Q0.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g E1_0 E1_1 E1_2 E1_3 E1]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g E1_0 E1_1 E1_2 E1_3 E1]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g E1_0 E1_1 E1_2 E1_3 E1]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_1_Q0.
 
 Module ex_4_1_Q1.
@@ -16,7 +16,7 @@ Import GbtDevelopable.Section_4_1.ex_4_1_Q1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement normal g E1_0 E1_1 E1_2 E1_3 E1 distance2]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal g E1_0 E1_1 E1_2 E1_3 E1 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance normal g E1_0 E1_1 E1_2 E1_3 E1 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_1_Q1.
 
 Module ex_4_1_Q2.
@@ -24,7 +24,7 @@ Import GbtDevelopable.Section_4_1.ex_4_1_Q2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement normal g E1_0 E1_1 E1_2 E1_3 E1 distance2]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal g E1_0 E1_1 E1_2 E1_3 E1 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance normal g E1_0 E1_1 E1_2 E1_3 E1 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_1_Q2.
 
 Module ex_4_1_Q3.
@@ -32,7 +32,7 @@ Import GbtDevelopable.Section_4_1.ex_4_1_Q3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement normal g E1_0 E1_1 E1_2 E1_3 E1 distance2]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal g E1_0 E1_1 E1_2 E1_3 E1 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance normal g E1_0 E1_1 E1_2 E1_3 E1 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_1_Q3.
 
 Module ex_4_1_distance.
@@ -40,7 +40,7 @@ Import GbtDevelopable.Section_4_1.ex_4_1_distance.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement E1_0 normal E1_1 E1_2 E1_3 distance2]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance E1_0 normal E1_1 E1_2 E1_3 distance2]; first [(met) | (met) | (met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance E1_0 normal E1_1 E1_2 E1_3 distance2]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_1_distance.
 
 Module ex_4_1_coplanar.
@@ -48,7 +48,7 @@ Import GbtDevelopable.Section_4_1.ex_4_1_coplanar.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement E1_0 E1_1 E1_2 E1_3 normal midpoint volume]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance E1_0 E1_1 E1_2 E1_3 normal midpoint volume]; first [(met) | (met) | (met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance E1_0 E1_1 E1_2 E1_3 normal midpoint volume]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_1_coplanar.
 
 Module ex_4_1_lengths.
@@ -56,7 +56,7 @@ Import GbtDevelopable.Section_4_1.ex_4_1_lengths.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g E1_0 E1_1 E1_2 E1_3 E1 E1_ normal direction length2]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g E1_0 E1_1 E1_2 E1_3 E1 E1_ normal direction length2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g E1_0 E1_1 E1_2 E1_3 E1 E1_ normal direction length2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_1_lengths.
 
 Module ex_4_1_c1_c.
@@ -94,7 +94,7 @@ Import GbtDevelopable.Section_4_1.ex_4_2_Q0.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g E2_0 E2_1 E2]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g E2_0 E2_1 E2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g E2_0 E2_1 E2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_2_Q0.
 
 Module ex_4_2_Q1.
@@ -102,7 +102,7 @@ Import GbtDevelopable.Section_4_1.ex_4_2_Q1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement normal g E2_0 E2_1 E2 distance2]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal g E2_0 E2_1 E2 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance normal g E2_0 E2_1 E2 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_2_Q1.
 
 Module ex_4_2_Q2.
@@ -110,7 +110,7 @@ Import GbtDevelopable.Section_4_1.ex_4_2_Q2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement normal g E2_0 E2_1 E2 distance2]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal g E2_0 E2_1 E2 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance normal g E2_0 E2_1 E2 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_2_Q2.
 
 Module ex_4_2_Q3.
@@ -118,7 +118,7 @@ Import GbtDevelopable.Section_4_1.ex_4_2_Q3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement normal g E2_0 E2_1 E2 distance2]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal g E2_0 E2_1 E2 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance normal g E2_0 E2_1 E2 distance2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_2_Q3.
 
 Module ex_4_2_pencil.
@@ -126,8 +126,16 @@ Import GbtDevelopable.Section_4_1.ex_4_2_pencil.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g E2_0 E2_1 E2 normal]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g E2_0 E2_1 E2 normal]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3), (5); met) | (exists (0), (0), (1 / 2), (0); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (6); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance g E2_0 E2_1 E2 normal]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3), (5); met) | (exists (0), (0), (1 / 2), (0); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (6); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (1); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (1); met)]. Qed.
 End ex_4_2_pencil.
+
+Module ex_4_2_lengths.
+Import GbtDevelopable.Section_4_1.ex_4_2_lengths.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g E2_0 E2_1 E2 E2_ normal direction length2]; at_points. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g E2_0 E2_1 E2 E2_ normal direction length2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
+End ex_4_2_lengths.
 
 Module ex_4_2_c1_d.
 Import GbtDevelopable.Section_4_1.ex_4_2_c1_d.
@@ -140,11 +148,3 @@ Import GbtDevelopable.Section_4_1.ex_4_2_c1_e.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g E2_0 E2_1 E2 E2_ normal direction length2] in no; refuting (no (0) (0)). Qed.
 End ex_4_2_c1_e.
-
-Module ex_4_2_lengths.
-Import GbtDevelopable.Section_4_1.ex_4_2_lengths.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g E2_0 E2_1 E2 E2_ normal direction length2]; at_points. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance g E2_0 E2_1 E2 E2_ normal direction length2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
-End ex_4_2_lengths.

@@ -2,6 +2,40 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module sec_4_2_Q0.
+(* gbt-developable/sec-4.2.Q0, Sect. 4.2, control planes
+   printed: Q_0 = (6.5, 6.5, 6.5√2, 169)
+   read as: Compared with the plane that the statements of Sect. 4.2 use, which is the family at x = 0, and with what the text says of it: its central point is in quadrant I.
+   stated: E3(0) == [6.5, 6.5, 6.5*sqrt(2), 169] and midpoint(E3(0))[1] > 0 and midpoint(E3(0))[2] > 0 *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition E3_0 : list R :=
+  [13 / 2; 13 / 2; 13 / 2 * sqrt 2; 169].
+Definition E3_1 : list R :=
+  [- (11 / 2); 15 / 2; 15 / 2 * sqrt 2; 225].
+Definition E3_2 : list R :=
+  [- 10; - 10; 10 * sqrt 2; 400].
+Definition E3_3 : list R :=
+  [25 / 2; - (25 / 2); 25 / 2 * sqrt 2; 625].
+Definition E3 (mu : R) (nu : R) (x : Z) : list R :=
+  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E3_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E3_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E3_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E3_3).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition midpoint (P : list R) : list R :=
+  vscale (entry P 4 / dot (normal P) (normal P)) (normal P).
+Definition statement : Prop :=
+forall (mu : R) (nu : R),
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  dot (normal (E3 mu nu 0%Z)) (normal (E3 mu nu 0%Z)) <> 0 ->
+  E3 mu nu 0%Z = [13 / 2; 13 / 2; 13 / 2 * sqrt 2; 169] /\ entry (midpoint (E3 mu nu 0%Z)) 1 > 0 /\ entry (midpoint (E3 mu nu 0%Z)) 2 > 0.
+Definition instance : Prop :=
+exists (mu : R) (nu : R),
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  dot (normal (E3 mu nu 0%Z)) (normal (E3 mu nu 0%Z)) <> 0.
+End sec_4_2_Q0.
+
 Module sec_4_2_Q1.
 (* gbt-developable/sec-4.2.Q1, Sect. 4.2, control planes
    printed: Q_1 = (−5.5, 7.5, 7.5√2, 225)
@@ -275,37 +309,3 @@ exists (mu : R) (nu : R),
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1.
 End sec_4_2_class_ends.
-
-Module sec_4_2_Q0.
-(* gbt-developable/sec-4.2.Q0, Sect. 4.2, control planes
-   printed: Q_0 = (6.5, 6.5, 6.5√2, 169)
-   read as: Compared with the plane that the statements of Sect. 4.2 use, which is the family at x = 0, and with what the text says of it: its central point is in quadrant I.
-   stated: E3(0) == [6.5, 6.5, 6.5*sqrt(2), 169] and midpoint(E3(0))[1] > 0 and midpoint(E3(0))[2] > 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E3_0 : list R :=
-  [13 / 2; 13 / 2; 13 / 2 * sqrt 2; 169].
-Definition E3_1 : list R :=
-  [- (11 / 2); 15 / 2; 15 / 2 * sqrt 2; 225].
-Definition E3_2 : list R :=
-  [- 10; - 10; 10 * sqrt 2; 400].
-Definition E3_3 : list R :=
-  [25 / 2; - (25 / 2); 25 / 2 * sqrt 2; 625].
-Definition E3 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E3_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E3_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E3_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E3_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition midpoint (P : list R) : list R :=
-  vscale (entry P 4 / dot (normal P) (normal P)) (normal P).
-Definition statement : Prop :=
-forall (mu : R) (nu : R),
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  dot (normal (E3 mu nu 0%Z)) (normal (E3 mu nu 0%Z)) <> 0 ->
-  E3 mu nu 0%Z = [13 / 2; 13 / 2; 13 / 2 * sqrt 2; 169] /\ entry (midpoint (E3 mu nu 0%Z)) 1 > 0 /\ entry (midpoint (E3 mu nu 0%Z)) 2 > 0.
-Definition instance : Prop :=
-exists (mu : R) (nu : R),
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  dot (normal (E3 mu nu 0%Z)) (normal (E3 mu nu 0%Z)) <> 0.
-End sec_4_2_Q0.

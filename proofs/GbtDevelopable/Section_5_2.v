@@ -2,6 +2,52 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module eq_5_11.
+(* gbt-developable/eq-5.11, Sect. 5.2, eq. (5.11)
+   printed: H_2(0, μ_2, ν_2) = H_1(1, μ_1, ν_1);  H'_2(0, μ_2, ν_2) = H'_1(1, μ_1, ν_1);  H''_2(0, μ_2, ν_2) = H''_1(1, μ_1, ν_1)
+   read as: The differences of both sides are compared with those of (5.13) and (5.15), in which the paper uses them.
+   stated: H2(0) - H1(1) == P2[0] - P1[k] and 2*(H2'(0) - H1'(1)) == (2*(l - 2) + pi*(1 + mu2))*(P2[1] - P2[0]) - (2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) and 4*(H2''(0) - H1''(1)) == 4*(l - 2)*(l - 3 + pi*(1 + mu2))*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) - (4*(k - 2)*(k - 3 + pi*(1 + nu1))*(P1[k-2] - 2*P1[k-1] + P1[k]) + pi^2*(1 - mu1)*(P1[k-2] - P1[k-1]) - 2*pi^2*nu1*(P1[k-1] - P1[k])) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= 2 <= l)%Z ->
+  (0 <= k - 2 <= k)%Z ->
+  H2 P2 l mu2 nu2 0%Z - H1 P1 k mu1 nu1 1%Z = P2 0%Z - P1 k /\ 2 * ((let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) - (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_))) = (2 * (IZR l - 2) + PI * (1 + mu2)) * (P2 1%Z - P2 0%Z) - (2 * (IZR k - 2) + PI * (1 + nu1)) * (P1 k - P1 (k - 1)%Z) /\ 4 * ((let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) - (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___))) = 4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)) * (P2 0%Z - 2 * P2 1%Z + P2 2%Z) + 2 * PI ^ 2 * mu2 * (P2 0%Z - P2 1%Z) - PI ^ 2 * (1 - nu2) * (P2 1%Z - P2 2%Z) - (4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)) * (P1 (k - 2)%Z - 2 * P1 (k - 1)%Z + P1 k) + PI ^ 2 * (1 - mu1) * (P1 (k - 2)%Z - P1 (k - 1)%Z) - 2 * PI ^ 2 * nu1 * (P1 (k - 1)%Z - P1 k)).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  (0 <= 1 <= l)%Z /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= 2 <= l)%Z /\
+  (0 <= k - 2 <= k)%Z.
+End eq_5_11.
+
 Module sec_5_2_meaning.
 (* gbt-developable/sec-5.2.meaning, Sect. 5.2, sentence after (5.11)
    printed: ... represents that the developable GBT-Bézier surfaces defined by H_1(x, μ_1, ν_1), H_2(x, μ_2, ν_2) need to have the same tangent plane, characteristic point, and generator at the joint
@@ -72,99 +118,6 @@ forall (k : Z) (P1 : Z -> R) (mu1 : R) (nu1 : R) (x : R),
   (forall i : Z, (1 <= i <= k)%Z -> (0 <= i <= k)%Z) ->
   H1 P1 k mu1 nu1 x = sum 1%Z k (fun i => g x mu1 nu1 i k * P1 i).
 End sec_5_2_index.
-
-Module eq_5_13.
-(* gbt-developable/eq-5.13, Sect. 5.2, eq. (5.13)
-   printed: Q_{0,2} = Q_{k,1};  Q_{1,2} = Q_{k,1} + (2(k−2) + π(1+ν_1))/(2(l−2) + π(1+μ_2)) (Q_{k,1} − Q_{k−1,1})
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2))*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition statement : Prop :=
-forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
-  (2 <= k)%Z ->
-  (2 <= l)%Z ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= mu2 <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (-1) <= nu2 <= 1 ->
-  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
-  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
-  (0 <= 0 <= l)%Z ->
-  (0 <= k <= k)%Z ->
-  (0 <= 1 <= l)%Z ->
-  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
-  (0 <= k - 1 <= k)%Z ->
-  P2 0%Z = P1 k /\ P2 1%Z = P1 k + (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)) * (P1 k - P1 (k - 1)%Z).
-Definition instance : Prop :=
-exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
-  (2 <= k)%Z /\
-  (2 <= l)%Z /\
-  (-1) <= mu1 <= 1 /\
-  (-1) <= mu2 <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  (-1) <= nu2 <= 1 /\
-  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\
-  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\
-  (0 <= 0 <= l)%Z /\
-  (0 <= k <= k)%Z /\
-  (0 <= 1 <= l)%Z /\
-  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
-  (0 <= k - 1 <= k)%Z.
-End eq_5_13.
-
-Module eq_5_11.
-(* gbt-developable/eq-5.11, Sect. 5.2, eq. (5.11)
-   printed: H_2(0, μ_2, ν_2) = H_1(1, μ_1, ν_1);  H'_2(0, μ_2, ν_2) = H'_1(1, μ_1, ν_1);  H''_2(0, μ_2, ν_2) = H''_1(1, μ_1, ν_1)
-   read as: The differences of both sides are compared with those of (5.13) and (5.15), in which the paper uses them.
-   stated: H2(0) - H1(1) == P2[0] - P1[k] and 2*(H2'(0) - H1'(1)) == (2*(l - 2) + pi*(1 + mu2))*(P2[1] - P2[0]) - (2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) and 4*(H2''(0) - H1''(1)) == 4*(l - 2)*(l - 3 + pi*(1 + mu2))*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) - (4*(k - 2)*(k - 3 + pi*(1 + nu1))*(P1[k-2] - 2*P1[k-1] + P1[k]) + pi^2*(1 - mu1)*(P1[k-2] - P1[k-1]) - 2*pi^2*nu1*(P1[k-1] - P1[k])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition statement : Prop :=
-forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
-  (2 <= k)%Z ->
-  (2 <= l)%Z ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= mu2 <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (-1) <= nu2 <= 1 ->
-  (0 <= 0 <= l)%Z ->
-  (0 <= k <= k)%Z ->
-  (0 <= 1 <= l)%Z ->
-  (0 <= k - 1 <= k)%Z ->
-  (0 <= 2 <= l)%Z ->
-  (0 <= k - 2 <= k)%Z ->
-  H2 P2 l mu2 nu2 0%Z - H1 P1 k mu1 nu1 1%Z = P2 0%Z - P1 k /\ 2 * ((let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) - (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_))) = (2 * (IZR l - 2) + PI * (1 + mu2)) * (P2 1%Z - P2 0%Z) - (2 * (IZR k - 2) + PI * (1 + nu1)) * (P1 k - P1 (k - 1)%Z) /\ 4 * ((let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) - (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___))) = 4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)) * (P2 0%Z - 2 * P2 1%Z + P2 2%Z) + 2 * PI ^ 2 * mu2 * (P2 0%Z - P2 1%Z) - PI ^ 2 * (1 - nu2) * (P2 1%Z - P2 2%Z) - (4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)) * (P1 (k - 2)%Z - 2 * P1 (k - 1)%Z + P1 k) + PI ^ 2 * (1 - mu1) * (P1 (k - 2)%Z - P1 (k - 1)%Z) - 2 * PI ^ 2 * nu1 * (P1 (k - 1)%Z - P1 k)).
-Definition instance : Prop :=
-exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
-  (2 <= k)%Z /\
-  (2 <= l)%Z /\
-  (-1) <= mu1 <= 1 /\
-  (-1) <= mu2 <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  (-1) <= nu2 <= 1 /\
-  (0 <= 0 <= l)%Z /\
-  (0 <= k <= k)%Z /\
-  (0 <= 1 <= l)%Z /\
-  (0 <= k - 1 <= k)%Z /\
-  (0 <= 2 <= l)%Z /\
-  (0 <= k - 2 <= k)%Z.
-End eq_5_11.
 
 Module thm_3_consts.
 (* gbt-developable/thm-3.consts, Sect. 5.2, Theorem 3, line after (5.12)
@@ -518,6 +471,53 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
   (0 <= k - 2 <= k)%Z ->
   P2 0%Z = P1 k /\ P2 1%Z = P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) /\ P2 2%Z = farin_boehm P1 k l mu1 mu2 nu1 nu2.
 End thm_3_necessary_surfaces.
+
+Module eq_5_13.
+(* gbt-developable/eq-5.13, Sect. 5.2, eq. (5.13)
+   printed: Q_{0,2} = Q_{k,1};  Q_{1,2} = Q_{k,1} + (2(k−2) + π(1+ν_1))/(2(l−2) + π(1+μ_2)) (Q_{k,1} − Q_{k−1,1})
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2))*(P1[k] - P1[k-1]) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)) * (P1 k - P1 (k - 1)%Z).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  (0 <= 1 <= l)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z.
+End eq_5_13.
 
 Module eq_5_15.
 (* gbt-developable/eq-5.15, Sect. 5.2, eqs. (5.14), (5.15)

@@ -1,29 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtDevelopable Require Section_5_2.
 Open Scope R_scope.
-
-Module sec_5_2_meaning.
-Import GbtDevelopable.Section_5_2.sec_5_2_meaning.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement normal midpoint direction moment meet]; prepared; unknown h2'1; unknown h2'2; unknown h2'3; unknown h2'4; unknown d2'1; unknown d2'2; unknown d2'3; unknown d2'4; unknown dd2'1; unknown dd2'2; unknown dd2'3; unknown dd2'4; finished. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal midpoint direction moment meet]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11; met) | (exists 7, 2, 11, 1, 7, 2, 11, 1, 8, 7, 9, 7, 8, 7, 9, 7, 4, 13, 8, 8, 4, 13, 8, 8; met)]. Qed.
-End sec_5_2_meaning.
-
-Module sec_5_2_index.
-Import GbtDevelopable.Section_5_2.sec_5_2_index.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g H1] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (1/2)). Qed.
-End sec_5_2_index.
-
-Module eq_5_13.
-Import GbtDevelopable.Section_5_2.eq_5_13.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); finished. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End eq_5_13.
 
 Module eq_5_11.
 Import GbtDevelopable.Section_5_2.eq_5_11.
@@ -32,6 +10,20 @@ Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_]; combined. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End eq_5_11.
+
+Module sec_5_2_meaning.
+Import GbtDevelopable.Section_5_2.sec_5_2_meaning.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement normal midpoint direction moment meet]; unstaged; prepared; known (d2'1) (d'1) (1); known (d2'2) (d'2) (1); known (d2'3) (d'3) (1); known (d2'4) (d'4) (1); known (dd2'1) (dd'1) (1); known (dd2'2) (dd'2) (1); known (dd2'3) (dd'3) (1); known (dd2'4) (dd'4) (1); known (h2'1) (h'1) (1); known (h2'2) (h'2) (1); known (h2'3) (h'3) (1); known (h2'4) (h'4) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal midpoint direction moment meet]; first [(exists 2, 3, 4, 5, (((2)) / (1)), (((3)) / (1)), (((4)) / (1)), (((5)) / (1)), 10, 11, 12, 13, (((10)) / (1)), (((11)) / (1)), (((12)) / (1)), (((13)) / (1)), 18, 19, 20, 21, (((18)) / (1)), (((19)) / (1)), (((20)) / (1)), (((21)) / (1)); met) | (exists 0, 0, 0, 0, (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 0, 0, (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 0, 0, (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)); met) | (exists 13, 8, 8, 6, (((13)) / (1)), (((8)) / (1)), (((8)) / (1)), (((6)) / (1)), 7, 2, 11, 1, (((7)) / (1)), (((2)) / (1)), (((11)) / (1)), (((1)) / (1)), 6, 8, 7, 9, (((6)) / (1)), (((8)) / (1)), (((7)) / (1)), (((9)) / (1)); met) | (exists 7, 2, 11, 1, (((7)) / (1)), (((2)) / (1)), (((11)) / (1)), (((1)) / (1)), 8, 7, 9, 7, (((8)) / (1)), (((7)) / (1)), (((9)) / (1)), (((7)) / (1)), 4, 13, 8, 8, (((4)) / (1)), (((13)) / (1)), (((8)) / (1)), (((8)) / (1)); met) | (exists 1, 0, 0, 0, (((1)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 1, 0, (((0)) / (1)), (((0)) / (1)), (((1)) / (1)), (((0)) / (1)), 1, 0, 0, 0, (((1)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)); met)]. Qed.
+End sec_5_2_meaning.
+
+Module sec_5_2_index.
+Import GbtDevelopable.Section_5_2.sec_5_2_index.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g H1] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (1/2)). Qed.
+End sec_5_2_index.
 
 Module thm_3_consts.
 Import GbtDevelopable.Section_5_2.thm_3_consts.
@@ -44,7 +36,7 @@ End thm_3_consts.
 Module thm_3_a.
 Import GbtDevelopable.Section_5_2.thm_3_a.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g H2 H1]; prepared; unknown (P2 0%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement g H2 H1]; prepared; unknown (P2 0%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H2 H1]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_3_a.
@@ -52,7 +44,7 @@ End thm_3_a.
 Module thm_3_b.
 Import GbtDevelopable.Section_5_2.thm_3_b.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ c]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ c]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ c]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_3_b.
@@ -79,6 +71,14 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_ cl c ck farin_boehm] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then (4) else if (Z.eqb i0 (2))%bool then (12) else 0) (1) (1) (1) (0) (2)). Qed.
 End thm_3_necessary_surfaces.
 
+Module eq_5_13.
+Import GbtDevelopable.Section_5_2.eq_5_13.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); put_in; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End eq_5_13.
+
 Module eq_5_15.
 Import GbtDevelopable.Section_5_2.eq_5_15.
 Theorem proved : statement.
@@ -96,7 +96,7 @@ End thm_3_proofref_as_numbered.
 Module thm_3_proofref_as_meant.
 Import GbtDevelopable.Section_5_2.thm_3_proofref_as_meant.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement c cl ck farin_boehm]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); unknown (P2 2%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement c cl ck farin_boehm]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); unknown (P2 2%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance c cl ck farin_boehm]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_3_proofref_as_meant.

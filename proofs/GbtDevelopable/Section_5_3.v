@@ -341,6 +341,78 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
   (0 <= k - 2 <= k)%Z.
 End eq_5_17.
 
+Module thm_4_sufficient.
+(* gbt-developable/thm-4.sufficient, Sect. 5.3, Theorem 4 ('sufficient')
+   printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
+   read as: λ is a constant that (5.17) leaves open: (5.16) as printed gives (5.17) with λ/4 in place of λ. The common generator, the line of Q_{k-1,1} and Q_{k,1}, is there.
+   stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and H2''(0) == gamma^2*H1''(1) + lambda/4*H1'(1) and P1[k-1] == H2(0) - H2'(0)/(gamma*(k - 2 + pi/2*(1 + nu1))) *)
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
+  P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  P2 0%Z = P1 k ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) ->
+  (0 <= 2 <= l)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  P2 2%Z = beta P1 gamma k l lambda mu1 mu2 nu1 nu2 ->
+  gamma * (IZR k - 2 + PI / 2 * (1 + nu1)) <> 0 ->
+  2 * (IZR k - 2) + PI * (1 + nu1) <> 0 ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\ (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\ (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda / 4 * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) /\ P1 (k - 1)%Z = H2 P2 l mu2 nu2 0%Z - (let x_____ := 0%Z in Derive_n (fun x______ => H2_ P2 l mu2 nu2 x______) 1 (IZR x_____)) / (gamma * (IZR k - 2 + PI / 2 * (1 + nu1))).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  P2 0%Z = P1 k /\
+  (0 <= 1 <= l)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) /\
+  (0 <= 2 <= l)%Z /\
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
+  (0 <= k - 2 <= k)%Z /\
+  P2 2%Z = beta P1 gamma k l lambda mu1 mu2 nu1 nu2 /\
+  gamma * (IZR k - 2 + PI / 2 * (1 + nu1)) <> 0 /\
+  2 * (IZR k - 2) + PI * (1 + nu1) <> 0 /\
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
+End thm_4_sufficient.
+
 Module thm_4_necessary_families.
 (* gbt-developable/thm-4.necessary.families, Sect. 5.3, Theorem 4 ('necessary')
    printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
@@ -624,9 +696,8 @@ forall (d'1 d'2 d'3 d'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 
   locally (IZR 0%Z) (fun e => dot (direction (P d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 e)) (direction (P d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 e)) <> 0) ->
   dot (direction (P__ d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P d dd h e__) 1 (IZR e_))) (direction (P__ d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P d dd h e__) 1 (IZR e_))) <> 0 ->
   dot (direction (P__ d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P d dd h e____) 1 (IZR e___))) (direction (P__ d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P d dd h e____) 1 (IZR e___))) <> 0 ->
-  dot (direction (P__ d dd h 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => P d dd h e______) 1 (IZR e_____))) (direction (P__ d dd h 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => P d dd h e______) 1 (IZR e_____))) <> 0 ->
   entry d 1 ^ 2 * entry h 2 ^ 2 + entry d 1 ^ 2 * entry h 3 ^ 2 - 2 * entry d 1 * entry d 2 * entry h 1 * entry h 2 - 2 * entry d 1 * entry d 3 * entry h 1 * entry h 3 + entry d 2 ^ 2 * entry h 1 ^ 2 + entry d 2 ^ 2 * entry h 3 ^ 2 - 2 * entry d 2 * entry d 3 * entry h 2 * entry h 3 + entry d 3 ^ 2 * entry h 1 ^ 2 + entry d 3 ^ 2 * entry h 2 ^ 2 <> 0 ->
-  dot (normal d) (let e______ := 0%Z in vDerive 3 (fun e_______ => JA d dd h x1 e_______) 1 (IZR e______)) = e1 d dd h x1 /\ e2 d dd dd2 h x1 = rho * gamma ^ 2 * e1 d dd h x1.
+  dot (normal d) (let e____ := 0%Z in vDerive 3 (fun e_____ => JA d dd h x1 e_____) 1 (IZR e____)) = e1 d dd h x1 /\ e2 d dd dd2 h x1 = rho * gamma ^ 2 * e1 d dd h x1.
 Definition instance : Prop :=
 exists (d'1 d'2 d'3 d'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (rho : R) (u : R) (v : R) (x1 : R),
   let d := [d'1; d'2; d'3; d'4] in
@@ -638,7 +709,6 @@ exists (d'1 d'2 d'3 d'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 
   locally (IZR 0%Z) (fun e => dot (direction (P d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 e)) (direction (P d dd h e) (vDerive 4 (fun e_ => P d dd h e_) 1 e)) <> 0) /\
   dot (direction (P__ d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P d dd h e__) 1 (IZR e_))) (direction (P__ d dd h 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => P d dd h e__) 1 (IZR e_))) <> 0 /\
   dot (direction (P__ d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P d dd h e____) 1 (IZR e___))) (direction (P__ d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P d dd h e____) 1 (IZR e___))) <> 0 /\
-  dot (direction (P__ d dd h 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => P d dd h e______) 1 (IZR e_____))) (direction (P__ d dd h 0%Z) (let e_____ := 0%Z in vDerive 4 (fun e______ => P d dd h e______) 1 (IZR e_____))) <> 0 /\
   entry d 1 ^ 2 * entry h 2 ^ 2 + entry d 1 ^ 2 * entry h 3 ^ 2 - 2 * entry d 1 * entry d 2 * entry h 1 * entry h 2 - 2 * entry d 1 * entry d 3 * entry h 1 * entry h 3 + entry d 2 ^ 2 * entry h 1 ^ 2 + entry d 2 ^ 2 * entry h 3 ^ 2 - 2 * entry d 2 * entry d 3 * entry h 2 * entry h 3 + entry d 3 ^ 2 * entry h 1 ^ 2 + entry d 3 ^ 2 * entry h 2 ^ 2 <> 0.
 End thm_4_true_sheets.
 
@@ -696,75 +766,3 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R)
   dot (direction (P d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P_ d dd h e____) 1 (IZR e___))) (direction (P d dd h 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P_ d dd h e____) 1 (IZR e___))) <> 0 /\
   entry d 1 ^ 2 * entry h 2 ^ 2 + entry d 1 ^ 2 * entry h 3 ^ 2 - 2 * entry d 1 * entry d 2 * entry h 1 * entry h 2 - 2 * entry d 1 * entry d 3 * entry h 1 * entry h 3 + entry d 2 ^ 2 * entry h 1 ^ 2 + entry d 2 ^ 2 * entry h 3 ^ 2 - 2 * entry d 2 * entry d 3 * entry h 2 * entry h 3 + entry d 3 ^ 2 * entry h 1 ^ 2 + entry d 3 ^ 2 * entry h 2 ^ 2 <> 0.
 End thm_4_true_curvature.
-
-Module thm_4_sufficient.
-(* gbt-developable/thm-4.sufficient, Sect. 5.3, Theorem 4 ('sufficient')
-   printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
-   read as: λ is a constant that (5.17) leaves open: (5.16) as printed gives (5.17) with λ/4 in place of λ. The common generator, the line of Q_{k-1,1} and Q_{k,1}, is there.
-   stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and H2''(0) == gamma^2*H1''(1) + lambda/4*H1'(1) and P1[k-1] == H2(0) - H2'(0)/(gamma*(k - 2 + pi/2*(1 + nu1))) *)
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
-Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
-  P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition statement : Prop :=
-forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
-  0 < gamma ->
-  (2 <= k)%Z ->
-  (2 <= l)%Z ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= mu2 <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (-1) <= nu2 <= 1 ->
-  (0 <= 0 <= l)%Z ->
-  (0 <= k <= k)%Z ->
-  P2 0%Z = P1 k ->
-  (0 <= 1 <= l)%Z ->
-  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
-  (0 <= k - 1 <= k)%Z ->
-  P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) ->
-  (0 <= 2 <= l)%Z ->
-  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
-  (0 <= k - 2 <= k)%Z ->
-  P2 2%Z = beta P1 gamma k l lambda mu1 mu2 nu1 nu2 ->
-  gamma * (IZR k - 2 + PI / 2 * (1 + nu1)) <> 0 ->
-  2 * (IZR k - 2) + PI * (1 + nu1) <> 0 ->
-  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
-  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\ (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\ (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda / 4 * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) /\ P1 (k - 1)%Z = H2 P2 l mu2 nu2 0%Z - (let x_____ := 0%Z in Derive_n (fun x______ => H2_ P2 l mu2 nu2 x______) 1 (IZR x_____)) / (gamma * (IZR k - 2 + PI / 2 * (1 + nu1))).
-Definition instance : Prop :=
-exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
-  0 < gamma /\
-  (2 <= k)%Z /\
-  (2 <= l)%Z /\
-  (-1) <= mu1 <= 1 /\
-  (-1) <= mu2 <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  (-1) <= nu2 <= 1 /\
-  (0 <= 0 <= l)%Z /\
-  (0 <= k <= k)%Z /\
-  P2 0%Z = P1 k /\
-  (0 <= 1 <= l)%Z /\
-  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
-  (0 <= k - 1 <= k)%Z /\
-  P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) /\
-  (0 <= 2 <= l)%Z /\
-  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
-  (0 <= k - 2 <= k)%Z /\
-  P2 2%Z = beta P1 gamma k l lambda mu1 mu2 nu1 nu2 /\
-  gamma * (IZR k - 2 + PI / 2 * (1 + nu1)) <> 0 /\
-  2 * (IZR k - 2) + PI * (1 + nu1) <> 0 /\
-  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
-End thm_4_sufficient.

@@ -176,6 +176,37 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (mu3 : R)
   N2 P2 mu3 nu3 0%Z = H1 P1 k mu1 nu1 1%Z /\ (let x____ := 0%Z in Derive_n (fun x_____ => N2_ P2 mu3 nu3 x_____) 1 (IZR x____)) = (let x_____ := 1%Z in Derive_n (fun x______ => H1_ P1 k mu1 nu1 x______) 1 (IZR x_____)) /\ (let x______ := 0%Z in Derive_n (fun x_______ => N2_ P2 mu3 nu3 x_______) 2 (IZR x______)) = (let x_______ := 1%Z in Derive_n (fun x________ => H1_ P1 k mu1 nu1 x________) 2 (IZR x_______)).
 End ex_5_1_shape_combined_surface.
 
+Module ex_5_2_Q02.
+(* gbt-developable/ex-5.2.Q02, Sect. 5.5, Example 5.2
+   printed: Q_{0,2} = (0, 20, 10, 400)
+   stated: agrees(B[0], [0, 20, 10, 400]) *)
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition F2 (B : Z -> list R) (x : Z) : list R :=
+  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (B i)).
+Definition F1 (A : Z -> list R) (x : Z) : list R :=
+  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (A i)).
+Definition statement : Prop :=
+forall (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
+  let A := fun i0 => [A'1 i0; A'2 i0; A'3 i0; A'4 i0] in
+  let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
+  A 0%Z = [0; - 20; 10; 400] ->
+  A 1%Z = [0; - 10; 20; 400] ->
+  A 2%Z = [0; 10; 20; 400] ->
+  A 3%Z = [0; 20; 10; 400] ->
+  F2 B 0%Z = F1 A 1%Z ->
+  ((entry (B 0%Z) 1 = 0 /\ entry (B 0%Z) 2 = 20) /\ entry (B 0%Z) 3 = 10) /\ entry (B 0%Z) 4 = 400.
+Definition instance : Prop :=
+exists (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
+  let A := fun i0 => [A'1 i0; A'2 i0; A'3 i0; A'4 i0] in
+  let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
+  A 0%Z = [0; - 20; 10; 400] /\
+  A 1%Z = [0; - 10; 20; 400] /\
+  A 2%Z = [0; 10; 20; 400] /\
+  A 3%Z = [0; 20; 10; 400] /\
+  F2 B 0%Z = F1 A 1%Z.
+End ex_5_2_Q02.
+
 Module ex_5_2_Q12.
 (* gbt-developable/ex-5.2.Q12, Sect. 5.5, Example 5.2
    printed: Q_{1,2} = (0, 30, 0, 400)
@@ -432,34 +463,3 @@ exists (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2
   dot (direction (K2 B mu2 nu2 0%Z) (let x_______ := 0%Z in vDerive 4 (fun x________ => K2_ B mu2 nu2 x________) 1 (IZR x_______))) (direction (K2 B mu2 nu2 0%Z) (let x_______ := 0%Z in vDerive 4 (fun x________ => K2_ B mu2 nu2 x________) 1 (IZR x_______))) <> 0 /\
   dot (direction (K1 mu1 nu1 1%Z) (let x________ := 1%Z in vDerive 4 (fun x_________ => K1_ mu1 nu1 x_________) 1 (IZR x________))) (direction (K1 mu1 nu1 1%Z) (let x________ := 1%Z in vDerive 4 (fun x_________ => K1_ mu1 nu1 x_________) 1 (IZR x________))) <> 0.
 End ex_5_2_gap_drawn_pieces.
-
-Module ex_5_2_Q02.
-(* gbt-developable/ex-5.2.Q02, Sect. 5.5, Example 5.2
-   printed: Q_{0,2} = (0, 20, 10, 400)
-   stated: agrees(B[0], [0, 20, 10, 400]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition F2 (B : Z -> list R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (B i)).
-Definition F1 (A : Z -> list R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (A i)).
-Definition statement : Prop :=
-forall (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
-  let A := fun i0 => [A'1 i0; A'2 i0; A'3 i0; A'4 i0] in
-  let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
-  A 0%Z = [0; - 20; 10; 400] ->
-  A 1%Z = [0; - 10; 20; 400] ->
-  A 2%Z = [0; 10; 20; 400] ->
-  A 3%Z = [0; 20; 10; 400] ->
-  F2 B 0%Z = F1 A 1%Z ->
-  ((entry (B 0%Z) 1 = 0 /\ entry (B 0%Z) 2 = 20) /\ entry (B 0%Z) 3 = 10) /\ entry (B 0%Z) 4 = 400.
-Definition instance : Prop :=
-exists (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
-  let A := fun i0 => [A'1 i0; A'2 i0; A'3 i0; A'4 i0] in
-  let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
-  A 0%Z = [0; - 20; 10; 400] /\
-  A 1%Z = [0; - 10; 20; 400] /\
-  A 2%Z = [0; 10; 20; 400] /\
-  A 3%Z = [0; 20; 10; 400] /\
-  F2 B 0%Z = F1 A 1%Z.
-End ex_5_2_Q02.

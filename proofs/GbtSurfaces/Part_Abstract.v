@@ -258,15 +258,15 @@ forall (N_ : Z) (m : Z) (n : Z) (G : Z -> Z -> R) (H : Z -> Z -> R) (mu : R) (mu
   0 <= z1 <= 1 ->
   (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
   (forall k : Z, (0 <= k <= n)%Z -> forall l : Z, (0 <= l <= N_)%Z -> (0 <= k <= n)%Z) ->
-  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 0%Z <= n)%Z) ->
+  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 0 <= n)%Z) ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= N_)%Z -> (0 <= k <= m)%Z) ->
   (forall l : Z, (0 <= l <= N_)%Z -> (0 <= m <= m)%Z) ->
-  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 1%Z <= n)%Z) ->
+  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 1 <= n)%Z) ->
   (forall l : Z, (0 <= l <= N_)%Z -> (0 <= (m - 1)%Z <= m)%Z) ->
-  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 2%Z <= n)%Z) ->
+  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 2 <= n)%Z) ->
   (forall l : Z, (0 <= l <= N_)%Z -> (0 <= (m - 2)%Z <= m)%Z) ->
-  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 3%Z <= n)%Z) ->
+  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 3 <= n)%Z) ->
   (forall l : Z, (0 <= l <= N_)%Z -> (0 <= (m - 3)%Z <= m)%Z) ->
   second H N_ mu1 mu2 n nu1 nu2 z1 0%Z = s H N_ mu2 nu2 z1 0%Z /\ first G N_ m mu mu2 nu nu2 z1 1%Z = r G N_ mu2 nu2 z1 m /\ 2 * (let z := 0%Z in Derive_n (fun z_ => second_ H N_ mu1 mu2 n nu1 nu2 z1 z_) 1 (IZR z)) = (2 * (IZR n - 2) + PI * (1 + mu1)) * (s H N_ mu2 nu2 z1 1%Z - s H N_ mu2 nu2 z1 0%Z) /\ 2 * (let z_ := 1%Z in Derive_n (fun z__ => first_ G N_ m mu mu2 nu nu2 z1 z__) 1 (IZR z_)) = (2 * (IZR m - 2) + PI * (1 + nu)) * (r G N_ mu2 nu2 z1 m - r G N_ mu2 nu2 z1 (m - 1)%Z) /\ 4 * (let z__ := 0%Z in Derive_n (fun z___ => second_ H N_ mu1 mu2 n nu1 nu2 z1 z___) 2 (IZR z__)) = a1 mu1 n nu1 * (s H N_ mu2 nu2 z1 2%Z - s H N_ mu2 nu2 z1 0%Z) - (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) * (s H N_ mu2 nu2 z1 1%Z - s H N_ mu2 nu2 z1 0%Z) /\ 4 * (let z___ := 1%Z in Derive_n (fun z____ => first_ G N_ m mu mu2 nu nu2 z1 z____) 2 (IZR z___)) = a2 m nu * (r G N_ mu2 nu2 z1 m - 2 * r G N_ mu2 nu2 z1 (m - 1)%Z + r G N_ mu2 nu2 z1 (m - 2)%Z) - PI ^ 2 * (1 - mu) * (r G N_ mu2 nu2 z1 (m - 1)%Z - r G N_ mu2 nu2 z1 (m - 2)%Z) + 2 * PI ^ 2 * nu * (r G N_ mu2 nu2 z1 m - r G N_ mu2 nu2 z1 (m - 1)%Z) /\ 8 * (let z____ := 0%Z in Derive_n (fun z_____ => second_ H N_ mu1 mu2 n nu1 nu2 z1 z_____) 3 (IZR z____)) = b1 mu1 n nu1 * (s H N_ mu2 nu2 z1 3%Z - s H N_ mu2 nu2 z1 0%Z) - b3_true mu1 n nu1 * (s H N_ mu2 nu2 z1 2%Z - s H N_ mu2 nu2 z1 0%Z) + (3 * c1 mu1 n + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * mu1 - nu1) - PI ^ 3 * (1 + mu1)) * (s H N_ mu2 nu2 z1 1%Z - s H N_ mu2 nu2 z1 0%Z) /\ 8 * (let z_____ := 1%Z in Derive_n (fun z______ => first_ G N_ m mu mu2 nu nu2 z1 z______) 3 (IZR z_____)) = b2_true m mu nu * (r G N_ mu2 nu2 z1 m - 3 * r G N_ mu2 nu2 z1 (m - 1)%Z + 3 * r G N_ mu2 nu2 z1 (m - 2)%Z - r G N_ mu2 nu2 z1 (m - 3)%Z) + b5_true m mu nu * (r G N_ mu2 nu2 z1 m - 2 * r G N_ mu2 nu2 z1 (m - 1)%Z + r G N_ mu2 nu2 z1 (m - 2)%Z) - PI ^ 3 * (1 + nu) * (r G N_ mu2 nu2 z1 m - r G N_ mu2 nu2 z1 (m - 1)%Z).
 Definition instance : Prop :=
@@ -283,14 +283,14 @@ exists (N_ : Z) (m : Z) (n : Z) (G : Z -> Z -> R) (H : Z -> Z -> R) (mu : R) (mu
   0 <= z1 <= 1 /\
   (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
   (forall k : Z, (0 <= k <= n)%Z -> forall l : Z, (0 <= l <= N_)%Z -> (0 <= k <= n)%Z) /\
-  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 0%Z <= n)%Z) /\
+  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 0 <= n)%Z) /\
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
   (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= N_)%Z -> (0 <= k <= m)%Z) /\
   (forall l : Z, (0 <= l <= N_)%Z -> (0 <= m <= m)%Z) /\
-  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 1%Z <= n)%Z) /\
+  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 1 <= n)%Z) /\
   (forall l : Z, (0 <= l <= N_)%Z -> (0 <= (m - 1)%Z <= m)%Z) /\
-  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 2%Z <= n)%Z) /\
+  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 2 <= n)%Z) /\
   (forall l : Z, (0 <= l <= N_)%Z -> (0 <= (m - 2)%Z <= m)%Z) /\
-  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 3%Z <= n)%Z) /\
+  (forall l : Z, (0 <= l <= N_)%Z -> (0 <= 3 <= n)%Z) /\
   (forall l : Z, (0 <= l <= N_)%Z -> (0 <= (m - 3)%Z <= m)%Z).
 End abs_continuity_rows.

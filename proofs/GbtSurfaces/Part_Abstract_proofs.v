@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtSurfaces Require Part_Abstract.
 Open Scope R_scope.
 
@@ -8,29 +8,13 @@ Import GbtSurfaces.Part_Abstract.abs_basis_a.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End abs_basis_a.
-
-Module abs_basis_order_2.
-Import GbtSurfaces.Part_Abstract.abs_basis_order_2.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f K K_]; prepared; unknown c0; unknown c1; unknown c2; finished. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance f K K_]; first [(exists (2), (3), (4), ((-1) / 3), ((-1) / 3); met) | (exists (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), ((-1) / 3), ((-1) / 3); met) | (exists (1), (1), (1), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End abs_basis_order_2.
-
-Module abs_basis_cubic.
-Import GbtSurfaces.Part_Abstract.abs_basis_cubic.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f K K_]; prepared; unknown c0; unknown c1; unknown c2; unknown c3; finished. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance f K K_]; first [(exists (2), (3), (4), (5), ((-1) / 3), ((-1) / 3); met) | (exists (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), ((-1) / 3), ((-1) / 3); met) | (exists (1), (1), (1), (1), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End abs_basis_cubic.
 
 Module abs_basis_all.
 Import GbtSurfaces.Part_Abstract.abs_basis_all.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f F e A B C_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f F e A B C_]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f F e A B C_]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End abs_basis_all.

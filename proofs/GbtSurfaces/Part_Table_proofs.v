@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtSurfaces Require Part_Table.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import GbtSurfaces.Part_Table.tab_1_1_proposed.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f F F_]; intros; conjuncts; first [ intro no; first [ refuting (no (3)%Z (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z) ((-1) / 3) ((-1) / 3)) | refuting (no (3)%Z (fun _ => 3) ((-1) / 3) ((-1) / 3)) ] | symbolic ]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f F F_]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f F F_]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End tab_1_1_proposed.
 
 Module tab_1_5_proposed.
@@ -16,5 +16,5 @@ Import GbtSurfaces.Part_Table.tab_1_5_proposed.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next onF F next_ onF_ F_ swept]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next onF F next_ onF_ F_ swept]; first [(exists (3)%Z, (fun _ => 3), 4, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), 0, (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), 8, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), 1, ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next onF F next_ onF_ F_ swept]; first [(exists (3)%Z, (fun _ => 3), 4, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), 0, (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), 8, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), 1, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), 0, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End tab_1_5_proposed.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtSurfaces Require Section_2_1.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import GbtSurfaces.Section_2_1.eq_1_f0.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_1_f0.
 
 Module eq_1_f1.
@@ -16,7 +16,7 @@ Import GbtSurfaces.Section_2_1.eq_1_f1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_1_f1.
 
 Module eq_1_f2.
@@ -24,7 +24,7 @@ Import GbtSurfaces.Section_2_1.eq_1_f2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_1_f2.
 
 Module eq_2.
@@ -32,7 +32,7 @@ Import GbtSurfaces.Section_2_1.eq_2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_2.
 
 Module eq_2_zero_literal.
@@ -46,7 +46,7 @@ Import GbtSurfaces.Section_2_1.eq_2_zero_n_is_the_order.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_2_zero_n_is_the_order.
 
 Module thm_1_1_formal.
@@ -54,7 +54,7 @@ Import GbtSurfaces.Section_2_1.thm_1_1_formal.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g f b]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g f b]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g f b]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_1_formal.
 
 Module thm_1_1_as_functions.
@@ -68,7 +68,7 @@ Import GbtSurfaces.Section_2_1.thm_1_1_true.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (1), (- 1), (1 / 3); met) | (exists (1), (- 1), (1 / 2); met) | (exists (1), (- 1), (1 / 3); met) | (exists (1), (- 1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (1), (- 1), (1 / 3); met) | (exists (1), (- 1), (1 / 2); met) | (exists (1), (- 1), (1 / 3); met) | (exists (1), (- 1), (1 / 3); met) | (exists (1), (- 1), (1 / 3); met)]. Qed.
 End thm_1_1_true.
 
 Module thm_1_1_blend.
@@ -76,7 +76,7 @@ Import GbtSurfaces.Section_2_1.thm_1_1_blend.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f e]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f e]; first [(exists (2)%Z, (fun _ => 3), (1), (- 1), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), (- 1), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (1), (- 1), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (1), (- 1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f e]; first [(exists (2)%Z, (fun _ => 3), (1), (- 1), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), (- 1), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (1), (- 1), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (1), (- 1), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), (- 1), (1 / 3); met)]. Qed.
 End thm_1_1_blend.
 
 Module thm_1_2_where_curves_are_defined.
@@ -84,7 +84,7 @@ Import GbtSurfaces.Section_2_1.thm_1_2_where_curves_are_defined.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_2_where_curves_are_defined.
 
 Module thm_1_3.
@@ -92,7 +92,7 @@ Import GbtSurfaces.Section_2_1.thm_1_3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (0), (0), (1 / 2); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (0), (0), (1 / 2); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_3.
 
 Module thm_1_4.
@@ -100,7 +100,7 @@ Import GbtSurfaces.Section_2_1.thm_1_4.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_4.
 
 Module thm_1_5_d1_0_values.
@@ -108,7 +108,7 @@ Import GbtSurfaces.Section_2_1.thm_1_5_d1_0_values.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f start]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f start]; first [(exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (0), (0); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f start]; first [(exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (0), (0); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_d1_0_values.
 
 Module thm_1_5_d1_1_values.
@@ -116,7 +116,7 @@ Import GbtSurfaces.Section_2_1.thm_1_5_d1_1_values.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f F]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f F]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f F]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_d1_1_values.
 
 Module thm_1_5_d2_0_values.
@@ -124,7 +124,7 @@ Import GbtSurfaces.Section_2_1.thm_1_5_d2_0_values.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f start second p0 p2]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f start second p0 p2]; first [(exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (0), (0); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f start second p0 p2]; first [(exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (0), (0); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_d2_0_values.
 
 Module thm_1_5_d2_1_values.
@@ -132,7 +132,7 @@ Import GbtSurfaces.Section_2_1.thm_1_5_d2_1_values.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f F second1 r0 r2]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f F second1 r0 r2]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f F second1 r0 r2]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_d2_1_values.
 
 Module thm_1_5_d3_1_values.
@@ -140,5 +140,5 @@ Import GbtSurfaces.Section_2_1.thm_1_5_d3_1_values.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f F third1 r0 r2]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f F third1 r0 r2]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f F third1 r0 r2]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_d3_1_values.

@@ -518,6 +518,55 @@ exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (n
   (0 <= m - 1 <= m)%Z.
 End eq_4_Q11.
 
+Module thm_2_2.
+(* gbt-surfaces/thm-2.2, Sect. 2.2, Theorem 2, item 2, eq. (4) as a system
+   printed: For C1 continuity, Q_{10} = Q_m, Q_{11} = Q_m + (2(m-2) + π(1+ν)) / (2(n-2) + π(1+μ_1)) (Q_m - Q_{m-1})   (necessary and sufficient)
+   stated: F1'(0) - F'(1) == 1/2*(2*(n - 2) + pi*(1 + mu1))*(Q1[1] - printed11) and 2*(n - 2) + pi*(1 + mu1) > 0 *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  Q1 0%Z = Q m ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (0 <= 1 <= n)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  (0 <= m - 1 <= m)%Z ->
+  (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 1 (IZR z)) - (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 1 (IZR z_)) = 1 / 2 * (2 * (IZR n - 2) + PI * (1 + mu1)) * (Q1 1%Z - printed11 Q m mu1 n nu) /\ 2 * (IZR n - 2) + PI * (1 + mu1) > 0.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (0 <= 0 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  Q1 0%Z = Q m /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  (0 <= 1 <= n)%Z /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
+  (0 <= m - 1 <= m)%Z.
+End thm_2_2.
+
 Module eq_5_Q12.
 (* gbt-surfaces/eq-5.Q12, Sect. 2.2, Theorem 2, item 3, eq. (5), third line
    printed: Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]
@@ -690,6 +739,482 @@ exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (n
   2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
   4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0.
 End eq_5_Q12_true.
+
+Module thm_2_3_a.
+(* gbt-surfaces/thm-2.3.a, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
+   printed: For C2 continuity, Q_{10} = Q_m, Q_{11} as in (4), Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]   (necessary and sufficient)
+   read as: Sufficient: segments with the printed control points join with two continuous derivatives.
+   stated: F1'(0) == F'(1) and F1''(0) == F''(1) *)
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
+Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  Q m + 1 / a1 mu1 n nu1 * (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + a3 mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  Q1 0%Z = Q m ->
+  (0 <= 1 <= n)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  (0 <= m - 1 <= m)%Z ->
+  Q1 1%Z = printed11 Q m mu1 n nu ->
+  (0 <= 2 <= n)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  (0 <= m - 2 <= m)%Z ->
+  Q1 2%Z = printed12 Q m mu mu1 n nu nu1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => F1 Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F Q m mu nu z____) 2 (IZR z___)).
+End thm_2_3_a.
+
+Module thm_2_3_b.
+(* gbt-surfaces/thm-2.3.b, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
+   printed: For C2 continuity, Q_{10} = Q_m, Q_{11} as in (4), Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]   (necessary and sufficient)
+   read as: Necessary: segments that join with two continuous derivatives have the printed control points.
+   stated: Q1[0] == Q[m] and Q1[1] == printed11 and Q1[2] == printed12 *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
+  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
+Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  Q m + 1 / a1 mu1 n nu1 * (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + a3 mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  (0 <= 1 <= n)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= 2 <= n)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  (0 <= m - 2 <= m)%Z ->
+  Q1 0%Z = Q m /\ Q1 1%Z = printed11 Q m mu1 n nu /\ Q1 2%Z = printed12 Q m mu mu1 n nu nu1.
+End thm_2_3_b.
+
+Module thm_2_3_true.
+(* gbt-surfaces/thm-2.3.true, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
+   printed: Segments that meet join with C2 if and only if, beside (4), the right side vanishes: without a division, for all degrees and shape parameters.
+   stated: 4*(F1''(0) - F''(1)) == a1*(Q1[2] - Q[m]) - (2*a1 - pi^2*(1 - 2*mu1 - nu1))*(Q1[1] - Q[m]) - (a2*(Q[m] - 2*Q[m-1] + Q[m-2]) - pi^2*(1 - mu)*(Q[m-1] - Q[m-2]) + 2*pi^2*nu*(Q[m] - Q[m-1])) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  Q1 0%Z = Q m ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (0 <= 2 <= n)%Z ->
+  (0 <= 1 <= n)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  4 * ((let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 2 (IZR z)) - (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 2 (IZR z_))) = a1 mu1 n nu1 * (Q1 2%Z - Q m) - (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) * (Q1 1%Z - Q m) - (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + 2 * PI ^ 2 * nu * (Q m - Q (m - 1)%Z)).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (0 <= 0 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  Q1 0%Z = Q m /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  (0 <= 2 <= n)%Z /\
+  (0 <= 1 <= n)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  (0 <= m - 2 <= m)%Z.
+End thm_2_3_true.
+
+Module thm_2_3_iff.
+(* gbt-surfaces/thm-2.3.iff, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
+   printed: With the first two control points of (5) the second derivative jumps by a_1/4 times what Q_{12} lies beside the point `join12`: this point is necessary and sufficient.
+   stated: F1''(0) - F''(1) == a1/4*(Q1[2] - join12) *)
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition join1 (m : Z) (mu1 : R) (n : Z) (nu : R) (p : R) (q : R) : R :=
+  p + a m mu1 n nu * (p - q).
+Definition join11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  join1 m mu1 n nu (Q m) (Q (m - 1)%Z).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
+Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  Q1 0%Z = Q m ->
+  (0 <= 1 <= n)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  Q1 1%Z = join11 Q m mu1 n nu ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (0 <= 2 <= n)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 ->
+  (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 2 (IZR z)) - (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 2 (IZR z_)) = a1 mu1 n nu1 / 4 * (Q1 2%Z - join12 Q m mu mu1 n nu nu1).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (0 <= 0 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  Q1 0%Z = Q m /\
+  (0 <= 1 <= n)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
+  Q1 1%Z = join11 Q m mu1 n nu /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  (0 <= 2 <= n)%Z /\
+  (0 <= m - 2 <= m)%Z /\
+  a1 mu1 n nu1 <> 0 /\
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0.
+End thm_2_3_iff.
+
+Module thm_2_3_necessary.
+(* gbt-surfaces/thm-2.3.necessary, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
+   printed: The control points of every C2 join.
+   stated: Q1[0] == Q[m] and Q1[1] == join11 and Q1[2] == join12 *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
+  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition join1 (m : Z) (mu1 : R) (n : Z) (nu : R) (p : R) (q : R) : R :=
+  p + a m mu1 n nu * (p - q).
+Definition join11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  join1 m mu1 n nu (Q m) (Q (m - 1)%Z).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
+Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  (0 <= 1 <= n)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  (0 <= 2 <= n)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 ->
+  Q1 0%Z = Q m /\ Q1 1%Z = join11 Q m mu1 n nu /\ Q1 2%Z = join12 Q m mu mu1 n nu nu1.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z /\
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) /\
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) /\
+  (0 <= 0 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  (0 <= 1 <= n)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
+  (0 <= 2 <= n)%Z /\
+  (0 <= m - 2 <= m)%Z /\
+  a1 mu1 n nu1 <> 0 /\
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0.
+End thm_2_3_necessary.
+
+Module thm_2_3_sufficient.
+(* gbt-surfaces/thm-2.3.sufficient, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
+   printed: A second segment of degree 4 or more with these control points joins with C2, for all shape parameters.
+   stated: F1'(0) == F'(1) and F1''(0) == F''(1) *)
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition join1 (m : Z) (mu1 : R) (n : Z) (nu : R) (p : R) (q : R) : R :=
+  p + a m mu1 n nu * (p - q).
+Definition join11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  join1 m mu1 n nu (Q m) (Q (m - 1)%Z).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
+Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (4 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  Q1 0%Z = Q m ->
+  (0 <= 1 <= n)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  Q1 1%Z = join11 Q m mu1 n nu ->
+  (0 <= 2 <= n)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  Q1 2%Z = join12 Q m mu mu1 n nu nu1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => F1 Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F Q m mu nu z____) 2 (IZR z___)).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (4 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (0 <= 0 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  Q1 0%Z = Q m /\
+  (0 <= 1 <= n)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
+  Q1 1%Z = join11 Q m mu1 n nu /\
+  (0 <= 2 <= n)%Z /\
+  (0 <= m - 2 <= m)%Z /\
+  a1 mu1 n nu1 <> 0 /\
+  Q1 2%Z = join12 Q m mu mu1 n nu nu1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
+End thm_2_3_sufficient.
+
+Module thm_2_3_jump.
+(* gbt-surfaces/thm-2.3.jump, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
+   printed: The jump that the printed (5) leaves.
+   stated: 4*(F1''(0) - F''(1)) == (a3 - a3_true)*(Q[m] - Q[m-1]) *)
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition join1 (m : Z) (mu1 : R) (n : Z) (nu : R) (p : R) (q : R) : R :=
+  p + a m mu1 n nu * (p - q).
+Definition join11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  join1 m mu1 n nu (Q m) (Q (m - 1)%Z).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
+Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  Q m + 1 / a1 mu1 n nu1 * (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + a3 mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  Q1 0%Z = Q m ->
+  (0 <= 1 <= n)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  Q1 1%Z = join11 Q m mu1 n nu ->
+  (0 <= 2 <= n)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  (0 <= m - 2 <= m)%Z ->
+  Q1 2%Z = printed12 Q m mu mu1 n nu nu1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  4 * ((let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 2 (IZR z)) - (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 2 (IZR z_))) = (a3 mu1 n nu nu1 - a3_true m mu1 n nu nu1) * (Q m - Q (m - 1)%Z).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (0 <= 0 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  Q1 0%Z = Q m /\
+  (0 <= 1 <= n)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
+  Q1 1%Z = join11 Q m mu1 n nu /\
+  (0 <= 2 <= n)%Z /\
+  a1 mu1 n nu1 <> 0 /\
+  (0 <= m - 2 <= m)%Z /\
+  Q1 2%Z = printed12 Q m mu mu1 n nu nu1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
+End thm_2_3_jump.
+
+Module thm_2_3_when.
+(* gbt-surfaces/thm-2.3.when, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
+   printed: The printed coefficient is the right one for two segments of one degree with ν = μ_1 and ν_1 = 1.
+   stated: a3_true == a3 *)
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  IZR n = IZR m ->
+  nu = mu1 ->
+  nu1 = 1 ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  a3_true m mu1 n nu nu1 = a3 mu1 n nu nu1.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  IZR n = IZR m /\
+  nu = mu1 /\
+  nu1 = 1 /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0.
+End thm_2_3_when.
 
 Module eq_6_Q11.
 (* gbt-surfaces/eq-6.Q11, Sect. 2.2, Theorem 2, item 4, eq. (6), second line
@@ -1588,6 +2113,63 @@ exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (n
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
 End thm_2_4_sufficient_quintic.
 
+Module thm_2_4_cubic.
+(* gbt-surfaces/thm-2.4.cubic, Sect. 2.2, Theorem 2, item 4, eq. (6) as a system
+   printed: For a cubic second segment with ν_1 = 1 the divisor b_1 of (6) is zero: the third derivative at its start does not contain Q_{13}.
+   stated: b1 == 0 and coefficients([F1'''(0)], [Q1[3]])[1,1] == 0 *)
+Definition b1 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - nu1).
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  IZR n = 3 ->
+  nu1 = 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 3 <= n)%Z ->
+  b1 mu1 n nu1 = 0 /\ entry (row [[Derive_n (fun t => let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 3%Z t) mu1 n nu1 z_) 3 (IZR z)) 1 (Q1 3%Z)]] 1) 1 = 0.
+Definition instance : Prop :=
+exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu1 <= 1 /\
+  IZR n = 3 /\
+  nu1 = 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (0 <= 3 <= n)%Z.
+End thm_2_4_cubic.
+
+Module thm_2_a1.
+(* gbt-surfaces/thm-2.a1, Sect. 2.2, coefficients after eq. (6)
+   printed: a_1 = 4(n-2)(n-3 + π(1+μ_1)) + π^2 (1-ν_1)
+   read as: The coefficient of Q_{12} in four times the second derivative, the factor with which (5) has it.
+   stated: coefficients([4*F1''(0)], [Q1[2]])[1,1] == 4*(n - 2)*(n - 3 + pi*(1 + mu1)) + pi^2*(1 - nu1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 2 <= n)%Z ->
+  entry (row [[Derive_n (fun t => 4 * (let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 2%Z t) mu1 n nu1 z_) 2 (IZR z))) 1 (Q1 2%Z)]] 1) 1 = 4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition instance : Prop :=
+exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (0 <= 2 <= n)%Z.
+End thm_2_a1.
+
 Module thm_2_a1_sign.
 (* gbt-surfaces/thm-2.a1.sign, Sect. 2.2, coefficients after eq. (6)
    printed: The divisor a_1 of (5) is positive where the second segment has degree 4 or more; at degree 3 it is zero for μ_1 = -1, ν_1 = 1 alone.
@@ -1608,6 +2190,60 @@ exists (n : Z) (mu1 : R) (nu1 : R),
   (4 <= n)%Z /\
   (-1) <= nu1 <= 1.
 End thm_2_a1_sign.
+
+Module thm_2_a2.
+(* gbt-surfaces/thm-2.a2, Sect. 2.2, coefficients after eq. (6)
+   printed: a_2 = 4(m-2)(m-3 + π(1+ν))
+   read as: The coefficient of the second difference in four times the second derivative; the term with 1 - mu stands apart, as in (5).
+   stated: coefficients([4*F''(1) + pi^2*(1 - mu)*(Q[m-1] - Q[m-2])], [Q[m-2]])[1,1] == 4*(m - 2)*(m - 3 + pi*(1 + nu)) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition statement : Prop :=
+forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  entry (row [[Derive_n (fun t => 4 * (let z := 1%Z in Derive_n (fun z_ => F (update1 Q (m - 2)%Z t) m mu nu z_) 2 (IZR z)) + PI ^ 2 * (1 - mu) * ((update1 Q (m - 2)%Z t) (m - 1)%Z - (update1 Q (m - 2)%Z t) (m - 2)%Z)) 1 (Q (m - 2)%Z)]] 1) 1 = 4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition instance : Prop :=
+exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  (0 <= m - 1 <= m)%Z /\
+  (0 <= m - 2 <= m)%Z.
+End thm_2_a2.
+
+Module thm_2_b1.
+(* gbt-surfaces/thm-2.b1, Sect. 2.2, coefficients after eq. (6)
+   printed: b_1 = 4(n-2)(n-3)(2(n-4) + 3π(1+μ_1)) + 6(n-2)π^2 (1-ν_1)
+   read as: The coefficient of Q_{13} in eight times the third derivative, the factor with which (6) has it.
+   stated: coefficients([8*F1'''(0)], [Q1[3]])[1,1] == 4*(n - 2)*(n - 3)*(2*(n - 4) + 3*pi*(1 + mu1)) + 6*(n - 2)*pi^2*(1 - nu1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 3 <= n)%Z ->
+  entry (row [[Derive_n (fun t => 8 * (let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 3%Z t) mu1 n nu1 z_) 3 (IZR z))) 1 (Q1 3%Z)]] 1) 1 = 4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - nu1).
+Definition instance : Prop :=
+exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (0 <= 3 <= n)%Z.
+End thm_2_b1.
 
 Module thm_2_b1_sign.
 (* gbt-surfaces/thm-2.b1.sign, Sect. 2.2, coefficients after eq. (6)
@@ -1630,6 +2266,130 @@ exists (n : Z) (mu1 : R) (nu1 : R),
   (-1) <= nu1 <= 1.
 End thm_2_b1_sign.
 
+Module thm_2_b2.
+(* gbt-surfaces/thm-2.b2, Sect. 2.2, coefficients after eq. (6)
+   printed: b_2 = 4(m-2)(m-3)(2(m-4) + 3π(1+ν))
+   read as: In (6) the third difference alone contains Q_{m-3}: b_2 is minus its coefficient in eight times the third derivative.
+   stated: -coefficients([8*F'''(1)], [Q[m-3]])[1,1] == 4*(m - 2)*(m - 3)*(2*(m - 4) + 3*pi*(1 + nu)) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition statement : Prop :=
+forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (0 <= m - 3 <= m)%Z ->
+  - entry (row [[Derive_n (fun t => 8 * (let z := 1%Z in Derive_n (fun z_ => F (update1 Q (m - 3)%Z t) m mu nu z_) 3 (IZR z))) 1 (Q (m - 3)%Z)]] 1) 1 = 4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)).
+End thm_2_b2.
+
+Module thm_2_b2_true.
+(* gbt-surfaces/thm-2.b2.true, Sect. 2.2, coefficients after eq. (6)
+   printed: The coefficient of the third difference that the C3 join has.
+   stated: -coefficients([8*F'''(1)], [Q[m-3]])[1,1] == b2_true *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
+Definition statement : Prop :=
+forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (0 <= m - 3 <= m)%Z ->
+  - entry (row [[Derive_n (fun t => 8 * (let z := 1%Z in Derive_n (fun z_ => F (update1 Q (m - 3)%Z t) m mu nu z_) 3 (IZR z))) 1 (Q (m - 3)%Z)]] 1) 1 = b2_true m mu nu.
+Definition instance : Prop :=
+exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  (0 <= m - 3 <= m)%Z.
+End thm_2_b2_true.
+
+Module thm_2_b3.
+(* gbt-surfaces/thm-2.b3, Sect. 2.2, coefficients after eq. (6)
+   printed: b_3 = (3c_1 + 12(n-2)π^2 (1 - μ_1 - ν_1))
+   read as: Minus the coefficient of Q_{12} in eight times the third derivative.
+   stated: -coefficients([8*F1'''(0)], [Q1[2]])[1,1] == 3*c1 + 12*(n - 2)*pi^2*(1 - mu1 - nu1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition c1 (mu1 : R) (n : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 2 <= n)%Z ->
+  - entry (row [[Derive_n (fun t => 8 * (let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 2%Z t) mu1 n nu1 z_) 3 (IZR z))) 1 (Q1 2%Z)]] 1) 1 = 3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - nu1).
+End thm_2_b3.
+
+Module thm_2_b3_corrected.
+(* gbt-surfaces/thm-2.b3 (corrected), Sect. 2.2, coefficients after eq. (6)
+   printed: b_3 = (3c_1 + 12(n-2)π^2 (1 - μ_1 - ν_1))
+   read as: Minus the coefficient of Q_{12} in eight times the third derivative.
+   stated: -coefficients([8*F1'''(0)], [Q1[2]])[1,1] == 3*c1 + 12*(n - 2)*pi^2*(1 + mu1 - nu1) *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition c1 (mu1 : R) (n : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 2 <= n)%Z ->
+  - entry (row [[Derive_n (fun t => 8 * (let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 2%Z t) mu1 n nu1 z_) 3 (IZR z))) 1 (Q1 2%Z)]] 1) 1 = 3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 + mu1 - nu1).
+Definition instance : Prop :=
+exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (0 <= 2 <= n)%Z.
+End thm_2_b3_corrected.
+
+Module thm_2_b3_true.
+(* gbt-surfaces/thm-2.b3.true, Sect. 2.2, coefficients after eq. (6)
+   printed: The coefficient that the C3 join has.
+   stated: -coefficients([8*F1'''(0)], [Q1[2]])[1,1] == b3_true *)
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition c1 (mu1 : R) (n : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
+Definition b3_true (mu1 : R) (n : Z) (nu1 : R) : R :=
+  3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 + mu1 - nu1).
+Definition statement : Prop :=
+forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (0 <= 2 <= n)%Z ->
+  - entry (row [[Derive_n (fun t => 8 * (let z := 0%Z in Derive_n (fun z_ => F1 (update1 Q1 2%Z t) mu1 n nu1 z_) 3 (IZR z))) 1 (Q1 2%Z)]] 1) 1 = b3_true mu1 n nu1.
+Definition instance : Prop :=
+exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (0 <= 2 <= n)%Z.
+End thm_2_b3_true.
+
 Module thm_2_c1.
 (* gbt-surfaces/thm-2.c1, Sect. 2.2, coefficients after eq. (6)
    printed: c_1 = 4(n-2)(n-3)(2(n-4) + 3π(1+μ_1))
@@ -1649,528 +2409,3 @@ exists (n : Z) (mu1 : R) (nu1 : R),
   (3 <= n)%Z /\
   (-1) <= nu1 <= 1.
 End thm_2_c1.
-
-Module thm_2_2.
-(* gbt-surfaces/thm-2.2, Sect. 2.2, Theorem 2, item 2, eq. (4) as a system
-   printed: For C1 continuity, Q_{10} = Q_m, Q_{11} = Q_m + (2(m-2) + π(1+ν)) / (2(n-2) + π(1+μ_1)) (Q_m - Q_{m-1})   (necessary and sufficient)
-   stated: F1'(0) - F'(1) == 1/2*(2*(n - 2) + pi*(1 + mu1))*(Q1[1] - printed11) and 2*(n - 2) + pi*(1 + mu1) > 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
-Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
-Definition statement : Prop :=
-forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (3 <= n)%Z ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (0 <= 0 <= n)%Z ->
-  (0 <= m <= m)%Z ->
-  Q1 0%Z = Q m ->
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  (0 <= 1 <= n)%Z ->
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
-  (0 <= m - 1 <= m)%Z ->
-  (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 1 (IZR z)) - (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 1 (IZR z_)) = 1 / 2 * (2 * (IZR n - 2) + PI * (1 + mu1)) * (Q1 1%Z - printed11 Q m mu1 n nu) /\ 2 * (IZR n - 2) + PI * (1 + mu1) > 0.
-Definition instance : Prop :=
-exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= mu1 <= 1 /\
-  (3 <= n)%Z /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  (0 <= 0 <= n)%Z /\
-  (0 <= m <= m)%Z /\
-  Q1 0%Z = Q m /\
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
-  (0 <= 1 <= n)%Z /\
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
-  (0 <= m - 1 <= m)%Z.
-End thm_2_2.
-
-Module thm_2_3_a.
-(* gbt-surfaces/thm-2.3.a, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
-   printed: For C2 continuity, Q_{10} = Q_m, Q_{11} as in (4), Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]   (necessary and sufficient)
-   read as: Sufficient: segments with the printed control points join with two continuous derivatives.
-   stated: F1'(0) == F'(1) and F1''(0) == F''(1) *)
-Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
-Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
-Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
-Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  Q m + 1 / a1 mu1 n nu1 * (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + a3 mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition statement : Prop :=
-forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (3 <= n)%Z ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (0 <= 0 <= n)%Z ->
-  (0 <= m <= m)%Z ->
-  Q1 0%Z = Q m ->
-  (0 <= 1 <= n)%Z ->
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
-  (0 <= m - 1 <= m)%Z ->
-  Q1 1%Z = printed11 Q m mu1 n nu ->
-  (0 <= 2 <= n)%Z ->
-  a1 mu1 n nu1 <> 0 ->
-  (0 <= m - 2 <= m)%Z ->
-  Q1 2%Z = printed12 Q m mu mu1 n nu nu1 ->
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => F1 Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F Q m mu nu z____) 2 (IZR z___)).
-End thm_2_3_a.
-
-Module thm_2_3_b.
-(* gbt-surfaces/thm-2.3.b, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
-   printed: For C2 continuity, Q_{10} = Q_m, Q_{11} as in (4), Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]   (necessary and sufficient)
-   read as: Necessary: segments that join with two continuous derivatives have the printed control points.
-   stated: Q1[0] == Q[m] and Q1[1] == printed11 and Q1[2] == printed12 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
-Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
-Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
-Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
-Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  Q m + 1 / a1 mu1 n nu1 * (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + a3 mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
-Definition statement : Prop :=
-forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (3 <= n)%Z ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
-  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
-  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) ->
-  (0 <= 0 <= n)%Z ->
-  (0 <= m <= m)%Z ->
-  (0 <= 1 <= n)%Z ->
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
-  (0 <= m - 1 <= m)%Z ->
-  (0 <= 2 <= n)%Z ->
-  a1 mu1 n nu1 <> 0 ->
-  (0 <= m - 2 <= m)%Z ->
-  Q1 0%Z = Q m /\ Q1 1%Z = printed11 Q m mu1 n nu /\ Q1 2%Z = printed12 Q m mu mu1 n nu nu1.
-End thm_2_3_b.
-
-Module thm_2_3_true.
-(* gbt-surfaces/thm-2.3.true, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
-   printed: Segments that meet join with C2 if and only if, beside (4), the right side vanishes: without a division, for all degrees and shape parameters.
-   stated: 4*(F1''(0) - F''(1)) == a1*(Q1[2] - Q[m]) - (2*a1 - pi^2*(1 - 2*mu1 - nu1))*(Q1[1] - Q[m]) - (a2*(Q[m] - 2*Q[m-1] + Q[m-2]) - pi^2*(1 - mu)*(Q[m-1] - Q[m-2]) + 2*pi^2*nu*(Q[m] - Q[m-1])) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition statement : Prop :=
-forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (3 <= n)%Z ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (0 <= 0 <= n)%Z ->
-  (0 <= m <= m)%Z ->
-  Q1 0%Z = Q m ->
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  (0 <= 2 <= n)%Z ->
-  (0 <= 1 <= n)%Z ->
-  (0 <= m - 1 <= m)%Z ->
-  (0 <= m - 2 <= m)%Z ->
-  4 * ((let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 2 (IZR z)) - (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 2 (IZR z_))) = a1 mu1 n nu1 * (Q1 2%Z - Q m) - (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) * (Q1 1%Z - Q m) - (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + 2 * PI ^ 2 * nu * (Q m - Q (m - 1)%Z)).
-Definition instance : Prop :=
-exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= mu1 <= 1 /\
-  (3 <= n)%Z /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  (0 <= 0 <= n)%Z /\
-  (0 <= m <= m)%Z /\
-  Q1 0%Z = Q m /\
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
-  (0 <= 2 <= n)%Z /\
-  (0 <= 1 <= n)%Z /\
-  (0 <= m - 1 <= m)%Z /\
-  (0 <= m - 2 <= m)%Z.
-End thm_2_3_true.
-
-Module thm_2_3_iff.
-(* gbt-surfaces/thm-2.3.iff, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
-   printed: With the first two control points of (5) the second derivative jumps by a_1/4 times what Q_{12} lies beside the point `join12`: this point is necessary and sufficient.
-   stated: F1''(0) - F''(1) == a1/4*(Q1[2] - join12) *)
-Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
-Definition join1 (m : Z) (mu1 : R) (n : Z) (nu : R) (p : R) (q : R) : R :=
-  p + a m mu1 n nu * (p - q).
-Definition join11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  join1 m mu1 n nu (Q m) (Q (m - 1)%Z).
-Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
-Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
-  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
-Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
-Definition statement : Prop :=
-forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (3 <= n)%Z ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (0 <= 0 <= n)%Z ->
-  (0 <= m <= m)%Z ->
-  Q1 0%Z = Q m ->
-  (0 <= 1 <= n)%Z ->
-  (0 <= m - 1 <= m)%Z ->
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
-  Q1 1%Z = join11 Q m mu1 n nu ->
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  (0 <= 2 <= n)%Z ->
-  (0 <= m - 2 <= m)%Z ->
-  a1 mu1 n nu1 <> 0 ->
-  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 ->
-  (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 2 (IZR z)) - (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 2 (IZR z_)) = a1 mu1 n nu1 / 4 * (Q1 2%Z - join12 Q m mu mu1 n nu nu1).
-Definition instance : Prop :=
-exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= mu1 <= 1 /\
-  (3 <= n)%Z /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  (0 <= 0 <= n)%Z /\
-  (0 <= m <= m)%Z /\
-  Q1 0%Z = Q m /\
-  (0 <= 1 <= n)%Z /\
-  (0 <= m - 1 <= m)%Z /\
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
-  Q1 1%Z = join11 Q m mu1 n nu /\
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
-  (0 <= 2 <= n)%Z /\
-  (0 <= m - 2 <= m)%Z /\
-  a1 mu1 n nu1 <> 0 /\
-  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0.
-End thm_2_3_iff.
-
-Module thm_2_3_necessary.
-(* gbt-surfaces/thm-2.3.necessary, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
-   printed: The control points of every C2 join.
-   stated: Q1[0] == Q[m] and Q1[1] == join11 and Q1[2] == join12 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
-Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
-Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
-Definition join1 (m : Z) (mu1 : R) (n : Z) (nu : R) (p : R) (q : R) : R :=
-  p + a m mu1 n nu * (p - q).
-Definition join11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  join1 m mu1 n nu (Q m) (Q (m - 1)%Z).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
-Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
-  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
-Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
-Definition statement : Prop :=
-forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (3 <= n)%Z ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
-  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
-  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) ->
-  (0 <= 0 <= n)%Z ->
-  (0 <= m <= m)%Z ->
-  (0 <= 1 <= n)%Z ->
-  (0 <= m - 1 <= m)%Z ->
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
-  (0 <= 2 <= n)%Z ->
-  (0 <= m - 2 <= m)%Z ->
-  a1 mu1 n nu1 <> 0 ->
-  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 ->
-  Q1 0%Z = Q m /\ Q1 1%Z = join11 Q m mu1 n nu /\ Q1 2%Z = join12 Q m mu mu1 n nu nu1.
-Definition instance : Prop :=
-exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= mu1 <= 1 /\
-  (3 <= n)%Z /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
-  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z /\
-  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) /\
-  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) /\
-  (0 <= 0 <= n)%Z /\
-  (0 <= m <= m)%Z /\
-  (0 <= 1 <= n)%Z /\
-  (0 <= m - 1 <= m)%Z /\
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
-  (0 <= 2 <= n)%Z /\
-  (0 <= m - 2 <= m)%Z /\
-  a1 mu1 n nu1 <> 0 /\
-  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0.
-End thm_2_3_necessary.
-
-Module thm_2_3_sufficient.
-(* gbt-surfaces/thm-2.3.sufficient, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
-   printed: A second segment of degree 4 or more with these control points joins with C2, for all shape parameters.
-   stated: F1'(0) == F'(1) and F1''(0) == F''(1) *)
-Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
-Definition join1 (m : Z) (mu1 : R) (n : Z) (nu : R) (p : R) (q : R) : R :=
-  p + a m mu1 n nu * (p - q).
-Definition join11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  join1 m mu1 n nu (Q m) (Q (m - 1)%Z).
-Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
-Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
-  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
-Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition statement : Prop :=
-forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (4 <= n)%Z ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (0 <= 0 <= n)%Z ->
-  (0 <= m <= m)%Z ->
-  Q1 0%Z = Q m ->
-  (0 <= 1 <= n)%Z ->
-  (0 <= m - 1 <= m)%Z ->
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
-  Q1 1%Z = join11 Q m mu1 n nu ->
-  (0 <= 2 <= n)%Z ->
-  (0 <= m - 2 <= m)%Z ->
-  a1 mu1 n nu1 <> 0 ->
-  Q1 2%Z = join12 Q m mu mu1 n nu nu1 ->
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => F1 Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F Q m mu nu z____) 2 (IZR z___)).
-Definition instance : Prop :=
-exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= mu1 <= 1 /\
-  (4 <= n)%Z /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  (0 <= 0 <= n)%Z /\
-  (0 <= m <= m)%Z /\
-  Q1 0%Z = Q m /\
-  (0 <= 1 <= n)%Z /\
-  (0 <= m - 1 <= m)%Z /\
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
-  Q1 1%Z = join11 Q m mu1 n nu /\
-  (0 <= 2 <= n)%Z /\
-  (0 <= m - 2 <= m)%Z /\
-  a1 mu1 n nu1 <> 0 /\
-  Q1 2%Z = join12 Q m mu mu1 n nu nu1 /\
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
-End thm_2_3_sufficient.
-
-Module thm_2_3_jump.
-(* gbt-surfaces/thm-2.3.jump, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
-   printed: The jump that the printed (5) leaves.
-   stated: 4*(F1''(0) - F''(1)) == (a3 - a3_true)*(Q[m] - Q[m-1]) *)
-Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
-Definition join1 (m : Z) (mu1 : R) (n : Z) (nu : R) (p : R) (q : R) : R :=
-  p + a m mu1 n nu * (p - q).
-Definition join11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  join1 m mu1 n nu (Q m) (Q (m - 1)%Z).
-Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
-Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  Q m + 1 / a1 mu1 n nu1 * (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + a3 mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
-Definition statement : Prop :=
-forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (3 <= n)%Z ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  (0 <= 0 <= n)%Z ->
-  (0 <= m <= m)%Z ->
-  Q1 0%Z = Q m ->
-  (0 <= 1 <= n)%Z ->
-  (0 <= m - 1 <= m)%Z ->
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
-  Q1 1%Z = join11 Q m mu1 n nu ->
-  (0 <= 2 <= n)%Z ->
-  a1 mu1 n nu1 <> 0 ->
-  (0 <= m - 2 <= m)%Z ->
-  Q1 2%Z = printed12 Q m mu mu1 n nu nu1 ->
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  4 * ((let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 2 (IZR z)) - (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 2 (IZR z_))) = (a3 mu1 n nu nu1 - a3_true m mu1 n nu nu1) * (Q m - Q (m - 1)%Z).
-Definition instance : Prop :=
-exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= mu1 <= 1 /\
-  (3 <= n)%Z /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  (0 <= 0 <= n)%Z /\
-  (0 <= m <= m)%Z /\
-  Q1 0%Z = Q m /\
-  (0 <= 1 <= n)%Z /\
-  (0 <= m - 1 <= m)%Z /\
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
-  Q1 1%Z = join11 Q m mu1 n nu /\
-  (0 <= 2 <= n)%Z /\
-  a1 mu1 n nu1 <> 0 /\
-  (0 <= m - 2 <= m)%Z /\
-  Q1 2%Z = printed12 Q m mu mu1 n nu nu1 /\
-  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
-End thm_2_3_jump.
-
-Module thm_2_3_when.
-(* gbt-surfaces/thm-2.3.when, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
-   printed: The printed coefficient is the right one for two segments of one degree with ν = μ_1 and ν_1 = 1.
-   stated: a3_true == a3 *)
-Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
-Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
-Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
-Definition statement : Prop :=
-forall (m : Z) (n : Z) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu1 <= 1 ->
-  (3 <= n)%Z ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  IZR n = IZR m ->
-  nu = mu1 ->
-  nu1 = 1 ->
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
-  a3_true m mu1 n nu nu1 = a3 mu1 n nu nu1.
-Definition instance : Prop :=
-exists (m : Z) (n : Z) (mu1 : R) (nu : R) (nu1 : R),
-  (3 <= m)%Z /\
-  (-1) <= mu1 <= 1 /\
-  (3 <= n)%Z /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  IZR n = IZR m /\
-  nu = mu1 /\
-  nu1 = 1 /\
-  2 * (IZR n - 2) + PI * (1 + mu1) <> 0.
-End thm_2_3_when.

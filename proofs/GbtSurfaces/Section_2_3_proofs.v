@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtSurfaces Require Section_2_3.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import GbtSurfaces.Section_2_3.eq_7.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f T]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_7.
 
 Module sec_2_3_features_a.
@@ -16,7 +16,7 @@ Import GbtSurfaces.Section_2_3.sec_2_3_features_a.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End sec_2_3_features_a.
 
 Module sec_2_3_features_b.
@@ -24,7 +24,7 @@ Import GbtSurfaces.Section_2_3.sec_2_3_features_b.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f T]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_2_3_features_b.
 
 Module sec_2_3_features_c.
@@ -32,7 +32,7 @@ Import GbtSurfaces.Section_2_3.sec_2_3_features_c.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f Tz0 Tz1 Tu0 Tu1]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (2)%Z (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3)) | refuting (no (2)%Z (2)%Z (fun _ _ => 4) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3)) ] | symbolic ]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f Tz0 Tz1 Tu0 Tu1]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f Tz0 Tz1 Tu0 Tu1]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_2_3_features_c.
 
 Module sec_2_3_features_d.
@@ -40,7 +40,7 @@ Import GbtSurfaces.Section_2_3.sec_2_3_features_d.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f T]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End sec_2_3_features_d.
 
 Module sec_2_3_classical_the_features_of_Sect__2_2.
@@ -48,7 +48,7 @@ Import GbtSurfaces.Section_2_3.sec_2_3_classical_the_features_of_Sect__2_2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f T T_ Tz0 Tz1 Tu0 Tu1]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (2)%Z (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3) (1 / 3)) | refuting (no (2)%Z (2)%Z (fun _ _ => 4) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3) (1 / 3)) ] | symbolic ]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f T T_ Tz0 Tz1 Tu0 Tu1]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f T T_ Tz0 Tz1 Tu0 Tu1]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End sec_2_3_classical_the_features_of_Sect__2_2.
 
 Module sec_2_3_classical_every_property.

@@ -820,6 +820,39 @@ Definition statement : Prop :=
   dot V31 (vsub (row Q31 2) (row Q31 1)) = 0 /\ dot V31 (vsub (row Q31 3) (row Q31 1)) = 0 /\ dot V31 (vsub (row Q31 4) (row Q31 1)) = 0 /\ dot V31 (vsub (row Q31 5) (row Q31 1)) = 0 /\ norm V31 = 1.
 End ex_3_1_normal.
 
+Module eq_13.
+(* gbt-surfaces/eq-13, Sect. 3.1, Example 3.1, eq. (13)
+   printed: T_cylinder(z,z_1,μ,ν) = sum_{k=0}^{4} sum_{l=0}^{1} Q_{k,l} f_{k,4}(z) f_{l,1}(z_1), z, z_1 ∈ [0,1]
+   stated: sum(k, 0, 4, f[k,4](z, mu, nu)*Q31[k+1]) + z1*alpha31*V31 == sum(k, 0, 4, sum(l, 0, 1, (Q31[k+1] + l*[0, 0, 20])*f[k,4](z, mu, nu)*b[l,1](z1))) *)
+Definition Q31 : list (list R) :=
+  [[5; 2; 0]; [0; 12; 0]; [10; 20; 0]; [20; 12; 0]; [15; 2; 0]].
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition alpha31 : R :=
+  20.
+Definition V31 : list R :=
+  [0; 0; 1].
+Definition b (z : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
+Definition statement : Prop :=
+forall (mu : R) (nu : R) (z : R) (z1 : R),
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  (forall k : Z, (0 <= k <= 4)%Z -> (1 <= (k + 1) <= 5)%Z) ->
+  (forall k : Z, (0 <= k <= 4)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (1 <= (k + 1) <= 5)%Z) ->
+  vadd (vsum 3 0%Z 4%Z (fun k => vscale (f z mu nu k 4%Z) (row Q31 (Z.to_nat (k + 1)%Z)))) (vscale (z1 * alpha31) V31) = vsum 3 0%Z 4%Z (fun k => vsum 3 0%Z 1%Z (fun l => vscale (b z1 l 1%Z) (vscale (f z mu nu k 4%Z) (vadd (row Q31 (Z.to_nat (k + 1)%Z)) (vscale (IZR l) [0; 0; 20]))))).
+Definition instance : Prop :=
+exists (mu : R) (nu : R) (z : R) (z1 : R),
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1 /\
+  (forall k : Z, (0 <= k <= 4)%Z -> (1 <= (k + 1) <= 5)%Z) /\
+  (forall k : Z, (0 <= k <= 4)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (1 <= (k + 1) <= 5)%Z).
+End eq_13.
+
 Module ex_3_1_net.
 (* gbt-surfaces/ex-3.1.net, Sect. 3.1, Example 3.1, line after eq. (13)
    printed: Q_{k,0} = Q_k, Q_{k,1} = Q_k + (0, 0, 20) (k = 0, 1, ..., 4)
@@ -897,36 +930,3 @@ exists (m : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (nu : R) (z : R) (z1 : 
   0 <= z <= 1 /\
   0 <= z1 <= 1.
 End sec_3_1_effect.
-
-Module eq_13.
-(* gbt-surfaces/eq-13, Sect. 3.1, Example 3.1, eq. (13)
-   printed: T_cylinder(z,z_1,μ,ν) = sum_{k=0}^{4} sum_{l=0}^{1} Q_{k,l} f_{k,4}(z) f_{l,1}(z_1), z, z_1 ∈ [0,1]
-   stated: sum(k, 0, 4, f[k,4](z, mu, nu)*Q31[k+1]) + z1*alpha31*V31 == sum(k, 0, 4, sum(l, 0, 1, (Q31[k+1] + l*[0, 0, 20])*f[k,4](z, mu, nu)*b[l,1](z1))) *)
-Definition Q31 : list (list R) :=
-  [[5; 2; 0]; [0; 12; 0]; [10; 20; 0]; [20; 12; 0]; [15; 2; 0]].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition alpha31 : R :=
-  20.
-Definition V31 : list R :=
-  [0; 0; 1].
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition statement : Prop :=
-forall (mu : R) (nu : R) (z : R) (z1 : R),
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  0 <= z <= 1 ->
-  0 <= z1 <= 1 ->
-  (forall k : Z, (0 <= k <= 4)%Z -> (1 <= (k + 1) <= 5)%Z) ->
-  (forall k : Z, (0 <= k <= 4)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (1 <= (k + 1) <= 5)%Z) ->
-  vadd (vsum 3 0%Z 4%Z (fun k => vscale (f z mu nu k 4%Z) (row Q31 (Z.to_nat (k + 1)%Z)))) (vscale (z1 * alpha31) V31) = vsum 3 0%Z 4%Z (fun k => vsum 3 0%Z 1%Z (fun l => vscale (b z1 l 1%Z) (vscale (f z mu nu k 4%Z) (vadd (row Q31 (Z.to_nat (k + 1)%Z)) (vscale (IZR l) [0; 0; 20]))))).
-Definition instance : Prop :=
-exists (mu : R) (nu : R) (z : R) (z1 : R),
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  0 <= z <= 1 /\
-  0 <= z1 <= 1 /\
-  (forall k : Z, (0 <= k <= 4)%Z -> (1 <= (k + 1) <= 5)%Z) /\
-  (forall k : Z, (0 <= k <= 4)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (1 <= (k + 1) <= 5)%Z).
-End eq_13.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtSurfaces Require Section_3_2.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import GbtSurfaces.Section_3_2.eq_14.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement N0 N1 bilinear]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
 End eq_14.
 
 Module sec_3_2_segments.
@@ -16,7 +16,7 @@ Import GbtSurfaces.Section_3_2.sec_3_2_segments.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement N0 N0_ N1 N1_ bilinear bilinear_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance N0 N0_ N1 N1_ bilinear bilinear_]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance N0 N0_ N1 N1_ bilinear bilinear_]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
 End sec_3_2_segments.
 
 Module sec_3_2_linear.
@@ -24,7 +24,7 @@ Import GbtSurfaces.Section_3_2.sec_3_2_linear.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement N0 N1 bilinear N0_ N1_ bilinear_ bilinear__]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance N0 N1 bilinear N0_ N1_ bilinear_ bilinear__]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance N0 N1 bilinear N0_ N1_ bilinear_ bilinear__]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
 End sec_3_2_linear.
 
 Module prop_3_2_a.
@@ -32,7 +32,7 @@ Import GbtSurfaces.Section_3_2.prop_3_2_a.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement N0 N1 bilinear]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1); met)]. Qed.
+Proof. cbv beta zeta delta [instance N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0); met)]. Qed.
 End prop_3_2_a.
 
 Module prop_3_2_b.
@@ -40,7 +40,7 @@ Import GbtSurfaces.Section_3_2.prop_3_2_b.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement N0 N0_ N1 N1_ bilinear bilinear_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance N0 N0_ N1 N1_ bilinear bilinear_]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance N0 N0_ N1 N1_ bilinear bilinear_]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
 End prop_3_2_b.
 
 Module prop_3_2_c.
@@ -48,7 +48,7 @@ Import GbtSurfaces.Section_3_2.prop_3_2_c.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement N0 N1 bilinear]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
 End prop_3_2_c.
 
 Module eq_15.
@@ -56,15 +56,15 @@ Import GbtSurfaces.Section_3_2.eq_15.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement N0 N1 bilinear b product]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance N0 N1 bilinear b product]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance N0 N1 bilinear b product]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (1 / 3), (1 / 3); met)]. Qed.
 End eq_15.
 
 Module sec_3_2_fixed.
 Import GbtSurfaces.Section_3_2.sec_3_2_fixed.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement b product product_ N0 N1 bilinear]; prepared; unknown (G 0%Z 0%Z); unknown (G 1%Z 0%Z); unknown (G 0%Z 1%Z); unknown (G 1%Z 1%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement b product product_ N0 N1 bilinear]; unstaged; prepared; known ((G (0)%Z (0)%Z)) (p00) (1); known ((G (0)%Z (1)%Z)) (p01) (1); known ((G (1)%Z (0)%Z)) (p10) (1); known ((G (1)%Z (1)%Z)) (p11) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance b product product_ N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), 5, 6, 7, 8, (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), 0, 0, 0, 0, (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), 6, 8, 7, 9, (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), 1, 1, 1, 1, (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance b product product_ N0 N1 bilinear]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), 5, 6, 7, 8, (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), 0, 0, 0, 0, (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), 6, 8, 7, 9, (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), 1, 1, 1, 1, (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), 0, 0, 0, 0, (1 / 3), (1 / 3); met)]. Qed.
 End sec_3_2_fixed.
 
 Module sec_3_2_list_1.
@@ -72,7 +72,7 @@ Import GbtSurfaces.Section_3_2.sec_3_2_list_1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f T]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_2_list_1.
 
 Module alg_2_1.
@@ -80,7 +80,7 @@ Import GbtSurfaces.Section_3_2.alg_2_1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f T]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End alg_2_1.
 
 Module alg_2_2.
@@ -88,7 +88,7 @@ Import GbtSurfaces.Section_3_2.alg_2_2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement point f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance point f]; first [(exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 6, 7, 8, 9, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 0, 0, 0, 0, (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 8, 7, 9, 7, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 1, 1, 1, 1, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance point f]; first [(exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 6, 7, 8, 9, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 0, 0, 0, 0, (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 8, 7, 9, 7, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 1, 1, 1, 1, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (1)%Z, (1)%Z, (2)%Z, (2)%Z, 0, 0, 0, 0, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End alg_2_2.
 
 Module alg_2_2_irregular.
@@ -96,7 +96,7 @@ Import GbtSurfaces.Section_3_2.alg_2_2_irregular.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, 3, 4, ((-1) / 3), ((-1) / 3), (fun _ => 7), (1 / 3); met) | (exists (2)%Z, 0, 0, (0), (0), (fun _ => 0), (1 / 2); met) | (exists (2)%Z, 8, 8, ((-1) / 3), ((-1) / 3), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1 / 3); met) | (exists (2)%Z, 1, 1, ((-1) / 3), ((-1) / 3), (fun _ => 1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, 3, 4, ((-1) / 3), ((-1) / 3), (fun _ => 7), (1 / 3); met) | (exists (2)%Z, 0, 0, (0), (0), (fun _ => 0), (1 / 2); met) | (exists (2)%Z, 8, 8, ((-1) / 3), ((-1) / 3), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1 / 3); met) | (exists (2)%Z, 1, 1, ((-1) / 3), ((-1) / 3), (fun _ => 1), (1 / 3); met) | (exists (2)%Z, 0, 0, ((-1) / 3), ((-1) / 3), (fun _ => 0), (1 / 3); met)]. Qed.
 End alg_2_2_irregular.
 
 Module ex_3_2_corners.
@@ -104,7 +104,7 @@ Import GbtSurfaces.Section_3_2.ex_3_2_corners.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement Q00 Q10 Q20 Q30 Q01 Q11 Q21 Q31 Q02 Q12 Q22 Q03 Q13 Q23 Q33 f row_ sixteen]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance Q00 Q10 Q20 Q30 Q01 Q11 Q21 Q31 Q02 Q12 Q22 Q03 Q13 Q23 Q33 f row_ sixteen]; first [(exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (0), (0), (0), (0); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance Q00 Q10 Q20 Q30 Q01 Q11 Q21 Q31 Q02 Q12 Q22 Q03 Q13 Q23 Q33 f row_ sixteen]; first [(exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (0), (0), (0), (0); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_3_2_corners.
 
 Module ex_3_2_division_z_lines.
@@ -190,5 +190,5 @@ Import GbtSurfaces.Section_3_2.ex_3_2_noncoplanar_possible.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (2)%Z 8 6 8 7 9 7 7 2 11 1 4 13 ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z) (1 / 3) (1 / 3)) | refuting (no (2)%Z (2)%Z 4 5 6 7 8 9 10 11 12 13 14 15 ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (fun _ => 20) (1 / 3) (1 / 3)) ] | symbolic ]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (fun _ => 20), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), (0), (0), (0), (fun _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, 2, 11, 1, 2, 11, 1, 8, 8, 6, 7, 7, 2, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (fun _ => 1), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (fun _ => 20), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), (0), (0), (0), (fun _ => 0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, 2, 11, 1, 2, 11, 1, 8, 8, 6, 7, 7, 2, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (fun _ => 1), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (fun _ => 0), (1 / 3), (1 / 3); met)]. Qed.
 End ex_3_2_noncoplanar_possible.

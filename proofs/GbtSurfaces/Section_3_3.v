@@ -1246,7 +1246,7 @@ forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (
   (-1) <= nu1 <= 1 ->
   0 <= z <= 1 ->
   0 <= z1 <= 1 ->
-  (forall k : Z, (0 <= k <= 4)%Z -> (2 <= 4%Z)%Z) ->
+  (forall k : Z, (0 <= k <= 4)%Z -> (2 <= 4)%Z) ->
   own4 A B mu mu1 nu nu1 z z1 = with_own A B mu mu1 nu nu1 4%Z z z1.
 Definition instance : Prop :=
 exists (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
@@ -1256,7 +1256,7 @@ exists (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (
   (-1) <= nu1 <= 1 /\
   0 <= z <= 1 /\
   0 <= z1 <= 1 /\
-  (forall k : Z, (0 <= k <= 4)%Z -> (2 <= 4%Z)%Z).
+  (forall k : Z, (0 <= k <= 4)%Z -> (2 <= 4)%Z).
 End eq_19_tensor_with_f_l.
 
 Module ex_3_3_gl_0.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtSurfaces Require Section_3_4.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import GbtSurfaces.Section_3_4.eq_20_profile.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FX FZ]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FZ]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FZ]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_20_profile.
 
 Module eq_20_trajectory.
@@ -22,7 +22,7 @@ Import GbtSurfaces.Section_3_4.eq_20_trajectory_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 2 * i1 * i1 * i1 + 6 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 2 * i1 * i1 * i1 + 6 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_20_trajectory_corrected.
 
 Module eq_21.
@@ -30,7 +30,7 @@ Import GbtSurfaces.Section_3_4.eq_21.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FX FZ FU FV]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FZ FU FV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_21.
 
 Module eq_22.
@@ -38,7 +38,7 @@ Import GbtSurfaces.Section_3_4.eq_22.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FX FZ FU FV profile trajectory swung]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FZ FU FV profile trajectory swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV profile trajectory swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_22.
 
 Module prop_3_5.
@@ -46,7 +46,7 @@ Import GbtSurfaces.Section_3_4.prop_3_5.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement swung turn]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (1), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met) | (exists (1), (1), (8), (6), (8); met) | (exists (1), (1), (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (1), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8); met) | (exists (1), (1), (1), (1), (1); met) | (exists (1), (1), (1), (0), (0); met)]. Qed.
 End prop_3_5.
 
 Module prop_3_6_1.
@@ -54,7 +54,7 @@ Import GbtSurfaces.Section_3_4.prop_3_6_1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement swung]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance swung]; first [(exists (1), (3), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met) | (exists (1), (8), (8), (6), (8); met) | (exists (1), (1), (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance swung]; first [(exists (1), (3), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8); met) | (exists (1), (1), (1), (1), (1); met) | (exists (1), (1), (0), (0), (0); met)]. Qed.
 End prop_3_6_1.
 
 Module prop_3_6_2.
@@ -62,7 +62,7 @@ Import GbtSurfaces.Section_3_4.prop_3_6_2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement swung turn]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (1), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met) | (exists (1), (1), (8), (6), (8); met) | (exists (1), (1), (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (1), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8); met) | (exists (1), (1), (1), (1), (1); met) | (exists (1), (1), (1), (0), (0); met)]. Qed.
 End prop_3_6_2.
 
 Module eq_23.
@@ -70,7 +70,7 @@ Import GbtSurfaces.Section_3_4.eq_23.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FX FZ FU FV net swung]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FZ FU FV net swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV net swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_23.
 
 Module thm_4_elements.
@@ -84,7 +84,7 @@ Import GbtSurfaces.Section_3_4.thm_4_elements_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement net]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance net]; first [(exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 6), (fun _ => 7), (fun _ => 8), (fun _ => 9), (1); met) | (exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1); met) | (exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 9)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 7)%Z), (1); met) | (exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance net]; first [(exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 6), (fun _ => 7), (fun _ => 8), (fun _ => 9), (1); met) | (exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1); met) | (exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 9)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 7)%Z), (7); met) | (exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1); met) | (exists (0)%Z, (0)%Z, (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1); met)]. Qed.
 End thm_4_elements_corrected.
 
 Module thm_4_parameters.
@@ -92,7 +92,7 @@ Import GbtSurfaces.Section_3_4.thm_4_parameters.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FX FX_ FZ FU FU_ FV]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (2)%Z (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3) (1 / 3)) | refuting (no (2)%Z (2)%Z (fun _ => 4) (fun _ => 5) (fun _ => 6) (fun _ => 7) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3) (1 / 3)) ] | symbolic ]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FX_ FZ FU FU_ FV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FX_ FZ FU FU_ FV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End thm_4_parameters.
 
 Module eq_24.
@@ -100,7 +100,7 @@ Import GbtSurfaces.Section_3_4.eq_24.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FX FZ FU FV]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FZ FU FV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_24.
 
 Module thm_4_unity.
@@ -108,7 +108,7 @@ Import GbtSurfaces.Section_3_4.thm_4_unity.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (0), (0), (1 / 2); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (0), (0), (1 / 2); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_4_unity.
 
 Module eq_25_1.
@@ -116,7 +116,7 @@ Import GbtSurfaces.Section_3_4.eq_25_1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FU FV FX FZ]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FU FV FX FZ]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FU FV FX FZ]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_25_1.
 
 Module eq_25_2_a.
@@ -130,7 +130,7 @@ Import GbtSurfaces.Section_3_4.eq_25_2_a_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (1), ((-1) / 3), ((-1) / 3), (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (1), ((-1) / 3), ((-1) / 3), (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), (1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (1), ((-1) / 3), ((-1) / 3), (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (8), ((-1) / 3), ((-1) / 3), (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), (1), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), (1), (1 / 3); met)]. Qed.
 End eq_25_2_a_corrected.
 
 Module eq_25_2_b.
@@ -144,7 +144,7 @@ Import GbtSurfaces.Section_3_4.eq_25_2_b_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (1), ((-1) / 3), ((-1) / 3), (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (1), ((-1) / 3), ((-1) / 3), (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), (1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (1), ((-1) / 3), ((-1) / 3), (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (8), ((-1) / 3), ((-1) / 3), (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), (1), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), (1), (1 / 3); met)]. Qed.
 End eq_25_2_b_corrected.
 
 Module eq_25_2_c.
@@ -152,7 +152,7 @@ Import GbtSurfaces.Section_3_4.eq_25_2_c.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_25_2_c.
 
 Module eq_25_3.
@@ -160,7 +160,7 @@ Import GbtSurfaces.Section_3_4.eq_25_3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FX FZ]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FZ]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FZ]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_25_3.
 
 Module eq_25_4_a.
@@ -174,7 +174,7 @@ Import GbtSurfaces.Section_3_4.eq_25_4_a_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (8), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_25_4_a_corrected.
 
 Module eq_25_4_b.
@@ -188,7 +188,7 @@ Import GbtSurfaces.Section_3_4.eq_25_4_b_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (8), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_25_4_b_corrected.
 
 Module eq_25_4_c.
@@ -196,15 +196,15 @@ Import GbtSurfaces.Section_3_4.eq_25_4_c.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FX FZ FU FV swung]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FZ FU FV swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_25_4_c.
 
 Module sec_3_4_features_a.
 Import GbtSurfaces.Section_3_4.sec_3_4_features_a.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f FX FZ FU FV swung net FX_ FX__ FU_ FU__]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (2)%Z (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z) (1) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3) (1 / 3)) | refuting (no (2)%Z (2)%Z (fun _ => 4) (fun _ => 5) (fun _ => 6) (fun _ => 7) (1) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3) (1 / 3)) ] | symbolic ]. Qed.
+Proof. cbv beta zeta delta [statement f FX FZ FU FV swung net FX_ FX__ FU_ FU__]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (2)%Z (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z) (9) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3) (1 / 3)) | refuting (no (2)%Z (2)%Z (fun _ => 4) (fun _ => 5) (fun _ => 6) (fun _ => 7) (1) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3) (1 / 3)) ] | symbolic ]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FZ FU FV swung net FX_ FX__ FU_ FU__]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV swung net FX_ FX__ FU_ FU__]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End sec_3_4_features_a.
 
 Module sec_3_4_revolution.
@@ -212,7 +212,7 @@ Import GbtSurfaces.Section_3_4.sec_3_4_revolution.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement swung turn]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (3), (4), (5); met) | (exists (1), (0), (0), (0); met) | (exists (1), (8), (8), (6); met) | (exists (1), (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (3), (4), (5); met) | (exists (1), (0), (0), (0); met) | (exists (1), (8), (8), (6); met) | (exists (1), (1), (1), (1); met) | (exists (1), (1), (0), (0); met)]. Qed.
 End sec_3_4_revolution.
 
 Module sec_3_4_revolution_not_tensor_quarter.
@@ -220,7 +220,7 @@ Import GbtSurfaces.Section_3_4.sec_3_4_revolution_not_tensor_quarter.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f swung]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f swung]; first [(exists (1), (3), (4), (1 / 3); met) | (exists (1), (0), (0), (1 / 2); met) | (exists (1), (8), (8), (1 / 3); met) | (exists (1), (1), (1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f swung]; first [(exists (1), (3), (4), (1 / 3); met) | (exists (1), (0), (0), (1 / 2); met) | (exists (13), (8), (8), (1 / 3); met) | (exists (1), (1), (1), (1 / 3); met) | (exists (1), (1), (0), (1 / 3); met)]. Qed.
 End sec_3_4_revolution_not_tensor_quarter.
 
 Module alg_4_a.
@@ -228,7 +228,7 @@ Import GbtSurfaces.Section_3_4.alg_4_a.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FX FZ FU FV net swung]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FZ FU FV net swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FZ FU FV net swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End alg_4_a.
 
 Module alg_4_b_by_the_printed_conditions.
@@ -242,7 +242,7 @@ Import GbtSurfaces.Section_3_4.alg_4_b_there_are_such_connections.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next FX FZ next_ FX_ FZ_ swung second first second_ first_]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next FX FZ next_ FX_ FZ_ swung second first second_ first_]; first [(exists (3)%Z, (fun _ => 3), (fun _ => 4), (1), ((-1) / 3), ((-1) / 3), (8), (9); met) | (exists (3)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (1), ((-1) / 3), ((-1) / 3), (9), (7); met) | (exists (3)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next FX FZ next_ FX_ FZ_ swung second first second_ first_]; first [(exists (3)%Z, (fun _ => 3), (fun _ => 4), (1), ((-1) / 3), ((-1) / 3), (8), (9); met) | (exists (3)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (6), ((-1) / 3), ((-1) / 3), (9), (7); met) | (exists (3)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (3)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
 End alg_4_b_there_are_such_connections.
 
 Module eq_26.
@@ -256,15 +256,15 @@ Import GbtSurfaces.Section_3_4.ex_3_4_scaling.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement swung]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance swung]; first [(exists (1), (1), (4), (5), (6), (7); met) | (exists (1), (1), (0), (0), (0), (0); met) | (exists (1), (1), (8), (6), (8), (7); met) | (exists (1), (1), (1), (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance swung]; first [(exists (1), (1), (4), (5), (6), (7); met) | (exists (1), (1), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7); met) | (exists (1), (1), (1), (1), (1), (1); met) | (exists (1), (1), (1), (0), (0), (0); met)]. Qed.
 End ex_3_4_scaling.
 
 Module fig_16_lambda_between_the_panels.
 Import GbtSurfaces.Section_3_4.fig_16_lambda_between_the_panels.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement a f FX2 FZ2 FX FZ swung along_profiles]; prepared; unknown (X2 0%Z); unknown (X2 1%Z); unknown (Z2 0%Z); unknown (Z2 1%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement]; stage a; stage f; stage FX2; stage FZ2; stage FX; stage FZ; stage swung; staged_goal along_profiles; prepared; unknown (X2 0%Z); unknown (X2 1%Z); unknown (Z2 0%Z); unknown (Z2 1%Z); put_in; finished. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance a f FX2 FZ2 FX FZ swung along_profiles]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (13), (14); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (4); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage a; stage f; stage FX2; stage FZ2; stage FX; stage FZ; stage swung; staged_goal along_profiles; unstaged; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (13), (14); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (4); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
 End fig_16_lambda_between_the_panels.
 
 Module fig_16_lambda_between_the_surfaces.

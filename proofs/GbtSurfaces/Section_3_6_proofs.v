@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From GbtSurfaces Require Section_3_6.
 Open Scope R_scope.
 
@@ -14,7 +14,7 @@ Import GbtSurfaces.Section_3_6.eq_32_matrix_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists ((2 / 3) * PI); met) | (exists (1 * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met) | (exists ((2 / 3) * PI); met)]. Qed.
 End eq_32_matrix_corrected.
 
 Module eq_32_components.
@@ -22,7 +22,7 @@ Import GbtSurfaces.Section_3_6.eq_32_components.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement printed_ f FX FZ]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance printed_ f FX FZ]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((2 / 3) * PI), (8), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 * PI), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((2 / 3) * PI), (9), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((2 / 3) * PI), (1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance printed_ f FX FZ]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((2 / 3) * PI), (8), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 * PI), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((2 / 3) * PI), (9), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((2 / 3) * PI), (1), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((2 / 3) * PI), (1), (1 / 3); met)]. Qed.
 End eq_32_components.
 
 Module sec_3_6_rounding_rational.
@@ -30,7 +30,7 @@ Import GbtSurfaces.Section_3_6.sec_3_6_rounding_rational.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement cosine sine]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cosine sine]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance cosine sine]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End sec_3_6_rounding_rational.
 
 Module eq_33_circle.
@@ -38,7 +38,7 @@ Import GbtSurfaces.Section_3_6.eq_33_circle.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End eq_33_circle.
 
 Module thm_6_symmetric.
@@ -46,7 +46,7 @@ Import GbtSurfaces.Section_3_6.thm_6_symmetric.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement cosine sine T Tm]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cosine sine T Tm]; first [(exists (2), (3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists (13), (8), (1 / 3); met) | (exists (1), (1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance cosine sine T Tm]; first [(exists (2), (3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists (13), (8), (1 / 3); met) | (exists (1), (1), (1 / 3); met) | (exists (1), (0), (1 / 3); met)]. Qed.
 End thm_6_symmetric.
 
 Module eq_34.
@@ -54,7 +54,7 @@ Import GbtSurfaces.Section_3_6.eq_34.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_34.
 
 Module sec_3_6_other_axes.
@@ -62,7 +62,7 @@ Import GbtSurfaces.Section_3_6.sec_3_6_other_axes.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement at_angle cosine sine aboutX aboutY at_angle_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance at_angle cosine sine aboutX aboutY at_angle_]; first [(exists (1 / 3), (3), (4), (5); met) | (exists (1 / 2), (0), (0), (0); met) | (exists (1 / 3), (8), (8), (6); met) | (exists (1 / 3), (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance at_angle cosine sine aboutX aboutY at_angle_]; first [(exists (1 / 3), (3), (4), (5); met) | (exists (1 / 2), (0), (0), (0); met) | (exists (1 / 3), (8), (8), (6); met) | (exists (1 / 3), (1), (1), (1); met) | (exists (1 / 3), (1), (0), (0); met)]. Qed.
 End sec_3_6_other_axes.
 
 Module prop_3_8_a_linear.
@@ -70,7 +70,7 @@ Import GbtSurfaces.Section_3_6.prop_3_8_a_linear.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement cosine sine T]; intros; conjuncts; first [ intro no; first [ refuting (no (1 / 3) (8) (8)) | refuting (no (1 / 3) (3) (4)) ] | identity ]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cosine sine T]; first [(exists (1 / 3), (3), (4); met) | (exists (1 / 2), (0), (0); met) | (exists (1 / 3), (8), (8); met) | (exists (1 / 3), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance cosine sine T]; first [(exists (1 / 3), (3), (4); met) | (exists (1 / 2), (0), (0); met) | (exists (1 / 3), (8), (8); met) | (exists (1 / 3), (1), (1); met) | (exists (1 / 3), (1), (0); met)]. Qed.
 End prop_3_8_a_linear.
 
 Module prop_3_8_b_exact.
@@ -78,7 +78,7 @@ Import GbtSurfaces.Section_3_6.prop_3_8_b_exact.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement cosine sine Tm cosine_ sine_ Tm_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cosine sine Tm cosine_ sine_ Tm_]; first [(exists (2), (3); met) | (exists (0), (0); met) | (exists (13), (8); met) | (exists (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance cosine sine Tm cosine_ sine_ Tm_]; first [(exists (2), (3); met) | (exists (0), (0); met) | (exists (13), (8); met) | (exists (1), (1); met) | (exists (1), (0); met)]. Qed.
 End prop_3_8_b_exact.
 
 Module prop_3_9_a_composite_line.
@@ -86,7 +86,7 @@ Import GbtSurfaces.Section_3_6.prop_3_9_a_composite_line.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f FX FX_]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z) ((-1) / 3) ((-1) / 3)) | refuting (no (2)%Z (fun _ => 3) ((-1) / 3) ((-1) / 3)) ] | symbolic ]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f FX FX_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance f FX FX_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End prop_3_9_a_composite_line.
 
 Module prop_3_9_a_one_segment.
@@ -100,7 +100,7 @@ Import GbtSurfaces.Section_3_6.prop_3_9_b.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement A f FX FZ]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance A f FX FZ]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (5), (6), (7), (8), (9), (10), (11), (12), (13), (14), ((-1) / 3), ((-1) / 3), 17, 18, 19, (20), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), 0, 0, 0, (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (6), (8), (7), (9), (7), (7), (2), (11), (1), (4), ((-1) / 3), ((-1) / 3), 8, 6, 8, (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), (1), (1), (1), (1), (1), (1), (1), (1), (1), (1), ((-1) / 3), ((-1) / 3), 2, 11, 1, (1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance A f FX FZ]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (5), (6), (7), (8), (9), (10), (11), (12), (13), (14), ((-1) / 3), ((-1) / 3), 17, 18, 19, (20), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), 0, 0, 0, (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (6), (8), (7), (9), (7), (7), (2), (11), (1), (4), ((-1) / 3), ((-1) / 3), 8, 6, 8, (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), (1), (1), (1), (1), (1), (1), (1), (1), (1), (1), ((-1) / 3), ((-1) / 3), 2, 11, 1, (1), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0), (0), (0), (0), ((-1) / 3), ((-1) / 3), 1, 0, 0, (0), (1 / 3); met)]. Qed.
 End prop_3_9_b.
 
 Module eq_35.

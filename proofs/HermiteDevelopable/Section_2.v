@@ -261,6 +261,186 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (
   (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u).
 End eq_2_1b.
 
+Module eq_2_1b_H1.
+(* hermite-developable/eq-2.1b.H1, Sect. 2, basis functions of (2.1b)
+   printed: H_1(u) = 2 u^3 - 3 u^2 + 1
+   stated: coefficients([cubic(u)], [p0])[1,1] == 2*u^3 - 3*u^2 + 1 *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_conditions (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  cubic A B C_ E_ 0%Z.
+Definition cubic_conditions_ (p0 : R) : R :=
+  p0.
+Definition cubic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  cubic A B C_ E_ 1%Z.
+Definition cubic_conditions___ (p1 : R) : R :=
+  p1.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
+Definition cubic_conditions_____ (p0u : R) : R :=
+  p0u.
+Definition cubic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  let u := 1%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
+Definition cubic_conditions_______ (p1u : R) : R :=
+  p1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R),
+  0 <= u <= 1 ->
+  cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
+  A_of_p0 p0 = A ->
+  B_of_p0 p0 = B ->
+  C__of_p0 p0 = C_ ->
+  E__of_p0 p0 = E_ ->
+  (forall p0 : R, cubic_conditions (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_______ p1u) ->
+  entry (row [[Derive_n (fun p0 => cubic_ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) u) 1 p0]] 1) 1 = 2 * u ^ 3 - 3 * u ^ 2 + 1.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R),
+  0 <= u <= 1 /\
+  (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
+  A_of_p0 p0 = A /\
+  B_of_p0 p0 = B /\
+  C__of_p0 p0 = C_ /\
+  E__of_p0 p0 = E_ /\
+  (forall p0 : R, cubic_conditions (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_______ p1u).
+End eq_2_1b_H1.
+
+Module eq_2_1b_H2.
+(* hermite-developable/eq-2.1b.H2, Sect. 2, basis functions of (2.1b)
+   printed: H_2(u) = -2 u^3 + 3 u^2
+   stated: coefficients([cubic(u)], [p1])[1,1] == -2*u^3 + 3*u^2 *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_conditions (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  cubic A B C_ E_ 0%Z.
+Definition cubic_conditions_ (p0 : R) : R :=
+  p0.
+Definition cubic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  cubic A B C_ E_ 1%Z.
+Definition cubic_conditions___ (p1 : R) : R :=
+  p1.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
+Definition cubic_conditions_____ (p0u : R) : R :=
+  p0u.
+Definition cubic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  let u := 1%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
+Definition cubic_conditions_______ (p1u : R) : R :=
+  p1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R),
+  0 <= u <= 1 ->
+  cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
+  A_of_p1 p1 = A ->
+  B_of_p1 p1 = B ->
+  C__of_p1 p1 = C_ ->
+  E__of_p1 p1 = E_ ->
+  (forall p1 : R, cubic_conditions (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_______ p1u) ->
+  entry (row [[Derive_n (fun p1 => cubic_ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) u) 1 p1]] 1) 1 = - 2 * u ^ 3 + 3 * u ^ 2.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R),
+  0 <= u <= 1 /\
+  (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
+  A_of_p1 p1 = A /\
+  B_of_p1 p1 = B /\
+  C__of_p1 p1 = C_ /\
+  E__of_p1 p1 = E_ /\
+  (forall p1 : R, cubic_conditions (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_______ p1u).
+End eq_2_1b_H2.
+
+Module eq_2_1b_H3.
+(* hermite-developable/eq-2.1b.H3, Sect. 2, basis functions of (2.1b)
+   printed: H_3(u) = u^3 - 2 u^2 + u
+   stated: coefficients([cubic(u)], [p0u])[1,1] == u^3 - 2*u^2 + u *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_conditions (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  cubic A B C_ E_ 0%Z.
+Definition cubic_conditions_ (p0 : R) : R :=
+  p0.
+Definition cubic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  cubic A B C_ E_ 1%Z.
+Definition cubic_conditions___ (p1 : R) : R :=
+  p1.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
+Definition cubic_conditions_____ (p0u : R) : R :=
+  p0u.
+Definition cubic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  let u := 1%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
+Definition cubic_conditions_______ (p1u : R) : R :=
+  p1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R),
+  0 <= u <= 1 ->
+  cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
+  A_of_p0u p0u = A ->
+  B_of_p0u p0u = B ->
+  C__of_p0u p0u = C_ ->
+  E__of_p0u p0u = E_ ->
+  (forall p0u : R, cubic_conditions (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_______ p1u) ->
+  entry (row [[Derive_n (fun p0u => cubic_ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) u) 1 p0u]] 1) 1 = u ^ 3 - 2 * u ^ 2 + u.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R),
+  0 <= u <= 1 /\
+  (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
+  A_of_p0u p0u = A /\
+  B_of_p0u p0u = B /\
+  C__of_p0u p0u = C_ /\
+  E__of_p0u p0u = E_ /\
+  (forall p0u : R, cubic_conditions (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_______ p1u).
+End eq_2_1b_H3.
+
+Module eq_2_1b_H4.
+(* hermite-developable/eq-2.1b.H4, Sect. 2, basis functions of (2.1b)
+   printed: H_4(u) = u^3 - u^2
+   stated: coefficients([cubic(u)], [p1u])[1,1] == u^3 - u^2 *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_conditions (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  cubic A B C_ E_ 0%Z.
+Definition cubic_conditions_ (p0 : R) : R :=
+  p0.
+Definition cubic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  cubic A B C_ E_ 1%Z.
+Definition cubic_conditions___ (p1 : R) : R :=
+  p1.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
+Definition cubic_conditions_____ (p0u : R) : R :=
+  p0u.
+Definition cubic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
+  let u := 1%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
+Definition cubic_conditions_______ (p1u : R) : R :=
+  p1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R),
+  0 <= u <= 1 ->
+  cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
+  A_of_p1u p1u = A ->
+  B_of_p1u p1u = B ->
+  C__of_p1u p1u = C_ ->
+  E__of_p1u p1u = E_ ->
+  (forall p1u : R, cubic_conditions (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_______ p1u) ->
+  entry (row [[Derive_n (fun p1u => cubic_ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) u) 1 p1u]] 1) 1 = u ^ 3 - u ^ 2.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R),
+  0 <= u <= 1 /\
+  (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
+  A_of_p1u p1u = A /\
+  B_of_p1u p1u = B /\
+  C__of_p1u p1u = C_ /\
+  E__of_p1u p1u = E_ /\
+  (forall p1u : R, cubic_conditions (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_______ p1u).
+End eq_2_1b_H4.
+
 Module sec_2_quartic_conditions.
 (* hermite-developable/sec-2.quartic.conditions, Sect. 2, paragraph on the quartic
    printed: p_4(u) = a_1 u^4 + b_1 u^3 + c_1 u^2 + d_1 u + e_1 with p_4(0) = p_0, p_4(0.5) = p, p_4(1) = p_1, p_4^u(0) = p_0^u, p_4^u(1) = p_1^u, 0 < u < 1
@@ -661,6 +841,261 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1
   0 <= u <= 1 /\
   (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u).
 End eq_2_3_corrected.
+
+Module eq_2_3_H1.
+(* hermite-developable/eq-2.3.H1, Sect. 2, basis functions of (2.3)
+   printed: H_1(u) = -8 u^4 + 18 u^3 - 11 u^2 + 1
+   stated: coefficients([quartic(u)], [p0])[1,1] == -8*u^4 + 18*u^3 - 11*u^2 + 1 *)
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_conditions (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic A B C_ E_ F 0%Z.
+Definition quartic_conditions_ (p0 : R) : R :=
+  p0.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic_ A B C_ E_ F (1 / 2).
+Definition quartic_conditions___ (pm : R) : R :=
+  pm.
+Definition quartic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic A B C_ E_ F 1%Z.
+Definition quartic_conditions_____ (p1 : R) : R :=
+  p1.
+Definition quartic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
+Definition quartic_conditions_______ (p0u : R) : R :=
+  p0u.
+Definition quartic_conditions________ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  let u := 1%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
+Definition quartic_conditions_________ (p1u : R) : R :=
+  p1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R) (F_of_p0 : R -> R),
+  0 <= u <= 1 ->
+  quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
+  A_of_p0 p0 = A ->
+  B_of_p0 p0 = B ->
+  C__of_p0 p0 = C_ ->
+  E__of_p0 p0 = E_ ->
+  F_of_p0 p0 = F ->
+  (forall p0 : R, quartic_conditions (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_________ p1u) ->
+  entry (row [[Derive_n (fun p0 => quartic_ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) u) 1 p0]] 1) 1 = - 8 * u ^ 4 + 18 * u ^ 3 - 11 * u ^ 2 + 1.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R) (F_of_p0 : R -> R),
+  0 <= u <= 1 /\
+  (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
+  A_of_p0 p0 = A /\
+  B_of_p0 p0 = B /\
+  C__of_p0 p0 = C_ /\
+  E__of_p0 p0 = E_ /\
+  F_of_p0 p0 = F /\
+  (forall p0 : R, quartic_conditions (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_________ p1u).
+End eq_2_3_H1.
+
+Module eq_2_3_H2.
+(* hermite-developable/eq-2.3.H2, Sect. 2, basis functions of (2.3)
+   printed: H_2(u) = 16 u^4 - 32 u^3 + 16 u^2
+   stated: coefficients([quartic(u)], [pm])[1,1] == 16*u^4 - 32*u^3 + 16*u^2 *)
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_conditions (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic A B C_ E_ F 0%Z.
+Definition quartic_conditions_ (p0 : R) : R :=
+  p0.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic_ A B C_ E_ F (1 / 2).
+Definition quartic_conditions___ (pm : R) : R :=
+  pm.
+Definition quartic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic A B C_ E_ F 1%Z.
+Definition quartic_conditions_____ (p1 : R) : R :=
+  p1.
+Definition quartic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
+Definition quartic_conditions_______ (p0u : R) : R :=
+  p0u.
+Definition quartic_conditions________ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  let u := 1%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
+Definition quartic_conditions_________ (p1u : R) : R :=
+  p1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_pm : R -> R) (B_of_pm : R -> R) (C__of_pm : R -> R) (E__of_pm : R -> R) (F_of_pm : R -> R),
+  0 <= u <= 1 ->
+  quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
+  A_of_pm pm = A ->
+  B_of_pm pm = B ->
+  C__of_pm pm = C_ ->
+  E__of_pm pm = E_ ->
+  F_of_pm pm = F ->
+  (forall pm : R, quartic_conditions (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_________ p1u) ->
+  entry (row [[Derive_n (fun pm => quartic_ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) u) 1 pm]] 1) 1 = 16 * u ^ 4 - 32 * u ^ 3 + 16 * u ^ 2.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_pm : R -> R) (B_of_pm : R -> R) (C__of_pm : R -> R) (E__of_pm : R -> R) (F_of_pm : R -> R),
+  0 <= u <= 1 /\
+  (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
+  A_of_pm pm = A /\
+  B_of_pm pm = B /\
+  C__of_pm pm = C_ /\
+  E__of_pm pm = E_ /\
+  F_of_pm pm = F /\
+  (forall pm : R, quartic_conditions (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_________ p1u).
+End eq_2_3_H2.
+
+Module eq_2_3_H3.
+(* hermite-developable/eq-2.3.H3, Sect. 2, basis functions of (2.3)
+   printed: H_3(u) = -8 u^4 + 14 u^3 - 5 u^2
+   stated: coefficients([quartic(u)], [p1])[1,1] == -8*u^4 + 14*u^3 - 5*u^2 *)
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_conditions (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic A B C_ E_ F 0%Z.
+Definition quartic_conditions_ (p0 : R) : R :=
+  p0.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic_ A B C_ E_ F (1 / 2).
+Definition quartic_conditions___ (pm : R) : R :=
+  pm.
+Definition quartic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic A B C_ E_ F 1%Z.
+Definition quartic_conditions_____ (p1 : R) : R :=
+  p1.
+Definition quartic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
+Definition quartic_conditions_______ (p0u : R) : R :=
+  p0u.
+Definition quartic_conditions________ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  let u := 1%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
+Definition quartic_conditions_________ (p1u : R) : R :=
+  p1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R) (F_of_p1 : R -> R),
+  0 <= u <= 1 ->
+  quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
+  A_of_p1 p1 = A ->
+  B_of_p1 p1 = B ->
+  C__of_p1 p1 = C_ ->
+  E__of_p1 p1 = E_ ->
+  F_of_p1 p1 = F ->
+  (forall p1 : R, quartic_conditions (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_________ p1u) ->
+  entry (row [[Derive_n (fun p1 => quartic_ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) u) 1 p1]] 1) 1 = - 8 * u ^ 4 + 14 * u ^ 3 - 5 * u ^ 2.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R) (F_of_p1 : R -> R),
+  0 <= u <= 1 /\
+  (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
+  A_of_p1 p1 = A /\
+  B_of_p1 p1 = B /\
+  C__of_p1 p1 = C_ /\
+  E__of_p1 p1 = E_ /\
+  F_of_p1 p1 = F /\
+  (forall p1 : R, quartic_conditions (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_________ p1u).
+End eq_2_3_H3.
+
+Module eq_2_3_H4.
+(* hermite-developable/eq-2.3.H4, Sect. 2, basis functions of (2.3)
+   printed: H_4(u) = -2 u^4 + 5 u^3 - 4 u^2 + u
+   stated: coefficients([quartic(u)], [p0u])[1,1] == -2*u^4 + 5*u^3 - 4*u^2 + u *)
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_conditions (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic A B C_ E_ F 0%Z.
+Definition quartic_conditions_ (p0 : R) : R :=
+  p0.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic_ A B C_ E_ F (1 / 2).
+Definition quartic_conditions___ (pm : R) : R :=
+  pm.
+Definition quartic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic A B C_ E_ F 1%Z.
+Definition quartic_conditions_____ (p1 : R) : R :=
+  p1.
+Definition quartic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
+Definition quartic_conditions_______ (p0u : R) : R :=
+  p0u.
+Definition quartic_conditions________ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  let u := 1%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
+Definition quartic_conditions_________ (p1u : R) : R :=
+  p1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R) (F_of_p0u : R -> R),
+  0 <= u <= 1 ->
+  quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
+  A_of_p0u p0u = A ->
+  B_of_p0u p0u = B ->
+  C__of_p0u p0u = C_ ->
+  E__of_p0u p0u = E_ ->
+  F_of_p0u p0u = F ->
+  (forall p0u : R, quartic_conditions (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_________ p1u) ->
+  entry (row [[Derive_n (fun p0u => quartic_ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) u) 1 p0u]] 1) 1 = - 2 * u ^ 4 + 5 * u ^ 3 - 4 * u ^ 2 + u.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R) (F_of_p0u : R -> R),
+  0 <= u <= 1 /\
+  (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
+  A_of_p0u p0u = A /\
+  B_of_p0u p0u = B /\
+  C__of_p0u p0u = C_ /\
+  E__of_p0u p0u = E_ /\
+  F_of_p0u p0u = F /\
+  (forall p0u : R, quartic_conditions (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_________ p1u).
+End eq_2_3_H4.
+
+Module eq_2_3_H5.
+(* hermite-developable/eq-2.3.H5, Sect. 2, basis functions of (2.3)
+   printed: H_5(u) = 2 u^4 - 3 u^3 + u^2
+   stated: coefficients([quartic(u)], [p1u])[1,1] == 2*u^4 - 3*u^3 + u^2 *)
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_conditions (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic A B C_ E_ F 0%Z.
+Definition quartic_conditions_ (p0 : R) : R :=
+  p0.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic_ A B C_ E_ F (1 / 2).
+Definition quartic_conditions___ (pm : R) : R :=
+  pm.
+Definition quartic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  quartic A B C_ E_ F 1%Z.
+Definition quartic_conditions_____ (p1 : R) : R :=
+  p1.
+Definition quartic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
+Definition quartic_conditions_______ (p0u : R) : R :=
+  p0u.
+Definition quartic_conditions________ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
+  let u := 1%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
+Definition quartic_conditions_________ (p1u : R) : R :=
+  p1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R) (F_of_p1u : R -> R),
+  0 <= u <= 1 ->
+  quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
+  A_of_p1u p1u = A ->
+  B_of_p1u p1u = B ->
+  C__of_p1u p1u = C_ ->
+  E__of_p1u p1u = E_ ->
+  F_of_p1u p1u = F ->
+  (forall p1u : R, quartic_conditions (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_________ p1u) ->
+  entry (row [[Derive_n (fun p1u => quartic_ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) u) 1 p1u]] 1) 1 = 2 * u ^ 4 - 3 * u ^ 3 + u ^ 2.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R) (F_of_p1u : R -> R),
+  0 <= u <= 1 /\
+  (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
+  A_of_p1u p1u = A /\
+  B_of_p1u p1u = B /\
+  C__of_p1u p1u = C_ /\
+  E__of_p1u p1u = E_ /\
+  F_of_p1u p1u = F /\
+  (forall p1u : R, quartic_conditions (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_________ p1u).
+End eq_2_3_H5.
 
 Module sec_2_quintic_conditions.
 (* hermite-developable/sec-2.quintic.conditions, Sect. 2, paragraph on the quintic
@@ -1147,438 +1582,3 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R),
   det (quintic_data A B C_ E_ F G) <> 0 /\
   det (quartic_data A B C_ E_ F) <> 0.
 End fig_1b_middle.
-
-Module eq_2_1b_H1.
-(* hermite-developable/eq-2.1b.H1, Sect. 2, basis functions of (2.1b)
-   printed: H_1(u) = 2 u^3 - 3 u^2 + 1
-   stated: coefficients([cubic(u)], [p0])[1,1] == 2*u^3 - 3*u^2 + 1 *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_conditions (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  cubic A B C_ E_ 0%Z.
-Definition cubic_conditions_ (p0 : R) : R :=
-  p0.
-Definition cubic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  cubic A B C_ E_ 1%Z.
-Definition cubic_conditions___ (p1 : R) : R :=
-  p1.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
-Definition cubic_conditions_____ (p0u : R) : R :=
-  p0u.
-Definition cubic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  let u := 1%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
-Definition cubic_conditions_______ (p1u : R) : R :=
-  p1u.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R),
-  0 <= u <= 1 ->
-  cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
-  A_of_p0 p0 = A ->
-  B_of_p0 p0 = B ->
-  C__of_p0 p0 = C_ ->
-  E__of_p0 p0 = E_ ->
-  (forall p0 : R, cubic_conditions (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_______ p1u) ->
-  entry (row [[Derive_n (fun p0 => cubic_ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) u) 1 p0]] 1) 1 = 2 * u ^ 3 - 3 * u ^ 2 + 1.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R),
-  0 <= u <= 1 /\
-  (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
-  A_of_p0 p0 = A /\
-  B_of_p0 p0 = B /\
-  C__of_p0 p0 = C_ /\
-  E__of_p0 p0 = E_ /\
-  (forall p0 : R, cubic_conditions (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) = cubic_conditions_______ p1u).
-End eq_2_1b_H1.
-
-Module eq_2_1b_H2.
-(* hermite-developable/eq-2.1b.H2, Sect. 2, basis functions of (2.1b)
-   printed: H_2(u) = -2 u^3 + 3 u^2
-   stated: coefficients([cubic(u)], [p1])[1,1] == -2*u^3 + 3*u^2 *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_conditions (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  cubic A B C_ E_ 0%Z.
-Definition cubic_conditions_ (p0 : R) : R :=
-  p0.
-Definition cubic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  cubic A B C_ E_ 1%Z.
-Definition cubic_conditions___ (p1 : R) : R :=
-  p1.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
-Definition cubic_conditions_____ (p0u : R) : R :=
-  p0u.
-Definition cubic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  let u := 1%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
-Definition cubic_conditions_______ (p1u : R) : R :=
-  p1u.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R),
-  0 <= u <= 1 ->
-  cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
-  A_of_p1 p1 = A ->
-  B_of_p1 p1 = B ->
-  C__of_p1 p1 = C_ ->
-  E__of_p1 p1 = E_ ->
-  (forall p1 : R, cubic_conditions (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_______ p1u) ->
-  entry (row [[Derive_n (fun p1 => cubic_ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) u) 1 p1]] 1) 1 = - 2 * u ^ 3 + 3 * u ^ 2.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R),
-  0 <= u <= 1 /\
-  (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
-  A_of_p1 p1 = A /\
-  B_of_p1 p1 = B /\
-  C__of_p1 p1 = C_ /\
-  E__of_p1 p1 = E_ /\
-  (forall p1 : R, cubic_conditions (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) = cubic_conditions_______ p1u).
-End eq_2_1b_H2.
-
-Module eq_2_1b_H3.
-(* hermite-developable/eq-2.1b.H3, Sect. 2, basis functions of (2.1b)
-   printed: H_3(u) = u^3 - 2 u^2 + u
-   stated: coefficients([cubic(u)], [p0u])[1,1] == u^3 - 2*u^2 + u *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_conditions (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  cubic A B C_ E_ 0%Z.
-Definition cubic_conditions_ (p0 : R) : R :=
-  p0.
-Definition cubic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  cubic A B C_ E_ 1%Z.
-Definition cubic_conditions___ (p1 : R) : R :=
-  p1.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
-Definition cubic_conditions_____ (p0u : R) : R :=
-  p0u.
-Definition cubic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  let u := 1%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
-Definition cubic_conditions_______ (p1u : R) : R :=
-  p1u.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R),
-  0 <= u <= 1 ->
-  cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
-  A_of_p0u p0u = A ->
-  B_of_p0u p0u = B ->
-  C__of_p0u p0u = C_ ->
-  E__of_p0u p0u = E_ ->
-  (forall p0u : R, cubic_conditions (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_______ p1u) ->
-  entry (row [[Derive_n (fun p0u => cubic_ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) u) 1 p0u]] 1) 1 = u ^ 3 - 2 * u ^ 2 + u.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R),
-  0 <= u <= 1 /\
-  (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
-  A_of_p0u p0u = A /\
-  B_of_p0u p0u = B /\
-  C__of_p0u p0u = C_ /\
-  E__of_p0u p0u = E_ /\
-  (forall p0u : R, cubic_conditions (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) = cubic_conditions_______ p1u).
-End eq_2_1b_H3.
-
-Module eq_2_1b_H4.
-(* hermite-developable/eq-2.1b.H4, Sect. 2, basis functions of (2.1b)
-   printed: H_4(u) = u^3 - u^2
-   stated: coefficients([cubic(u)], [p1u])[1,1] == u^3 - u^2 *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_conditions (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  cubic A B C_ E_ 0%Z.
-Definition cubic_conditions_ (p0 : R) : R :=
-  p0.
-Definition cubic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  cubic A B C_ E_ 1%Z.
-Definition cubic_conditions___ (p1 : R) : R :=
-  p1.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
-Definition cubic_conditions_____ (p0u : R) : R :=
-  p0u.
-Definition cubic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) : R :=
-  let u := 1%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u).
-Definition cubic_conditions_______ (p1u : R) : R :=
-  p1u.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R),
-  0 <= u <= 1 ->
-  cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
-  A_of_p1u p1u = A ->
-  B_of_p1u p1u = B ->
-  C__of_p1u p1u = C_ ->
-  E__of_p1u p1u = E_ ->
-  (forall p1u : R, cubic_conditions (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_______ p1u) ->
-  entry (row [[Derive_n (fun p1u => cubic_ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) u) 1 p1u]] 1) 1 = u ^ 3 - u ^ 2.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R),
-  0 <= u <= 1 /\
-  (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
-  A_of_p1u p1u = A /\
-  B_of_p1u p1u = B /\
-  C__of_p1u p1u = C_ /\
-  E__of_p1u p1u = E_ /\
-  (forall p1u : R, cubic_conditions (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_ p0 /\ cubic_conditions__ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions___ p1 /\ cubic_conditions____ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_____ p0u /\ cubic_conditions______ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) = cubic_conditions_______ p1u).
-End eq_2_1b_H4.
-
-Module eq_2_3_H1.
-(* hermite-developable/eq-2.3.H1, Sect. 2, basis functions of (2.3)
-   printed: H_1(u) = -8 u^4 + 18 u^3 - 11 u^2 + 1
-   stated: coefficients([quartic(u)], [p0])[1,1] == -8*u^4 + 18*u^3 - 11*u^2 + 1 *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_conditions (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic A B C_ E_ F 0%Z.
-Definition quartic_conditions_ (p0 : R) : R :=
-  p0.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic_ A B C_ E_ F (1 / 2).
-Definition quartic_conditions___ (pm : R) : R :=
-  pm.
-Definition quartic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic A B C_ E_ F 1%Z.
-Definition quartic_conditions_____ (p1 : R) : R :=
-  p1.
-Definition quartic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
-Definition quartic_conditions_______ (p0u : R) : R :=
-  p0u.
-Definition quartic_conditions________ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  let u := 1%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
-Definition quartic_conditions_________ (p1u : R) : R :=
-  p1u.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R) (F_of_p0 : R -> R),
-  0 <= u <= 1 ->
-  quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
-  A_of_p0 p0 = A ->
-  B_of_p0 p0 = B ->
-  C__of_p0 p0 = C_ ->
-  E__of_p0 p0 = E_ ->
-  F_of_p0 p0 = F ->
-  (forall p0 : R, quartic_conditions (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_________ p1u) ->
-  entry (row [[Derive_n (fun p0 => quartic_ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) u) 1 p0]] 1) 1 = - 8 * u ^ 4 + 18 * u ^ 3 - 11 * u ^ 2 + 1.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R) (F_of_p0 : R -> R),
-  0 <= u <= 1 /\
-  (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
-  A_of_p0 p0 = A /\
-  B_of_p0 p0 = B /\
-  C__of_p0 p0 = C_ /\
-  E__of_p0 p0 = E_ /\
-  F_of_p0 p0 = F /\
-  (forall p0 : R, quartic_conditions (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) = quartic_conditions_________ p1u).
-End eq_2_3_H1.
-
-Module eq_2_3_H2.
-(* hermite-developable/eq-2.3.H2, Sect. 2, basis functions of (2.3)
-   printed: H_2(u) = 16 u^4 - 32 u^3 + 16 u^2
-   stated: coefficients([quartic(u)], [pm])[1,1] == 16*u^4 - 32*u^3 + 16*u^2 *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_conditions (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic A B C_ E_ F 0%Z.
-Definition quartic_conditions_ (p0 : R) : R :=
-  p0.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic_ A B C_ E_ F (1 / 2).
-Definition quartic_conditions___ (pm : R) : R :=
-  pm.
-Definition quartic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic A B C_ E_ F 1%Z.
-Definition quartic_conditions_____ (p1 : R) : R :=
-  p1.
-Definition quartic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
-Definition quartic_conditions_______ (p0u : R) : R :=
-  p0u.
-Definition quartic_conditions________ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  let u := 1%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
-Definition quartic_conditions_________ (p1u : R) : R :=
-  p1u.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_pm : R -> R) (B_of_pm : R -> R) (C__of_pm : R -> R) (E__of_pm : R -> R) (F_of_pm : R -> R),
-  0 <= u <= 1 ->
-  quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
-  A_of_pm pm = A ->
-  B_of_pm pm = B ->
-  C__of_pm pm = C_ ->
-  E__of_pm pm = E_ ->
-  F_of_pm pm = F ->
-  (forall pm : R, quartic_conditions (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_________ p1u) ->
-  entry (row [[Derive_n (fun pm => quartic_ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) u) 1 pm]] 1) 1 = 16 * u ^ 4 - 32 * u ^ 3 + 16 * u ^ 2.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_pm : R -> R) (B_of_pm : R -> R) (C__of_pm : R -> R) (E__of_pm : R -> R) (F_of_pm : R -> R),
-  0 <= u <= 1 /\
-  (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
-  A_of_pm pm = A /\
-  B_of_pm pm = B /\
-  C__of_pm pm = C_ /\
-  E__of_pm pm = E_ /\
-  F_of_pm pm = F /\
-  (forall pm : R, quartic_conditions (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) = quartic_conditions_________ p1u).
-End eq_2_3_H2.
-
-Module eq_2_3_H3.
-(* hermite-developable/eq-2.3.H3, Sect. 2, basis functions of (2.3)
-   printed: H_3(u) = -8 u^4 + 14 u^3 - 5 u^2
-   stated: coefficients([quartic(u)], [p1])[1,1] == -8*u^4 + 14*u^3 - 5*u^2 *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_conditions (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic A B C_ E_ F 0%Z.
-Definition quartic_conditions_ (p0 : R) : R :=
-  p0.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic_ A B C_ E_ F (1 / 2).
-Definition quartic_conditions___ (pm : R) : R :=
-  pm.
-Definition quartic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic A B C_ E_ F 1%Z.
-Definition quartic_conditions_____ (p1 : R) : R :=
-  p1.
-Definition quartic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
-Definition quartic_conditions_______ (p0u : R) : R :=
-  p0u.
-Definition quartic_conditions________ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  let u := 1%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
-Definition quartic_conditions_________ (p1u : R) : R :=
-  p1u.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R) (F_of_p1 : R -> R),
-  0 <= u <= 1 ->
-  quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
-  A_of_p1 p1 = A ->
-  B_of_p1 p1 = B ->
-  C__of_p1 p1 = C_ ->
-  E__of_p1 p1 = E_ ->
-  F_of_p1 p1 = F ->
-  (forall p1 : R, quartic_conditions (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_________ p1u) ->
-  entry (row [[Derive_n (fun p1 => quartic_ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) u) 1 p1]] 1) 1 = - 8 * u ^ 4 + 14 * u ^ 3 - 5 * u ^ 2.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R) (F_of_p1 : R -> R),
-  0 <= u <= 1 /\
-  (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
-  A_of_p1 p1 = A /\
-  B_of_p1 p1 = B /\
-  C__of_p1 p1 = C_ /\
-  E__of_p1 p1 = E_ /\
-  F_of_p1 p1 = F /\
-  (forall p1 : R, quartic_conditions (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) = quartic_conditions_________ p1u).
-End eq_2_3_H3.
-
-Module eq_2_3_H4.
-(* hermite-developable/eq-2.3.H4, Sect. 2, basis functions of (2.3)
-   printed: H_4(u) = -2 u^4 + 5 u^3 - 4 u^2 + u
-   stated: coefficients([quartic(u)], [p0u])[1,1] == -2*u^4 + 5*u^3 - 4*u^2 + u *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_conditions (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic A B C_ E_ F 0%Z.
-Definition quartic_conditions_ (p0 : R) : R :=
-  p0.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic_ A B C_ E_ F (1 / 2).
-Definition quartic_conditions___ (pm : R) : R :=
-  pm.
-Definition quartic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic A B C_ E_ F 1%Z.
-Definition quartic_conditions_____ (p1 : R) : R :=
-  p1.
-Definition quartic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
-Definition quartic_conditions_______ (p0u : R) : R :=
-  p0u.
-Definition quartic_conditions________ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  let u := 1%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
-Definition quartic_conditions_________ (p1u : R) : R :=
-  p1u.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R) (F_of_p0u : R -> R),
-  0 <= u <= 1 ->
-  quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
-  A_of_p0u p0u = A ->
-  B_of_p0u p0u = B ->
-  C__of_p0u p0u = C_ ->
-  E__of_p0u p0u = E_ ->
-  F_of_p0u p0u = F ->
-  (forall p0u : R, quartic_conditions (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_________ p1u) ->
-  entry (row [[Derive_n (fun p0u => quartic_ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) u) 1 p0u]] 1) 1 = - 2 * u ^ 4 + 5 * u ^ 3 - 4 * u ^ 2 + u.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R) (F_of_p0u : R -> R),
-  0 <= u <= 1 /\
-  (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
-  A_of_p0u p0u = A /\
-  B_of_p0u p0u = B /\
-  C__of_p0u p0u = C_ /\
-  E__of_p0u p0u = E_ /\
-  F_of_p0u p0u = F /\
-  (forall p0u : R, quartic_conditions (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) = quartic_conditions_________ p1u).
-End eq_2_3_H4.
-
-Module eq_2_3_H5.
-(* hermite-developable/eq-2.3.H5, Sect. 2, basis functions of (2.3)
-   printed: H_5(u) = 2 u^4 - 3 u^3 + u^2
-   stated: coefficients([quartic(u)], [p1u])[1,1] == 2*u^4 - 3*u^3 + u^2 *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_conditions (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic A B C_ E_ F 0%Z.
-Definition quartic_conditions_ (p0 : R) : R :=
-  p0.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_conditions__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic_ A B C_ E_ F (1 / 2).
-Definition quartic_conditions___ (pm : R) : R :=
-  pm.
-Definition quartic_conditions____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  quartic A B C_ E_ F 1%Z.
-Definition quartic_conditions_____ (p1 : R) : R :=
-  p1.
-Definition quartic_conditions______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
-Definition quartic_conditions_______ (p0u : R) : R :=
-  p0u.
-Definition quartic_conditions________ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : R :=
-  let u := 1%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u).
-Definition quartic_conditions_________ (p1u : R) : R :=
-  p1u.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R) (F_of_p1u : R -> R),
-  0 <= u <= 1 ->
-  quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
-  A_of_p1u p1u = A ->
-  B_of_p1u p1u = B ->
-  C__of_p1u p1u = C_ ->
-  E__of_p1u p1u = E_ ->
-  F_of_p1u p1u = F ->
-  (forall p1u : R, quartic_conditions (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_________ p1u) ->
-  entry (row [[Derive_n (fun p1u => quartic_ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) u) 1 p1u]] 1) 1 = 2 * u ^ 4 - 3 * u ^ 3 + u ^ 2.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R) (F_of_p1u : R -> R),
-  0 <= u <= 1 /\
-  (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
-  A_of_p1u p1u = A /\
-  B_of_p1u p1u = B /\
-  C__of_p1u p1u = C_ /\
-  E__of_p1u p1u = E_ /\
-  F_of_p1u p1u = F /\
-  (forall p1u : R, quartic_conditions (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_ p0 /\ quartic_conditions__ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions___ pm /\ quartic_conditions____ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_____ p1 /\ quartic_conditions______ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_______ p0u /\ quartic_conditions________ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) = quartic_conditions_________ p1u).
-End eq_2_3_H5.

@@ -428,6 +428,107 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 
   factorial 0%Z <> 0.
 End eq_3_5_A_r4.
 
+Module eq_3_5_B.
+(* hermite-developable/eq-3.5.B, Sect. 3.1, eq. (3.5), column of unknowns
+   printed: B = (p_1, p_0^u, p_1^u, p_0^u)
+   stated: cubic_system*[p1, p0u, p1u, p0] == A35*[p1, p0u, p1u, p0u] *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
+  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
+Definition A35 (k : R) : list (list R) :=
+  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  0 < k ->
+  k <> 1 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  mvec (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) [p1; p0u; p1u; p0] = mvec (A35 k) [p1; p0u; p1u; p0u].
+End eq_3_5_B.
+
+Module eq_3_5_B_corrected.
+(* hermite-developable/eq-3.5.B (corrected), Sect. 3.1, eq. (3.5), column of unknowns
+   printed: B = (p_1, p_0^u, p_1^u, p_0^u)
+   stated: cubic_system*[p1, p0u, p1u, p0] == A35*[p1, p0u, p1u, p0] *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
+  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
+Definition A35 (k : R) : list (list R) :=
+  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  0 < k ->
+  k <> 1 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  mvec (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) [p1; p0u; p1u; p0] = mvec (A35 k) [p1; p0u; p1u; p0].
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  0 < k /\
+  k <> 1 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0.
+End eq_3_5_B_corrected.
+
 Module eq_3_5_C_r1.
 (* hermite-developable/eq-3.5.C.r1, Sect. 3.1, eq. (3.5), right-hand side, row 1
    printed: 2 q_1 - 2 q_0 - q_0^u - q_1^u
@@ -614,355 +715,6 @@ Definition statement : Prop :=
 forall (k : R),
   det (A35 k) = k ^ 4.
 End eq_3_5_det.
-
-Module alg_3_1_step1.
-(* hermite-developable/alg-3.1.step1, Sect. 3.1, step 1
-   printed: 1. Substitute p_3(u), p'(u), q_3(u), q'(u) in the developable surface criteria of Equation (3.3)
-   read as: the result of the step are the four equations printed above the steps
-   stated: cubic_gap(u) == (2*q0 - 2*q1 + q0u + q1u - k*(2*p0 - 2*p1 + p0u + p1u))*u^3 + (3*q0 - 3*q1 + q0u + 2*q1u - k*(3*p0 - 3*p1 + p0u + 2*p1u))*u^2 + (-6*q0 + 6*q1 - 3*q0u - 2*q1u - k*(-6*p0 + 6*p1 - 3*p0u - 2*p1u))*u + (q0 + q0u - k*(p0 + p0u) - (1 - k)*o) *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
-  0 <= u <= 1 ->
-  det (cubic_data A B C_ E_) <> 0 ->
-  cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u = (2 * q0 - 2 * q1 + q0u + q1u - k * (2 * p0 - 2 * p1 + p0u + p1u)) * u ^ 3 + (3 * q0 - 3 * q1 + q0u + 2 * q1u - k * (3 * p0 - 3 * p1 + p0u + 2 * p1u)) * u ^ 2 + (- 6 * q0 + 6 * q1 - 3 * q0u - 2 * q1u - k * (- 6 * p0 + 6 * p1 - 3 * p0u - 2 * p1u)) * u + (q0 + q0u - k * (p0 + p0u) - (1 - k) * o).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
-  0 <= u <= 1 /\
-  det (cubic_data A B C_ E_) <> 0.
-End alg_3_1_step1.
-
-Module alg_3_1_step2.
-(* hermite-developable/alg-3.1.step2, Sect. 3.1, step 2
-   printed: 2. Determine the values for the summit point O, the control points and the tangent vectors q_0, q_1, q_0^u, q_1^u in the polynomial coefficient equations of the step result (1)
-   read as: these five vectors may be any: for each choice the four equations determine the four data of p
-   stated: cubic_system*solve(cubic_system, right) == right and solve(cubic_system, cubic_system*x) == x *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
-  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
-Definition right_ (c1 : R) (c2 : R) (c3 : R) (c4 : R) : list R :=
-  [c1; c2; c3; c4].
-Definition x (x1 : R) (x2 : R) (x3 : R) (x4 : R) : list R :=
-  [x1; x2; x3; x4].
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (c1 : R) (c2 : R) (c3 : R) (c4 : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (x1 : R) (x2 : R) (x3 : R) (x4 : R),
-  k > 0 ->
-  det (cubic_data A B C_ E_) <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  det (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) <> 0 ->
-  mvec (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) (solve (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) (right_ c1 c2 c3 c4)) = right_ c1 c2 c3 c4 /\ solve (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) (mvec (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) (x x1 x2 x3 x4)) = x x1 x2 x3 x4.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (c1 : R) (c2 : R) (c3 : R) (c4 : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (x1 : R) (x2 : R) (x3 : R) (x4 : R),
-  k > 0 /\
-  det (cubic_data A B C_ E_) <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  det (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) <> 0.
-End alg_3_1_step2.
-
-Module alg_3_1_step3.
-(* hermite-developable/alg-3.1.step3, Sect. 3.1, step 3
-   printed: 3. Determine the value k > 0 and k != 1, after that, calculate Equation (3.5) to find the control points p_0, p_1 and the tangent vectors p_0^u, p_1^u
-   read as: one coordinate of each vector: the system is the same in all of them
-   stated: q3(u) + q3'(u) == k*(p(u) + p'(u)) + (1 - k)*o *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
-Definition X (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list R :=
-  solve (A35 k) [2 * q1 - 2 * q0 - q0u - q1u; 3 * q1 - 3 * q0 - q0u - 2 * q1u; - 6 * q1 + 6 * q0 + 3 * q0u + 2 * q1u; (1 - k) * o - q0 - q0u].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u (entry (X k o q0 q0u q1 q1u) 4) (entry (X k o q0 q0u q1 q1u) 1) (entry (X k o q0 q0u q1 q1u) 2) (entry (X k o q0 q0u q1 q1u) 3).
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
-  0 < k ->
-  0 <= u <= 1 ->
-  det (cubic_data A B C_ E_) <> 0 ->
-  det (A35 k) <> 0 ->
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u = k * (p A B C_ E_ k o q0 q0u q1 q1u u + Derive_n (fun u_ => p A B C_ E_ k o q0 q0u q1 q1u u_) 1 u) + (1 - k) * o.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
-  0 < k /\
-  0 <= u <= 1 /\
-  det (cubic_data A B C_ E_) <> 0 /\
-  det (A35 k) <> 0.
-End alg_3_1_step3.
-
-Module ex_3_1_tension_effect.
-(* hermite-developable/ex-3.1.tension-effect, Sect. 3.1, last sentence
-   printed: giving tensions to the tangent vectors q_0^u and q_1^u will effect the surface tangent form, sharply or weakly, in area near the control points q_0 and q_1 (Figure (2d))
-   read as: the bending of the boundary curve q: the curvature at q_0 is |q' x q''| / |q'|^3, and so at q_1
-   stated: tense'(0) == k1*q0u and start == k1*at(start, k1, 1) and not at(start, k1, 1) == 0 and tense'(1) == k2*q1u and end == k2*at(end, k2, 1) and not at(end, k2, 1) == 0 *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
-  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition tense (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (u : R) : list R :=
-  hermite3 A B C_ E_ u q0 q1 (vscale k1 q0u) (vscale k2 q1u).
-Definition start (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
-  cross (let u := 0%Z in vDerive 3 (fun u_ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u_) 1 (IZR u)) (let u_ := 0%Z in vDerive 3 (fun u__ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u__) 2 (IZR u_)).
-Definition tense_ (A : R) (B : R) (C_ : R) (E_ : R) (k2 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (k1 : Z) (u : R) : list R :=
-  hermite3 A B C_ E_ u q0 q1 (vscale (IZR k1) q0u) (vscale k2 q1u).
-Definition start_ (A : R) (B : R) (C_ : R) (E_ : R) (k2 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (k1 : Z) : list R :=
-  cross (let u := 0%Z in vDerive 3 (fun u_ => tense_ A B C_ E_ k2 q0 q0u q1 q1u k1 u_) 1 (IZR u)) (let u_ := 0%Z in vDerive 3 (fun u__ => tense_ A B C_ E_ k2 q0 q0u q1 q1u k1 u__) 2 (IZR u_)).
-Definition end_ (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
-  cross (let u := 1%Z in vDerive 3 (fun u_ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u_) 1 (IZR u)) (let u_ := 1%Z in vDerive 3 (fun u__ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u__) 2 (IZR u_)).
-Definition tense__ (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (k2 : Z) (u : R) : list R :=
-  hermite3 A B C_ E_ u q0 q1 (vscale k1 q0u) (vscale (IZR k2) q1u).
-Definition end__ (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (k2 : Z) : list R :=
-  cross (let u := 1%Z in vDerive 3 (fun u_ => tense__ A B C_ E_ k1 q0 q0u q1 q1u k2 u_) 1 (IZR u)) (let u_ := 1%Z in vDerive 3 (fun u__ => tense__ A B C_ E_ k1 q0 q0u q1 q1u k2 u__) 2 (IZR u_)).
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R),
-  let q0 := [q0'1; q0'2; q0'3] in
-  let q0u := [q0u'1; q0u'2; q0u'3] in
-  let q1 := [q1'1; q1'2; q1'3] in
-  let q1u := [q1u'1; q1u'2; q1u'3] in
-  det (cubic_data A B C_ E_) <> 0 ->
-  (let u := 0%Z in vDerive 3 (fun u_ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u_) 1 (IZR u)) = vscale k1 q0u /\ start A B C_ E_ k1 k2 q0 q0u q1 q1u = vscale k1 (start_ A B C_ E_ k2 q0 q0u q1 q1u 1%Z) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0'1_ q0'2_ q0'3_ : R) (q0u'1_ q0u'2_ q0u'3_ : R) (q1'1_ q1'2_ q1'3_ : R) (q1u'1_ q1u'2_ q1u'3_ : R),
-  let q0 := [q0'1_; q0'2_; q0'3_] in
-  let q0u := [q0u'1_; q0u'2_; q0u'3_] in
-  let q1 := [q1'1_; q1'2_; q1'3_] in
-  let q1u := [q1u'1_; q1u'2_; q1u'3_] in
-  det (cubic_data A B C_ E_) <> 0 ->
-  start_ A B C_ E_ k2 q0 q0u q1 q1u 1%Z = zeros 3) /\ (let u_ := 1%Z in vDerive 3 (fun u__ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u__) 1 (IZR u_)) = vscale k2 q1u /\ end_ A B C_ E_ k1 k2 q0 q0u q1 q1u = vscale k2 (end__ A B C_ E_ k1 q0 q0u q1 q1u 1%Z) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0'1__ q0'2__ q0'3__ : R) (q0u'1__ q0u'2__ q0u'3__ : R) (q1'1__ q1'2__ q1'3__ : R) (q1u'1__ q1u'2__ q1u'3__ : R),
-  let q0 := [q0'1__; q0'2__; q0'3__] in
-  let q0u := [q0u'1__; q0u'2__; q0u'3__] in
-  let q1 := [q1'1__; q1'2__; q1'3__] in
-  let q1u := [q1u'1__; q1u'2__; q1u'3__] in
-  det (cubic_data A B C_ E_) <> 0 ->
-  end__ A B C_ E_ k1 q0 q0u q1 q1u 1%Z = zeros 3).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R),
-  let q0 := [q0'1; q0'2; q0'3] in
-  let q0u := [q0u'1; q0u'2; q0u'3] in
-  let q1 := [q1'1; q1'2; q1'3] in
-  let q1u := [q1u'1; q1u'2; q1u'3] in
-  det (cubic_data A B C_ E_) <> 0.
-End ex_3_1_tension_effect.
-
-Module ex_3_1_shapes.
-(* hermite-developable/ex-3.1.shapes, Sect. 3.1, last paragraph
-   printed: the choices of different tangent vectors q_0^u and q_1^u will produce various shapes of the surfaces as presented in Figure (2a) and Figure (2c)
-   stated: not q2a(u) == q2c(u) and not coefficients([generic(u)], [s]) == 0 and not coefficients([generic(u)], [t]) == 0 *)
-Definition q0 : list R :=
-  [- 20; 60; 45].
-Definition q1 : list R :=
-  [- 20; - 50; 45].
-Definition q0u : list R :=
-  [0; - 30; 60].
-Definition q1u : list R :=
-  [0; - 50; - 60].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
-  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition q2a (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  q3 A B C_ E_ u.
-Definition q2c (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  hermite3 A B C_ E_ u q0 [- 20; - 65; 40] [0; - 30; - 80] q1u.
-Definition blend4_ (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4_ (cubic_basis A B C_ E_ u) a b s t.
-Definition generic (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R) : R :=
-  hermite3_ A B C_ E_ u a b s t.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
-  0 <= u <= 1 ->
-  ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
-  0 <= u <= 1 ->
-  det (cubic_data A B C_ E_) <> 0 ->
-  q2a A B C_ E_ u = q2c A B C_ E_ u) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
-  0 <= u <= 1 ->
-  det (cubic_data A B C_ E_) <> 0 ->
-  [[Derive_n (fun s => generic A B C_ E_ a b s t u) 1 s]] = mzeros 1 1) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
-  0 <= u <= 1 ->
-  det (cubic_data A B C_ E_) <> 0 ->
-  [[Derive_n (fun t => generic A B C_ E_ a b s t u) 1 t]] = mzeros 1 1).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
-  0 <= u <= 1.
-End ex_3_1_shapes.
-
-Module eq_3_5_B.
-(* hermite-developable/eq-3.5.B, Sect. 3.1, eq. (3.5), column of unknowns
-   printed: B = (p_1, p_0^u, p_1^u, p_0^u)
-   stated: cubic_system*[p1, p0u, p1u, p0] == A35*[p1, p0u, p1u, p0u] *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
-  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
-  0 < k ->
-  k <> 1 ->
-  det (cubic_data A B C_ E_) <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  mvec (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) [p1; p0u; p1u; p0] = mvec (A35 k) [p1; p0u; p1u; p0u].
-End eq_3_5_B.
-
-Module eq_3_5_B_corrected.
-(* hermite-developable/eq-3.5.B (corrected), Sect. 3.1, eq. (3.5), column of unknowns
-   printed: B = (p_1, p_0^u, p_1^u, p_0^u)
-   stated: cubic_system*[p1, p0u, p1u, p0] == A35*[p1, p0u, p1u, p0] *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
-  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
-  0 < k ->
-  k <> 1 ->
-  det (cubic_data A B C_ E_) <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  mvec (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) [p1; p0u; p1u; p0] = mvec (A35 k) [p1; p0u; p1u; p0].
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
-  0 < k /\
-  k <> 1 /\
-  det (cubic_data A B C_ E_) <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0.
-End eq_3_5_B_corrected.
 
 Module eq_3_5_k.
 (* hermite-developable/eq-3.5.k, Sect. 3.1, sentence after (3.5)
@@ -1392,6 +1144,140 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o'1 o'2 o'3 : R) (p0'1
   k <> 0.
 End sec_3_1_conclusion.
 
+Module alg_3_1_step1.
+(* hermite-developable/alg-3.1.step1, Sect. 3.1, step 1
+   printed: 1. Substitute p_3(u), p'(u), q_3(u), q'(u) in the developable surface criteria of Equation (3.3)
+   read as: the result of the step are the four equations printed above the steps
+   stated: cubic_gap(u) == (2*q0 - 2*q1 + q0u + q1u - k*(2*p0 - 2*p1 + p0u + p1u))*u^3 + (3*q0 - 3*q1 + q0u + 2*q1u - k*(3*p0 - 3*p1 + p0u + 2*p1u))*u^2 + (-6*q0 + 6*q1 - 3*q0u - 2*q1u - k*(-6*p0 + 6*p1 - 3*p0u - 2*p1u))*u + (q0 + q0u - k*(p0 + p0u) - (1 - k)*o) *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
+  0 <= u <= 1 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u = (2 * q0 - 2 * q1 + q0u + q1u - k * (2 * p0 - 2 * p1 + p0u + p1u)) * u ^ 3 + (3 * q0 - 3 * q1 + q0u + 2 * q1u - k * (3 * p0 - 3 * p1 + p0u + 2 * p1u)) * u ^ 2 + (- 6 * q0 + 6 * q1 - 3 * q0u - 2 * q1u - k * (- 6 * p0 + 6 * p1 - 3 * p0u - 2 * p1u)) * u + (q0 + q0u - k * (p0 + p0u) - (1 - k) * o).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
+  0 <= u <= 1 /\
+  det (cubic_data A B C_ E_) <> 0.
+End alg_3_1_step1.
+
+Module alg_3_1_step2.
+(* hermite-developable/alg-3.1.step2, Sect. 3.1, step 2
+   printed: 2. Determine the values for the summit point O, the control points and the tangent vectors q_0, q_1, q_0^u, q_1^u in the polynomial coefficient equations of the step result (1)
+   read as: these five vectors may be any: for each choice the four equations determine the four data of p
+   stated: cubic_system*solve(cubic_system, right) == right and solve(cubic_system, cubic_system*x) == x *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
+  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
+Definition right_ (c1 : R) (c2 : R) (c3 : R) (c4 : R) : list R :=
+  [c1; c2; c3; c4].
+Definition x (x1 : R) (x2 : R) (x3 : R) (x4 : R) : list R :=
+  [x1; x2; x3; x4].
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (c1 : R) (c2 : R) (c3 : R) (c4 : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (x1 : R) (x2 : R) (x3 : R) (x4 : R),
+  k > 0 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  det (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) <> 0 ->
+  mvec (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) (solve (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) (right_ c1 c2 c3 c4)) = right_ c1 c2 c3 c4 /\ solve (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) (mvec (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) (x x1 x2 x3 x4)) = x x1 x2 x3 x4.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (c1 : R) (c2 : R) (c3 : R) (c4 : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (x1 : R) (x2 : R) (x3 : R) (x4 : R),
+  k > 0 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  det (cubic_system A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u) <> 0.
+End alg_3_1_step2.
+
+Module alg_3_1_step3.
+(* hermite-developable/alg-3.1.step3, Sect. 3.1, step 3
+   printed: 3. Determine the value k > 0 and k != 1, after that, calculate Equation (3.5) to find the control points p_0, p_1 and the tangent vectors p_0^u, p_1^u
+   read as: one coordinate of each vector: the system is the same in all of them
+   stated: q3(u) + q3'(u) == k*(p(u) + p'(u)) + (1 - k)*o *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition A35 (k : R) : list (list R) :=
+  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
+Definition X (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list R :=
+  solve (A35 k) [2 * q1 - 2 * q0 - q0u - q1u; 3 * q1 - 3 * q0 - q0u - 2 * q1u; - 6 * q1 + 6 * q0 + 3 * q0u + 2 * q1u; (1 - k) * o - q0 - q0u].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition p (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u (entry (X k o q0 q0u q1 q1u) 4) (entry (X k o q0 q0u q1 q1u) 1) (entry (X k o q0 q0u q1 q1u) 2) (entry (X k o q0 q0u q1 q1u) 3).
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
+  0 < k ->
+  0 <= u <= 1 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  det (A35 k) <> 0 ->
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u = k * (p A B C_ E_ k o q0 q0u q1 q1u u + Derive_n (fun u_ => p A B C_ E_ k o q0 q0u q1 q1u u_) 1 u) + (1 - k) * o.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
+  0 < k /\
+  0 <= u <= 1 /\
+  det (cubic_data A B C_ E_) <> 0 /\
+  det (A35 k) <> 0.
+End alg_3_1_step3.
+
 Module sec_3_1_tension.
 (* hermite-developable/sec-3.1.tension, Sect. 3.1, paragraph after the steps
    printed: q_0^{u*} = k_1 q_0^u and q_1^{u*} = k_2 q_1^u, then in step (3), it finds the values p_0^u = [k_1 q_0^u]/k and p_1^u = [k_2 q_1^u]/k
@@ -1569,6 +1455,66 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 
   p0_of_o o = p0 /\
   (forall o : R, cubic_criterion A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_).
 End ex_3_1_arrange.
+
+Module ex_3_1_tension_effect.
+(* hermite-developable/ex-3.1.tension-effect, Sect. 3.1, last sentence
+   printed: giving tensions to the tangent vectors q_0^u and q_1^u will effect the surface tangent form, sharply or weakly, in area near the control points q_0 and q_1 (Figure (2d))
+   read as: the bending of the boundary curve q: the curvature at q_0 is |q' x q''| / |q'|^3, and so at q_1
+   stated: tense'(0) == k1*q0u and start == k1*at(start, k1, 1) and not at(start, k1, 1) == 0 and tense'(1) == k2*q1u and end == k2*at(end, k2, 1) and not at(end, k2, 1) == 0 *)
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition tense (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 (vscale k1 q0u) (vscale k2 q1u).
+Definition start (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
+  cross (let u := 0%Z in vDerive 3 (fun u_ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u_) 1 (IZR u)) (let u_ := 0%Z in vDerive 3 (fun u__ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u__) 2 (IZR u_)).
+Definition tense_ (A : R) (B : R) (C_ : R) (E_ : R) (k2 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (k1 : Z) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 (vscale (IZR k1) q0u) (vscale k2 q1u).
+Definition start_ (A : R) (B : R) (C_ : R) (E_ : R) (k2 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (k1 : Z) : list R :=
+  cross (let u := 0%Z in vDerive 3 (fun u_ => tense_ A B C_ E_ k2 q0 q0u q1 q1u k1 u_) 1 (IZR u)) (let u_ := 0%Z in vDerive 3 (fun u__ => tense_ A B C_ E_ k2 q0 q0u q1 q1u k1 u__) 2 (IZR u_)).
+Definition end_ (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
+  cross (let u := 1%Z in vDerive 3 (fun u_ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u_) 1 (IZR u)) (let u_ := 1%Z in vDerive 3 (fun u__ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u__) 2 (IZR u_)).
+Definition tense__ (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (k2 : Z) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 (vscale k1 q0u) (vscale (IZR k2) q1u).
+Definition end__ (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (k2 : Z) : list R :=
+  cross (let u := 1%Z in vDerive 3 (fun u_ => tense__ A B C_ E_ k1 q0 q0u q1 q1u k2 u_) 1 (IZR u)) (let u_ := 1%Z in vDerive 3 (fun u__ => tense__ A B C_ E_ k1 q0 q0u q1 q1u k2 u__) 2 (IZR u_)).
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R),
+  let q0 := [q0'1; q0'2; q0'3] in
+  let q0u := [q0u'1; q0u'2; q0u'3] in
+  let q1 := [q1'1; q1'2; q1'3] in
+  let q1u := [q1u'1; q1u'2; q1u'3] in
+  det (cubic_data A B C_ E_) <> 0 ->
+  (let u := 0%Z in vDerive 3 (fun u_ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u_) 1 (IZR u)) = vscale k1 q0u /\ start A B C_ E_ k1 k2 q0 q0u q1 q1u = vscale k1 (start_ A B C_ E_ k2 q0 q0u q1 q1u 1%Z) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0'1_ q0'2_ q0'3_ : R) (q0u'1_ q0u'2_ q0u'3_ : R) (q1'1_ q1'2_ q1'3_ : R) (q1u'1_ q1u'2_ q1u'3_ : R),
+  let q0 := [q0'1_; q0'2_; q0'3_] in
+  let q0u := [q0u'1_; q0u'2_; q0u'3_] in
+  let q1 := [q1'1_; q1'2_; q1'3_] in
+  let q1u := [q1u'1_; q1u'2_; q1u'3_] in
+  det (cubic_data A B C_ E_) <> 0 ->
+  start_ A B C_ E_ k2 q0 q0u q1 q1u 1%Z = zeros 3) /\ (let u_ := 1%Z in vDerive 3 (fun u__ => tense A B C_ E_ k1 k2 q0 q0u q1 q1u u__) 1 (IZR u_)) = vscale k2 q1u /\ end_ A B C_ E_ k1 k2 q0 q0u q1 q1u = vscale k2 (end__ A B C_ E_ k1 q0 q0u q1 q1u 1%Z) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0'1__ q0'2__ q0'3__ : R) (q0u'1__ q0u'2__ q0u'3__ : R) (q1'1__ q1'2__ q1'3__ : R) (q1u'1__ q1u'2__ q1u'3__ : R),
+  let q0 := [q0'1__; q0'2__; q0'3__] in
+  let q0u := [q0u'1__; q0u'2__; q0u'3__] in
+  let q1 := [q1'1__; q1'2__; q1'3__] in
+  let q1u := [q1u'1__; q1u'2__; q1u'3__] in
+  det (cubic_data A B C_ E_) <> 0 ->
+  end__ A B C_ E_ k1 q0 q0u q1 q1u 1%Z = zeros 3).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R),
+  let q0 := [q0'1; q0'2; q0'3] in
+  let q0u := [q0u'1; q0u'2; q0u'3] in
+  let q1 := [q1'1; q1'2; q1'3] in
+  let q1u := [q1u'1; q1u'2; q1u'3] in
+  det (cubic_data A B C_ E_) <> 0.
+End ex_3_1_tension_effect.
 
 Module ex_3_1_p1.
 (* hermite-developable/ex-3.1.p1, Sect. 3.1, example
@@ -1813,6 +1759,87 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3
   (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3).
 End ex_3_1_p1u.
 
+Module ex_3_1_p0.
+(* hermite-developable/ex-3.1.p0, Sect. 3.1, example
+   printed: p_0 = < 75, 30, 45 >
+   stated: agrees(p0, [75, 30, 45]) *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition q1 : list R :=
+  [- 20; - 50; 45].
+Definition q0u : list R :=
+  [0; - 30; 60].
+Definition q1u : list R :=
+  [0; - 50; - 60].
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
+  vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition k : R :=
+  2.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition o : list R :=
+  [170; 0; 45].
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q3 A B C_ E_ u) (vDerive 3 (fun u_ => q3 A B C_ E_ u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
+Definition cubic_criterion_ : R :=
+  0.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
+  cubic_part A B C_ E_ p0 p0u p1 p1u 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3 ->
+  (entry p0 1 = 75 /\ entry p0 2 = 30) /\ entry p0 3 = 45.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  det (cubic_data A B C_ E_) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3).
+End ex_3_1_p0.
+
 Module ex_3_1_parallel.
 (* hermite-developable/ex-3.1.parallel, Sect. 3.1, example, with the section's assumption Gamma_1 // Gamma_2
    printed: Two cubic Hermite curves p_3(u) and q_3(u) in the parallel plane [...] between the parallel planes Gamma_1 // Gamma_2
@@ -2012,10 +2039,10 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3
   (narrow_criterion A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion_ A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion__ A B C_ E_ w0 w0u w1 w1u = zeros 3 /\ narrow_criterion___ A B C_ E_ w0 w0u w1 w1u = zeros 3).
 End ex_3_1_width.
 
-Module ex_3_1_p0.
-(* hermite-developable/ex-3.1.p0, Sect. 3.1, example
-   printed: p_0 = < 75, 30, 45 >
-   stated: agrees(p0, [75, 30, 45]) *)
+Module ex_3_1_shapes.
+(* hermite-developable/ex-3.1.shapes, Sect. 3.1, last paragraph
+   printed: the choices of different tangent vectors q_0^u and q_1^u will produce various shapes of the surfaces as presented in Figure (2a) and Figure (2c)
+   stated: not q2a(u) == q2c(u) and not coefficients([generic(u)], [s]) == 0 and not coefficients([generic(u)], [t]) == 0 *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -2038,57 +2065,30 @@ Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : 
   blend4 (cubic_basis A B C_ E_ u) a b s t.
 Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
   hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition k : R :=
-  2.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition o : list R :=
-  [170; 0; 45].
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
-  vsub (vsub (vadd (q3 A B C_ E_ u) (vDerive 3 (fun u_ => q3 A B C_ E_ u_) 1 u)) (vscale k (vadd (p3 A B C_ E_ p0 p0u p1 p1u u) (vDerive 3 (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (n : Z) : list R :=
-  let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
-Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
-  cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
-Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
-  cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
-Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
-  cubic_part A B C_ E_ p0 p0u p1 p1u 1%Z.
-Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
-  cubic_part A B C_ E_ p0 p0u p1 p1u 0%Z.
+Definition q2a (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  q3 A B C_ E_ u.
+Definition q2c (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  hermite3 A B C_ E_ u q0 [- 20; - 65; 40] [0; - 30; - 80] q1u.
+Definition blend4_ (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4_ (cubic_basis A B C_ E_ u) a b s t.
+Definition generic (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R) : R :=
+  hermite3_ A B C_ E_ u a b s t.
 Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
-  let p0 := [p0'1; p0'2; p0'3] in
-  let p0u := [p0u'1; p0u'2; p0u'3] in
-  let p1 := [p1'1; p1'2; p1'3] in
-  let p1u := [p1u'1; p1u'2; p1u'3] in
+forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
+  0 <= u <= 1 ->
+  ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
+  0 <= u <= 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3 ->
-  (entry p0 1 = 75 /\ entry p0 2 = 30) /\ entry p0 3 = 45.
+  q2a A B C_ E_ u = q2c A B C_ E_ u) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
+  0 <= u <= 1 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  [[Derive_n (fun s => generic A B C_ E_ a b s t u) 1 s]] = mzeros 1 1) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
+  0 <= u <= 1 ->
+  det (cubic_data A B C_ E_) <> 0 ->
+  [[Derive_n (fun t => generic A B C_ E_ a b s t u) 1 t]] = mzeros 1 1).
 Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R),
-  let p0 := [p0'1; p0'2; p0'3] in
-  let p0u := [p0u'1; p0u'2; p0u'3] in
-  let p1 := [p1'1; p1'2; p1'3] in
-  let p1u := [p1u'1; p1u'2; p1u'3] in
-  det (cubic_data A B C_ E_) <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  (cubic_criterion A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion__ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion___ A B C_ E_ p0 p0u p1 p1u = zeros 3 /\ cubic_criterion____ A B C_ E_ p0 p0u p1 p1u = zeros 3).
-End ex_3_1_p0.
+exists (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
+  0 <= u <= 1.
+End ex_3_1_shapes.

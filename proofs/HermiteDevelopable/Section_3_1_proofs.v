@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From HermiteDevelopable Require Section_3_1.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import HermiteDevelopable.Section_3_1.sec_3_1_polynomials.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement first second]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance first second]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (1 / 3); met) | (exists 1, 1, 1, 1, 1, 1, 1, 1, (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance first second]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (1 / 3); met) | (exists 1, 1, 1, 1, 1, 1, 1, 1, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (1 / 3); met)]. Qed.
 End sec_3_1_polynomials.
 
 Module sec_3_1_substituted.
@@ -16,7 +16,7 @@ Import HermiteDevelopable.Section_3_1.sec_3_1_substituted.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement second first]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance second first]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (10), 11, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (7), 2, (1 / 3); met) | (exists 1, 1, 1, 1, 1, 1, 1, 1, (1), 1, (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance second first]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (10), 11, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (7), 2, (1 / 3); met) | (exists 1, 1, 1, 1, 1, 1, 1, 1, (1), 1, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (1), 1, (1 / 3); met)]. Qed.
 End sec_3_1_substituted.
 
 Module sec_3_1_coefficients.
@@ -24,7 +24,7 @@ Import HermiteDevelopable.Section_3_1.sec_3_1_coefficients.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage second; stage first; stage gap; staged_goal part; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance second first gap part]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (10), 11; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (0), 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (7), 2; met) | (exists 1, 1, 1, 1, 1, 1, 1, 1, (1), 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance second first gap part]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (10), 11; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (0), 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (7), 2; met) | (exists 1, 1, 1, 1, 1, 1, 1, 1, (1), 1; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (1), 1; met)]. Qed.
 End sec_3_1_coefficients.
 
 Module sec_3_1_hermite_1.
@@ -32,7 +32,7 @@ Import HermiteDevelopable.Section_3_1.sec_3_1_hermite_1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End sec_3_1_hermite_1.
 
 Module sec_3_1_hermite_2.
@@ -40,7 +40,7 @@ Import HermiteDevelopable.Section_3_1.sec_3_1_hermite_2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End sec_3_1_hermite_2.
 
 Module sec_3_1_hermite_3.
@@ -48,7 +48,7 @@ Import HermiteDevelopable.Section_3_1.sec_3_1_hermite_3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End sec_3_1_hermite_3.
 
 Module sec_3_1_hermite_4.
@@ -56,7 +56,7 @@ Import HermiteDevelopable.Section_3_1.sec_3_1_hermite_4.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End sec_3_1_hermite_4.
 
 Module eq_3_5_A_r1.
@@ -64,7 +64,7 @@ Import HermiteDevelopable.Section_3_1.eq_3_5_A_r1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; staged_goal cubic_system; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; staged_goal cubic_system; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_5_A_r1.
 
 Module eq_3_5_A_r2.
@@ -72,7 +72,7 @@ Import HermiteDevelopable.Section_3_1.eq_3_5_A_r2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; staged_goal cubic_system; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; staged_goal cubic_system; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_5_A_r2.
 
 Module eq_3_5_A_r3.
@@ -80,7 +80,7 @@ Import HermiteDevelopable.Section_3_1.eq_3_5_A_r3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; staged_goal cubic_system; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; staged_goal cubic_system; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_5_A_r3.
 
 Module eq_3_5_A_r4.
@@ -88,54 +88,8 @@ Import HermiteDevelopable.Section_3_1.eq_3_5_A_r4.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; staged_goal cubic_system; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; staged_goal cubic_system; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_5_A_r4.
-
-Module eq_3_5_C_r1.
-Import HermiteDevelopable.Section_3_1.eq_3_5_C_r1.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance A35 cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
-End eq_3_5_C_r1.
-
-Module eq_3_5_C_r2.
-Import HermiteDevelopable.Section_3_1.eq_3_5_C_r2.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance A35 cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
-End eq_3_5_C_r2.
-
-Module eq_3_5_C_r3.
-Import HermiteDevelopable.Section_3_1.eq_3_5_C_r3.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance A35 cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
-End eq_3_5_C_r3.
-
-Module eq_3_5_C_r4.
-Import HermiteDevelopable.Section_3_1.eq_3_5_C_r4.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance A35 cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap cubic_part]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
-End eq_3_5_C_r4.
-
-Module eq_3_5_det.
-Import HermiteDevelopable.Section_3_1.eq_3_5_det.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement A35]; identity. Qed.
-End eq_3_5_det.
-
-Module alg_3_1_step1.
-Import HermiteDevelopable.Section_3_1.alg_3_1_step1.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; staged_goal cubic_gap; identity. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance cubic cubic_ cubic_data cubic_basis blend4 hermite3 q3 p3 cubic_gap]; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15, (1 / 3); met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13, (1 / 3); met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, (1 / 3); met)]. Qed.
-End alg_3_1_step1.
 
 Module eq_3_5_B.
 Import HermiteDevelopable.Section_3_1.eq_3_5_B.
@@ -148,53 +102,107 @@ Import HermiteDevelopable.Section_3_1.eq_3_5_B_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_system; staged_goal A35; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_system; staged_goal A35; unstaged; first [(exists 2, 3, 4, 5, (1), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (1), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_system; staged_goal A35; unstaged; first [(exists 2, 3, 4, 5, (1), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (1), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 0, 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
 End eq_3_5_B_corrected.
+
+Module eq_3_5_C_r1.
+Import HermiteDevelopable.Section_3_1.eq_3_5_C_r1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_5_C_r1.
+
+Module eq_3_5_C_r2.
+Import HermiteDevelopable.Section_3_1.eq_3_5_C_r2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_5_C_r2.
+
+Module eq_3_5_C_r3.
+Import HermiteDevelopable.Section_3_1.eq_3_5_C_r3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_5_C_r3.
+
+Module eq_3_5_C_r4.
+Import HermiteDevelopable.Section_3_1.eq_3_5_C_r4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_5_C_r4.
+
+Module eq_3_5_unique.
+Import HermiteDevelopable.Section_3_1.eq_3_5_unique.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement A35 right_ x]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance A35 right_ x]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9), (7), (7); met) | (exists (1), (1), (1), (1), (1), (1), (1), (1), (1); met) | (exists (1), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
+End eq_3_5_unique.
+
+Module eq_3_5_det.
+Import HermiteDevelopable.Section_3_1.eq_3_5_det.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement A35]; identity. Qed.
+End eq_3_5_det.
 
 Module eq_3_5_k.
 Import HermiteDevelopable.Section_3_1.eq_3_5_k.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (q0'1) (-k*o'1 + k*p0'1 + o'1) (1); known (q0'2) (-k*o'2 + k*p0'2 + o'2) (1); known (q0'3) (-k*o'3 + k*p0'3 + o'3) (1); known (q0u'1) (k*p0u'1) (1); known (q0u'2) (k*p0u'2) (1); known (q0u'3) (k*p0u'3) (1); known (q1'1) (-k*o'1 + k*p1'1 + o'1) (1); known (q1'2) (-k*o'2 + k*p1'2 + o'2) (1); known (q1'3) (-k*o'3 + k*p1'3 + o'3) (1); known (q1u'1) (k*p1u'1) (1); known (q1u'2) (k*p1u'2) (1); known (q1u'3) (k*p1u'3) (1); put_known; concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (q0'1) (-k*o'1 + k*p0'1 + o'1) (1); known (q0'2) (-k*o'2 + k*p0'2 + o'2) (1); known (q0'3) (-k*o'3 + k*p0'3 + o'3) (1); known (q0u'1) (k*p0u'1) (1); known (q0u'2) (k*p0u'2) (1); known (q0u'3) (k*p0u'3) (1); known (q1'1) (-k*o'1 + k*p1'1 + o'1) (1); known (q1'2) (-k*o'2 + k*p1'2 + o'2) (1); known (q1'3) (-k*o'3 + k*p1'3 + o'3) (1); known (q1u'1) (k*p1u'1) (1); known (q1u'2) (k*p1u'2) (1); known (q1u'3) (k*p1u'3) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, ((-((6))*(7) + ((6))*(10) + (7)) / (1)), ((-((6))*(8) + ((6))*(11) + (8)) / (1)), ((-((6))*(9) + ((6))*(12) + (9)) / (1)), ((((6))*(13)) / (1)), ((((6))*(14)) / (1)), ((((6))*(15)) / (1)), ((-((6))*(7) + ((6))*(16) + (7)) / (1)), ((-((6))*(8) + ((6))*(17) + (8)) / (1)), ((-((6))*(9) + ((6))*(18) + (9)) / (1)), ((((6))*(19)) / (1)), ((((6))*(20)) / (1)), ((((6))*(21)) / (1)), (1 / 3); met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), (1 / 2); met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, ((-((8))*(7) + ((8))*(7) + (7)) / (1)), ((-((8))*(9) + ((8))*(2) + (9)) / (1)), ((-((8))*(7) + ((8))*(11) + (7)) / (1)), ((((8))*(1)) / (1)), ((((8))*(4)) / (1)), ((((8))*(13)) / (1)), ((-((8))*(7) + ((8))*(8) + (7)) / (1)), ((-((8))*(9) + ((8))*(8) + (9)) / (1)), ((-((8))*(7) + ((8))*(6) + (7)) / (1)), ((((8))*(8)) / (1)), ((((8))*(7)) / (1)), ((((8))*(9)) / (1)), (1 / 3); met) | (exists 1, 1, 1, 1, (1), 9, 7, 7, 7, 7, 2, 7, 7, 2, 7, 7, 2, 7, 7, 2, ((-((1))*(9) + ((1))*(7) + (9)) / (1)), ((-((1))*(7) + ((1))*(7) + (7)) / (1)), ((-((1))*(7) + ((1))*(2) + (7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(2)) / (1)), ((-((1))*(9) + ((1))*(7) + (9)) / (1)), ((-((1))*(7) + ((1))*(7) + (7)) / (1)), ((-((1))*(7) + ((1))*(2) + (7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(2)) / (1)), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, ((-((6))*(7) + ((6))*(10) + (7)) / (1)), ((-((6))*(8) + ((6))*(11) + (8)) / (1)), ((-((6))*(9) + ((6))*(12) + (9)) / (1)), ((((6))*(13)) / (1)), ((((6))*(14)) / (1)), ((((6))*(15)) / (1)), ((-((6))*(7) + ((6))*(16) + (7)) / (1)), ((-((6))*(8) + ((6))*(17) + (8)) / (1)), ((-((6))*(9) + ((6))*(18) + (9)) / (1)), ((((6))*(19)) / (1)), ((((6))*(20)) / (1)), ((((6))*(21)) / (1)), (1 / 3); met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), (1 / 2); met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, ((-((8))*(7) + ((8))*(7) + (7)) / (1)), ((-((8))*(9) + ((8))*(2) + (9)) / (1)), ((-((8))*(7) + ((8))*(11) + (7)) / (1)), ((((8))*(1)) / (1)), ((((8))*(4)) / (1)), ((((8))*(13)) / (1)), ((-((8))*(7) + ((8))*(8) + (7)) / (1)), ((-((8))*(9) + ((8))*(8) + (9)) / (1)), ((-((8))*(7) + ((8))*(6) + (7)) / (1)), ((((8))*(8)) / (1)), ((((8))*(7)) / (1)), ((((8))*(9)) / (1)), (1 / 3); met) | (exists 1, 1, 1, 1, (1), 9, 7, 7, 7, 7, 2, 7, 7, 2, 7, 7, 2, 7, 7, 2, ((-((1))*(9) + ((1))*(7) + (9)) / (1)), ((-((1))*(7) + ((1))*(7) + (7)) / (1)), ((-((1))*(7) + ((1))*(2) + (7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(2)) / (1)), ((-((1))*(9) + ((1))*(7) + (9)) / (1)), ((-((1))*(7) + ((1))*(7) + (7)) / (1)), ((-((1))*(7) + ((1))*(2) + (7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(2)) / (1)), (1 / 3); met) | (exists 0, 0, 0, 0, (1), 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, ((-((1))*(1) + ((1))*(0) + (1)) / (1)), ((-((1))*(0) + ((1))*(1) + (0)) / (1)), ((-((1))*(0) + ((1))*(0) + (0)) / (1)), ((((1))*(0)) / (1)), ((((1))*(0)) / (1)), ((((1))*(1)) / (1)), ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((-((1))*(0) + ((1))*(0) + (0)) / (1)), ((-((1))*(0) + ((1))*(0) + (0)) / (1)), ((((1))*(0)) / (1)), ((((1))*(1)) / (1)), ((((1))*(0)) / (1)), (1 / 3); met)]. Qed.
 End eq_3_5_k.
 
 Module eq_3_5_sol_p1.
 Import HermiteDevelopable.Section_3_1.eq_3_5_sol_p1.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0) (k*o - o + q0) (k); known (p0u) (q0u) (k); known (p1) (k*o - o + q1) (k); known (p1u) (q1u) (k); put_known; concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0) (k*o - o + q0) (k); known (p0u) (q0u) (k); known (p1) (k*o - o + q1) (k); known (p1u) (q1u) (k); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, ((((6))*(7) - (7) + (12)) / (((6)))), (((13)) / (((6)))), ((((6))*(7) - (7) + (14)) / (((6)))), (((15)) / (((6)))), 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, ((((8))*(7) - (7) + (11)) / (((8)))), (((1)) / (((8)))), ((((8))*(7) - (7) + (4)) / (((8)))), (((13)) / (((8)))), 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, ((((6))*(7) - (7) + (12)) / (((6)))), (((13)) / (((6)))), ((((6))*(7) - (7) + (14)) / (((6)))), (((15)) / (((6)))), 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, ((((8))*(7) - (7) + (11)) / (((8)))), (((1)) / (((8)))), ((((8))*(7) - (7) + (4)) / (((8)))), (((13)) / (((8)))), 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met)]. Qed.
 End eq_3_5_sol_p1.
 
 Module eq_3_5_sol_p0u.
 Import HermiteDevelopable.Section_3_1.eq_3_5_sol_p0u.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0) (k*o - o + q0) (k); known (p0u) (q0u) (k); known (p1) (k*o - o + q1) (k); known (p1u) (q1u) (k); put_known; concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0) (k*o - o + q0) (k); known (p0u) (q0u) (k); known (p1) (k*o - o + q1) (k); known (p1u) (q1u) (k); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, ((((6))*(7) - (7) + (12)) / (((6)))), (((13)) / (((6)))), ((((6))*(7) - (7) + (14)) / (((6)))), (((15)) / (((6)))), 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, ((((8))*(7) - (7) + (11)) / (((8)))), (((1)) / (((8)))), ((((8))*(7) - (7) + (4)) / (((8)))), (((13)) / (((8)))), 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, ((((6))*(7) - (7) + (12)) / (((6)))), (((13)) / (((6)))), ((((6))*(7) - (7) + (14)) / (((6)))), (((15)) / (((6)))), 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, ((((8))*(7) - (7) + (11)) / (((8)))), (((1)) / (((8)))), ((((8))*(7) - (7) + (4)) / (((8)))), (((13)) / (((8)))), 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met)]. Qed.
 End eq_3_5_sol_p0u.
 
 Module eq_3_5_sol_p1u.
 Import HermiteDevelopable.Section_3_1.eq_3_5_sol_p1u.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0) (k*o - o + q0) (k); known (p0u) (q0u) (k); known (p1) (k*o - o + q1) (k); known (p1u) (q1u) (k); put_known; concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0) (k*o - o + q0) (k); known (p0u) (q0u) (k); known (p1) (k*o - o + q1) (k); known (p1u) (q1u) (k); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, ((((6))*(7) - (7) + (12)) / (((6)))), (((13)) / (((6)))), ((((6))*(7) - (7) + (14)) / (((6)))), (((15)) / (((6)))), 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, ((((8))*(7) - (7) + (11)) / (((8)))), (((1)) / (((8)))), ((((8))*(7) - (7) + (4)) / (((8)))), (((13)) / (((8)))), 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, ((((6))*(7) - (7) + (12)) / (((6)))), (((13)) / (((6)))), ((((6))*(7) - (7) + (14)) / (((6)))), (((15)) / (((6)))), 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, ((((8))*(7) - (7) + (11)) / (((8)))), (((1)) / (((8)))), ((((8))*(7) - (7) + (4)) / (((8)))), (((13)) / (((8)))), 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met)]. Qed.
 End eq_3_5_sol_p1u.
 
 Module eq_3_5_sol_p0.
 Import HermiteDevelopable.Section_3_1.eq_3_5_sol_p0.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0) (k*o - o + q0) (k); known (p0u) (q0u) (k); known (p1) (k*o - o + q1) (k); known (p1u) (q1u) (k); put_known; concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0) (k*o - o + q0) (k); known (p0u) (q0u) (k); known (p1) (k*o - o + q1) (k); known (p1u) (q1u) (k); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, ((((6))*(7) - (7) + (12)) / (((6)))), (((13)) / (((6)))), ((((6))*(7) - (7) + (14)) / (((6)))), (((15)) / (((6)))), 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, ((((8))*(7) - (7) + (11)) / (((8)))), (((1)) / (((8)))), ((((8))*(7) - (7) + (4)) / (((8)))), (((13)) / (((8)))), 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, ((((6))*(7) - (7) + (12)) / (((6)))), (((13)) / (((6)))), ((((6))*(7) - (7) + (14)) / (((6)))), (((15)) / (((6)))), 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, ((((8))*(7) - (7) + (11)) / (((8)))), (((1)) / (((8)))), ((((8))*(7) - (7) + (4)) / (((8)))), (((13)) / (((8)))), 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1; met)]. Qed.
 End eq_3_5_sol_p0.
+
+Module alg_3_1_step1.
+Import HermiteDevelopable.Section_3_1.alg_3_1_step1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; staged_goal cubic_gap; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; staged_goal cubic_gap; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15, (1 / 3); met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13, (1 / 3); met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, (1 / 3); met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, (1 / 3); met)]. Qed.
+End alg_3_1_step1.
 
 Module ex_3_1_p0.
 Import HermiteDevelopable.Section_3_1.ex_3_1_p0.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage q0; stage q1; stage q0u; stage q1u; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage k; stage p3; stage o; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0'1) (75) (1); known (p0'2) (30) (1); known (p0'3) (45) (1); known (p0u'1) (0) (1); known (p0u'2) (-15) (1); known (p0u'3) (30) (1); known (p1'1) (75) (1); known (p1'2) (-25) (1); known (p1'3) (45) (1); known (p1u'1) (0) (1); known (p1u'2) (-25) (1); known (p1u'3) (-30) (1); put_known; concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage q0; stage q1; stage q0u; stage q1u; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage k; stage p3; stage o; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0'1) (75) (1); known (p0'2) (30) (1); known (p0'3) (45) (1); known (p0u'1) (0) (1); known (p0u'2) (-15) (1); known (p0u'3) (30) (1); known (p1'1) (75) (1); known (p1'2) (-25) (1); known (p1'3) (45) (1); known (p1u'1) (0) (1); known (p1u'2) (-25) (1); known (p1u'3) (-30) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage q0; stage q1; stage q0u; stage q1u; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage k; stage p3; stage o; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, ((75) / (1)), ((30) / (1)), ((45) / (1)), ((0) / (1)), ((-15) / (1)), ((30) / (1)), ((75) / (1)), ((-25) / (1)), ((45) / (1)), ((0) / (1)), ((-25) / (1)), ((-30) / (1)); met) | (exists 0, 0, 0, 0, ((75) / (1)), ((30) / (1)), ((45) / (1)), ((0) / (1)), ((-15) / (1)), ((30) / (1)), ((75) / (1)), ((-25) / (1)), ((45) / (1)), ((0) / (1)), ((-25) / (1)), ((-30) / (1)); met) | (exists 13, 8, 8, 6, ((75) / (1)), ((30) / (1)), ((45) / (1)), ((0) / (1)), ((-15) / (1)), ((30) / (1)), ((75) / (1)), ((-25) / (1)), ((45) / (1)), ((0) / (1)), ((-25) / (1)), ((-30) / (1)); met) | (exists 1, 1, 1, 1, ((75) / (1)), ((30) / (1)), ((45) / (1)), ((0) / (1)), ((-15) / (1)), ((30) / (1)), ((75) / (1)), ((-25) / (1)), ((45) / (1)), ((0) / (1)), ((-25) / (1)), ((-30) / (1)); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage q0; stage q1; stage q0u; stage q1u; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage k; stage p3; stage o; stage cubic_gap; stage cubic_part; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, ((75) / (1)), ((30) / (1)), ((45) / (1)), ((0) / (1)), ((-15) / (1)), ((30) / (1)), ((75) / (1)), ((-25) / (1)), ((45) / (1)), ((0) / (1)), ((-25) / (1)), ((-30) / (1)); met) | (exists 0, 0, 0, 0, ((75) / (1)), ((30) / (1)), ((45) / (1)), ((0) / (1)), ((-15) / (1)), ((30) / (1)), ((75) / (1)), ((-25) / (1)), ((45) / (1)), ((0) / (1)), ((-25) / (1)), ((-30) / (1)); met) | (exists 13, 8, 8, 6, ((75) / (1)), ((30) / (1)), ((45) / (1)), ((0) / (1)), ((-15) / (1)), ((30) / (1)), ((75) / (1)), ((-25) / (1)), ((45) / (1)), ((0) / (1)), ((-25) / (1)), ((-30) / (1)); met) | (exists 1, 1, 1, 1, ((75) / (1)), ((30) / (1)), ((45) / (1)), ((0) / (1)), ((-15) / (1)), ((30) / (1)), ((75) / (1)), ((-25) / (1)), ((45) / (1)), ((0) / (1)), ((-25) / (1)), ((-30) / (1)); met) | (exists 0, 0, 0, 0, ((75) / (1)), ((30) / (1)), ((45) / (1)), ((0) / (1)), ((-15) / (1)), ((30) / (1)), ((75) / (1)), ((-25) / (1)), ((45) / (1)), ((0) / (1)), ((-25) / (1)), ((-30) / (1)); met)]. Qed.
 End ex_3_1_p0.

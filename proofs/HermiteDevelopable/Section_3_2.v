@@ -344,247 +344,6 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
   factorial 0%Z <> 0.
 End eq_3_6_A_r5.
 
-Module eq_3_6_C_r1.
-(* hermite-developable/eq-3.6.C.r1, Sect. 3.2, eq. (3.6), right-hand side, row 1
-   printed: -8 k p_0 + 16 k p + 8 q_1 + 8 q_0 - 2 q_1^u + 2 q_0^u
-   stated: blend5(A36[1], qm, p1, p0u, p1u, o) - quartic_part(4) == -8*k*p0 + 16*k*pm + 8*q1 + 8*q0 - 2*q1u + 2*q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  det (quartic_data A B C_ E_ F) <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  blend5 (row (A36 k) 1) qm p1 p0u p1u o - quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z = - 8 * k * p0 + 16 * k * pm + 8 * q1 + 8 * q0 - 2 * q1u + 2 * q0u.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  det (quartic_data A B C_ E_ F) <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0.
-End eq_3_6_C_r1.
-
-Module eq_3_6_C_r3.
-(* hermite-developable/eq-3.6.C.r3, Sect. 3.2, eq. (3.6), right-hand side, row 3
-   printed: 43 k p_0 - 80 k p - 37 q_1 - 43 q_0 + 8 q_1^u - 11 q_0^u
-   stated: blend5(A36[3], qm, p1, p0u, p1u, o) - quartic_part(2) == 43*k*p0 - 80*k*pm - 37*q1 - 43*q0 + 8*q1u - 11*q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  det (quartic_data A B C_ E_ F) <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  blend5 (row (A36 k) 3) qm p1 p0u p1u o - quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z = 43 * k * p0 - 80 * k * pm - 37 * q1 - 43 * q0 + 8 * q1u - 11 * q0u.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  det (quartic_data A B C_ E_ F) <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0.
-End eq_3_6_C_r3.
-
-Module eq_3_6_C_r4.
-(* hermite-developable/eq-3.6.C.r4, Sect. 3.2, eq. (3.6), right-hand side, row 4
-   printed: -22 k p_0 + 32 k p + 10 q_1 + 22 q_0 - 2 q_1^u + 7 q_0^u
-   stated: blend5(A36[4], qm, p1, p0u, p1u, o) - quartic_part(1) == -22*k*p0 + 32*k*pm + 10*q1 + 22*q0 - 2*q1u + 7*q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  det (quartic_data A B C_ E_ F) <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  blend5 (row (A36 k) 4) qm p1 p0u p1u o - quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z = - 22 * k * p0 + 32 * k * pm + 10 * q1 + 22 * q0 - 2 * q1u + 7 * q0u.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  det (quartic_data A B C_ E_ F) <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0.
-End eq_3_6_C_r4.
-
-Module eq_3_6_det.
-(* hermite-developable/eq-3.6.det, Sect. 3.2, sentence after (3.6)
-   printed: det(A) = -2176 k^5 + 4336 k^4 - 2160 k^3
-   stated: det(A36) == -2176*k^5 + 4336*k^4 - 2160*k^3 *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition statement : Prop :=
-forall (k : R),
-  det (A36 k) = - 2176 * k ^ 5 + 4336 * k ^ 4 - 2160 * k ^ 3.
-End eq_3_6_det.
-
-Module eq_3_6_det_corrected.
-(* hermite-developable/eq-3.6.det (corrected), Sect. 3.2, sentence after (3.6)
-   printed: det(A) = -2176 k^5 + 4336 k^4 - 2160 k^3
-   stated: det(A36) == 16*k^3*(1 - k) *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition statement : Prop :=
-forall (k : R),
-  det (A36 k) = 16 * k ^ 3 * (1 - k).
-End eq_3_6_det_corrected.
-
-Module eq_3_6_det_true.
-(* hermite-developable/eq-3.6.det.true, Sect. 3.2, sentence after (3.6)
-   printed: The determinant of the printed matrix, which is that of the criterion, is -16 k^3 (k - 1): it has degree 4 and vanishes at k = 0 and k = 1 only.
-   stated: det(A36) == -16*k^3*(k - 1) and det(quartic_system) == -16*k^3*(k - 1) *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
-  [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  det (quartic_data A B C_ E_ F) <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  det (A36 k) = - 16 * k ^ 3 * (k - 1) /\ det (quartic_system A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm) = - 16 * k ^ 3 * (k - 1).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  det (quartic_data A B C_ E_ F) <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0.
-End eq_3_6_det_true.
-
-Module eq_3_6_det_slip.
-(* hermite-developable/eq-3.6.det.slip, Sect. 3.2, sentence after (3.6)
-   printed: With 32 k for 32 in entry (2, 1) and -80 k for -80 in entry (3, 1) the determinant of the matrix is the printed polynomial, exactly.
-   stated: det(slip) == -2176*k^5 + 4336*k^4 - 2160*k^3 *)
-Definition slip (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32 * k; 18 * k; 3 * k; - 5 * k; 0]; [- 80 * k; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition statement : Prop :=
-forall (k : R),
-  det (slip k) = - 2176 * k ^ 5 + 4336 * k ^ 4 - 2160 * k ^ 3.
-End eq_3_6_det_slip.
-
-Module eq_3_6_det_factored.
-(* hermite-developable/eq-3.6.det-factored, Sect. 3.2, sentence after (3.6), second equality
-   printed: -2176 k^5 + 4336 k^4 - 2160 k^3 = -16 k^3 (136 k - 135) (k - 1)
-   stated: -2176*k^5 + 4336*k^4 - 2160*k^3 == -16*k^3*(136*k - 135)*(k - 1) *)
-Definition statement : Prop :=
-forall (k : R),
-  - 2176 * k ^ 5 + 4336 * k ^ 4 - 2160 * k ^ 3 = - 16 * k ^ 3 * (136 * k - 135) * (k - 1).
-End eq_3_6_det_factored.
-
-Module eq_3_6_system.
-(* hermite-developable/eq-3.6.system, Sect. 3.2, solutions of (3.6)
-   printed: With k p_0 for p_0 in row 2 and q_0^u for q_1^u in row 5 of the right-hand side the printed system has the printed solutions; as it stands its first unknown has another value, by 133/4 (k - 1) p_0.
-   stated: solve(A36, right(k*p0, q0u)) == [-k*p0 + q0 + k*pm, (k*p0 + q1 - q0)/k, q0u/k, q1u/k, (k*p0 - q0)/(k - 1)] and solve(A36, right(p0, q1u))[1] == -k*p0 + q0 + k*pm + 133/4*(k - 1)*p0 *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition right_ (k : R) (p0 : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (first : R) (last : R) : list R :=
-  [- 8 * k * p0 + 16 * k * pm + 8 * q1 + 8 * q0 - 2 * q1u + 2 * q0u; - 14 * first + 32 * k * pm + 18 * q1 + 14 * q0 - 5 * q1u + 3 * q0u; 43 * k * p0 - 80 * k * pm - 37 * q1 - 43 * q0 + 8 * q1u - 11 * q0u; - 22 * k * p0 + 32 * k * pm + 10 * q1 + 22 * q0 - 2 * q1u + 7 * q0u; k * p0 - q0 - last].
-Definition statement : Prop :=
-forall (k : R) (p0 : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
-  k > 0 ->
-  k <> 1 ->
-  det (A36 k) <> 0 ->
-  k <> 0 ->
-  k - 1 <> 0 ->
-  solve (A36 k) (right_ k p0 pm q0 q0u q1 q1u (k * p0) q0u) = [- k * p0 + q0 + k * pm; (k * p0 + q1 - q0) / k; q0u / k; q1u / k; (k * p0 - q0) / (k - 1)] /\ entry (solve (A36 k) (right_ k p0 pm q0 q0u q1 q1u p0 q1u)) 1 = - k * p0 + q0 + k * pm + 133 / 4 * (k - 1) * p0.
-Definition instance : Prop :=
-exists (k : R) (p0 : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
-  k > 0 /\
-  k <> 1 /\
-  det (A36 k) <> 0 /\
-  k <> 0 /\
-  k - 1 <> 0.
-End eq_3_6_system.
-
 Module eq_3_6_B.
 (* hermite-developable/eq-3.6.B, Sect. 3.2, eq. (3.6), column of unknowns
    printed: B = (q, p_1, p_1^u, q)
@@ -694,6 +453,202 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
   factorial 0%Z <> 0.
 End eq_3_6_B_corrected.
 
+Module eq_3_6_C_r1.
+(* hermite-developable/eq-3.6.C.r1, Sect. 3.2, eq. (3.6), right-hand side, row 1
+   printed: -8 k p_0 + 16 k p + 8 q_1 + 8 q_0 - 2 q_1^u + 2 q_0^u
+   stated: blend5(A36[1], qm, p1, p0u, p1u, o) - quartic_part(4) == -8*k*p0 + 16*k*pm + 8*q1 + 8*q0 - 2*q1u + 2*q0u *)
+Definition A36 (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
+  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
+Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
+  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
+Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
+  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
+Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
+Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
+Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  det (quartic_data A B C_ E_ F) <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  blend5 (row (A36 k) 1) qm p1 p0u p1u o - quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z = - 8 * k * p0 + 16 * k * pm + 8 * q1 + 8 * q0 - 2 * q1u + 2 * q0u.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  det (quartic_data A B C_ E_ F) <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0.
+End eq_3_6_C_r1.
+
+Module eq_3_6_C_r2.
+(* hermite-developable/eq-3.6.C.r2, Sect. 3.2, eq. (3.6), right-hand side, row 2
+   printed: -14 p_0 + 32 k p + 18 q_1 + 14 q_0 - 5 q_1^u + 3 q_0^u
+   stated: blend5(A36[2], qm, p1, p0u, p1u, o) - quartic_part(3) == -14*p0 + 32*k*pm + 18*q1 + 14*q0 - 5*q1u + 3*q0u *)
+Definition A36 (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
+  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
+Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
+  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
+Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
+  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
+Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
+Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
+Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  0 < k ->
+  k <> 1 ->
+  det (quartic_data A B C_ E_ F) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  blend5 (row (A36 k) 2) qm p1 p0u p1u o - quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z = - 14 * p0 + 32 * k * pm + 18 * q1 + 14 * q0 - 5 * q1u + 3 * q0u.
+End eq_3_6_C_r2.
+
+Module eq_3_6_C_r2_corrected.
+(* hermite-developable/eq-3.6.C.r2 (corrected), Sect. 3.2, eq. (3.6), right-hand side, row 2
+   printed: -14 p_0 + 32 k p + 18 q_1 + 14 q_0 - 5 q_1^u + 3 q_0^u
+   stated: blend5(A36[2], qm, p1, p0u, p1u, o) - quartic_part(3) == k*(-14*p0) + 32*k*pm + 18*q1 + 14*q0 - 5*q1u + 3*q0u *)
+Definition A36 (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
+  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
+Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
+  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
+Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
+  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
+Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
+Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
+Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  0 < k ->
+  k <> 1 ->
+  det (quartic_data A B C_ E_ F) <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  blend5 (row (A36 k) 2) qm p1 p0u p1u o - quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z = k * (- 14 * p0) + 32 * k * pm + 18 * q1 + 14 * q0 - 5 * q1u + 3 * q0u.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  0 < k /\
+  k <> 1 /\
+  det (quartic_data A B C_ E_ F) <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0.
+End eq_3_6_C_r2_corrected.
+
+Module eq_3_6_C_r3.
+(* hermite-developable/eq-3.6.C.r3, Sect. 3.2, eq. (3.6), right-hand side, row 3
+   printed: 43 k p_0 - 80 k p - 37 q_1 - 43 q_0 + 8 q_1^u - 11 q_0^u
+   stated: blend5(A36[3], qm, p1, p0u, p1u, o) - quartic_part(2) == 43*k*p0 - 80*k*pm - 37*q1 - 43*q0 + 8*q1u - 11*q0u *)
+Definition A36 (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
+  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
+Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
+  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
+Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
+  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
+Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
+Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
+Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  det (quartic_data A B C_ E_ F) <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  blend5 (row (A36 k) 3) qm p1 p0u p1u o - quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z = 43 * k * p0 - 80 * k * pm - 37 * q1 - 43 * q0 + 8 * q1u - 11 * q0u.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  det (quartic_data A B C_ E_ F) <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0.
+End eq_3_6_C_r3.
+
+Module eq_3_6_C_r4.
+(* hermite-developable/eq-3.6.C.r4, Sect. 3.2, eq. (3.6), right-hand side, row 4
+   printed: -22 k p_0 + 32 k p + 10 q_1 + 22 q_0 - 2 q_1^u + 7 q_0^u
+   stated: blend5(A36[4], qm, p1, p0u, p1u, o) - quartic_part(1) == -22*k*p0 + 32*k*pm + 10*q1 + 22*q0 - 2*q1u + 7*q0u *)
+Definition A36 (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
+  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
+Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
+  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
+Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
+  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
+Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
+Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
+Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  det (quartic_data A B C_ E_ F) <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  blend5 (row (A36 k) 4) qm p1 p0u p1u o - quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z = - 22 * k * p0 + 32 * k * pm + 10 * q1 + 22 * q0 - 2 * q1u + 7 * q0u.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  det (quartic_data A B C_ E_ F) <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0.
+End eq_3_6_C_r4.
+
 Module eq_3_6_C_r5.
 (* hermite-developable/eq-3.6.C.r5, Sect. 3.2, eq. (3.6), right-hand side, row 5
    printed: k p_0 - q_0 - q_1^u
@@ -772,6 +727,332 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
   (0 <= 0%Z)%Z /\
   factorial 0%Z <> 0.
 End eq_3_6_C_r5_corrected.
+
+Module eq_3_6_det.
+(* hermite-developable/eq-3.6.det, Sect. 3.2, sentence after (3.6)
+   printed: det(A) = -2176 k^5 + 4336 k^4 - 2160 k^3
+   stated: det(A36) == -2176*k^5 + 4336*k^4 - 2160*k^3 *)
+Definition A36 (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition statement : Prop :=
+forall (k : R),
+  det (A36 k) = - 2176 * k ^ 5 + 4336 * k ^ 4 - 2160 * k ^ 3.
+End eq_3_6_det.
+
+Module eq_3_6_det_corrected.
+(* hermite-developable/eq-3.6.det (corrected), Sect. 3.2, sentence after (3.6)
+   printed: det(A) = -2176 k^5 + 4336 k^4 - 2160 k^3
+   stated: det(A36) == 16*k^3*(1 - k) *)
+Definition A36 (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition statement : Prop :=
+forall (k : R),
+  det (A36 k) = 16 * k ^ 3 * (1 - k).
+End eq_3_6_det_corrected.
+
+Module eq_3_6_det_true.
+(* hermite-developable/eq-3.6.det.true, Sect. 3.2, sentence after (3.6)
+   printed: The determinant of the printed matrix, which is that of the criterion, is -16 k^3 (k - 1): it has degree 4 and vanishes at k = 0 and k = 1 only.
+   stated: det(A36) == -16*k^3*(k - 1) and det(quartic_system) == -16*k^3*(k - 1) *)
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
+  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
+Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
+  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition A36 (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
+Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
+  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
+Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
+Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
+Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
+  [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  det (quartic_data A B C_ E_ F) <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  det (A36 k) = - 16 * k ^ 3 * (k - 1) /\ det (quartic_system A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm) = - 16 * k ^ 3 * (k - 1).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  det (quartic_data A B C_ E_ F) <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0.
+End eq_3_6_det_true.
+
+Module eq_3_6_det_slip.
+(* hermite-developable/eq-3.6.det.slip, Sect. 3.2, sentence after (3.6)
+   printed: With 32 k for 32 in entry (2, 1) and -80 k for -80 in entry (3, 1) the determinant of the matrix is the printed polynomial, exactly.
+   stated: det(slip) == -2176*k^5 + 4336*k^4 - 2160*k^3 *)
+Definition slip (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32 * k; 18 * k; 3 * k; - 5 * k; 0]; [- 80 * k; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition statement : Prop :=
+forall (k : R),
+  det (slip k) = - 2176 * k ^ 5 + 4336 * k ^ 4 - 2160 * k ^ 3.
+End eq_3_6_det_slip.
+
+Module eq_3_6_det_factored.
+(* hermite-developable/eq-3.6.det-factored, Sect. 3.2, sentence after (3.6), second equality
+   printed: -2176 k^5 + 4336 k^4 - 2160 k^3 = -16 k^3 (136 k - 135) (k - 1)
+   stated: -2176*k^5 + 4336*k^4 - 2160*k^3 == -16*k^3*(136*k - 135)*(k - 1) *)
+Definition statement : Prop :=
+forall (k : R),
+  - 2176 * k ^ 5 + 4336 * k ^ 4 - 2160 * k ^ 3 = - 16 * k ^ 3 * (136 * k - 135) * (k - 1).
+End eq_3_6_det_factored.
+
+Module eq_3_6_k.
+(* hermite-developable/eq-3.6.k, Sect. 3.2, sentence before the solutions
+   printed: If we choice k > 0, k != 1 and k != (135/136), then it obtains the solutions
+   stated: qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
+  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
+Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
+  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
+Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
+  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
+Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
+Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
+Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
+Definition quartic_criterion_ : R :=
+  0.
+Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
+Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
+Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
+Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  k > 0 ->
+  k <> 1 ->
+  136 * k - 135 <> 0 ->
+  det (quartic_data A B C_ E_ F) <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ ->
+  k <> 0 ->
+  k - 1 <> 0 ->
+  qm = - k * p0 + q0 + k * pm /\ p1 = (k * p0 + q1 - q0) / k /\ p0u = q0u / k /\ p1u = q1u / k /\ o = (k * p0 - q0) / (k - 1).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  k > 0 /\
+  k <> 1 /\
+  136 * k - 135 <> 0 /\
+  det (quartic_data A B C_ E_ F) <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_) /\
+  k <> 0 /\
+  k - 1 <> 0.
+End eq_3_6_k.
+
+Module eq_3_6_k_every.
+(* hermite-developable/eq-3.6.k.every, Sect. 3.2, sentence before the solutions
+   printed: The third exclusion is not needed: the solutions hold for every k > 0 other than 1, at k = 135/136 too.
+   stated: qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
+  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
+Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
+  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
+Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
+  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
+Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
+Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
+Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
+Definition quartic_criterion_ : R :=
+  0.
+Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
+Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
+Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
+Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  k > 0 ->
+  k <> 1 ->
+  det (quartic_data A B C_ E_ F) <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ ->
+  k <> 0 ->
+  k - 1 <> 0 ->
+  qm = - k * p0 + q0 + k * pm /\ p1 = (k * p0 + q1 - q0) / k /\ p0u = q0u / k /\ p1u = q1u / k /\ o = (k * p0 - q0) / (k - 1).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  k > 0 /\
+  k <> 1 /\
+  det (quartic_data A B C_ E_ F) <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_) /\
+  k <> 0 /\
+  k - 1 <> 0.
+End eq_3_6_k_every.
+
+Module eq_3_6_k_135_136.
+(* hermite-developable/eq-3.6.k.135-136, Sect. 3.2, sentence before the solutions
+   printed: At k = 135/136 the system has one solution, the printed one.
+   stated: det(A36) != 0 and qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
+  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
+Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
+  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
+Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
+  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
+Definition k : R :=
+  135 / 136.
+Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
+Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
+Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
+Definition quartic_criterion_ : R :=
+  0.
+Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
+Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
+Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
+Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
+Definition A36 : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  det (quartic_data A B C_ E_ F) <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  quartic_criterion A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ ->
+  k <> 0 ->
+  k - 1 <> 0 ->
+  det A36 <> 0 /\ qm = - k * p0 + q0 + k * pm /\ p1 = (k * p0 + q1 - q0) / k /\ p0u = q0u / k /\ p1u = q1u / k /\ o = (k * p0 - q0) / (k - 1).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  det (quartic_data A B C_ E_ F) <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (quartic_criterion A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_) /\
+  k <> 0 /\
+  k - 1 <> 0.
+End eq_3_6_k_135_136.
 
 Module eq_3_6_sol_q.
 (* hermite-developable/eq-3.6.sol.q, Sect. 3.2, solutions of (3.6)
@@ -1062,6 +1343,104 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
   (quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_) /\
   k <> 0.
 End eq_3_6_sol_p1u.
+
+Module eq_3_6_sol_o.
+(* hermite-developable/eq-3.6.sol.o, Sect. 3.2, solutions of (3.6)
+   printed: o = (k p_0 - q_0)/(k - 1)
+   stated: o == (k*p0 - q0)/(k - 1) *)
+Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
+  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
+Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
+  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
+Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
+  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
+Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
+  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
+Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
+  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
+Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
+  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
+Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
+  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
+Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
+Definition quartic_criterion_ : R :=
+  0.
+Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
+Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
+Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
+Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  k > 0 ->
+  k <> 1 ->
+  det (quartic_data A B C_ E_ F) <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ ->
+  k - 1 <> 0 ->
+  o = (k * p0 - q0) / (k - 1).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
+  k > 0 /\
+  k <> 1 /\
+  det (quartic_data A B C_ E_ F) <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_) /\
+  k - 1 <> 0.
+End eq_3_6_sol_o.
+
+Module eq_3_6_system.
+(* hermite-developable/eq-3.6.system, Sect. 3.2, solutions of (3.6)
+   printed: With k p_0 for p_0 in row 2 and q_0^u for q_1^u in row 5 of the right-hand side the printed system has the printed solutions; as it stands its first unknown has another value, by 133/4 (k - 1) p_0.
+   stated: solve(A36, right(k*p0, q0u)) == [-k*p0 + q0 + k*pm, (k*p0 + q1 - q0)/k, q0u/k, q1u/k, (k*p0 - q0)/(k - 1)] and solve(A36, right(p0, q1u))[1] == -k*p0 + q0 + k*pm + 133/4*(k - 1)*p0 *)
+Definition A36 (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
+Definition right_ (k : R) (p0 : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (first : R) (last : R) : list R :=
+  [- 8 * k * p0 + 16 * k * pm + 8 * q1 + 8 * q0 - 2 * q1u + 2 * q0u; - 14 * first + 32 * k * pm + 18 * q1 + 14 * q0 - 5 * q1u + 3 * q0u; 43 * k * p0 - 80 * k * pm - 37 * q1 - 43 * q0 + 8 * q1u - 11 * q0u; - 22 * k * p0 + 32 * k * pm + 10 * q1 + 22 * q0 - 2 * q1u + 7 * q0u; k * p0 - q0 - last].
+Definition statement : Prop :=
+forall (k : R) (p0 : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 ->
+  k <> 1 ->
+  det (A36 k) <> 0 ->
+  k <> 0 ->
+  k - 1 <> 0 ->
+  solve (A36 k) (right_ k p0 pm q0 q0u q1 q1u (k * p0) q0u) = [- k * p0 + q0 + k * pm; (k * p0 + q1 - q0) / k; q0u / k; q1u / k; (k * p0 - q0) / (k - 1)] /\ entry (solve (A36 k) (right_ k p0 pm q0 q0u q1 q1u p0 q1u)) 1 = - k * p0 + q0 + k * pm + 133 / 4 * (k - 1) * p0.
+Definition instance : Prop :=
+exists (k : R) (p0 : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 /\
+  k <> 1 /\
+  det (A36 k) <> 0 /\
+  k <> 0 /\
+  k - 1 <> 0.
+End eq_3_6_system.
 
 Module sec_3_2_advantage.
 (* hermite-developable/sec-3.2.advantage, Sect. 3.2, last sentence
@@ -1699,382 +2078,3 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 
   factorial 0%Z <> 0 /\
   (quartic_criterion A B C_ E_ F o p0u p1 p1u qm y z = zeros 3 /\ quartic_criterion__ A B C_ E_ F o p0u p1 p1u qm y z = zeros 3 /\ quartic_criterion___ A B C_ E_ F o p0u p1 p1u qm y z = zeros 3 /\ quartic_criterion____ A B C_ E_ F o p0u p1 p1u qm y z = zeros 3 /\ quartic_criterion_____ A B C_ E_ F o p0u p1 p1u qm y z = zeros 3).
 End ex_3_2_parallel.
-
-Module eq_3_6_C_r2.
-(* hermite-developable/eq-3.6.C.r2, Sect. 3.2, eq. (3.6), right-hand side, row 2
-   printed: -14 p_0 + 32 k p + 18 q_1 + 14 q_0 - 5 q_1^u + 3 q_0^u
-   stated: blend5(A36[2], qm, p1, p0u, p1u, o) - quartic_part(3) == -14*p0 + 32*k*pm + 18*q1 + 14*q0 - 5*q1u + 3*q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  0 < k ->
-  k <> 1 ->
-  det (quartic_data A B C_ E_ F) <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  blend5 (row (A36 k) 2) qm p1 p0u p1u o - quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z = - 14 * p0 + 32 * k * pm + 18 * q1 + 14 * q0 - 5 * q1u + 3 * q0u.
-End eq_3_6_C_r2.
-
-Module eq_3_6_C_r2_corrected.
-(* hermite-developable/eq-3.6.C.r2 (corrected), Sect. 3.2, eq. (3.6), right-hand side, row 2
-   printed: -14 p_0 + 32 k p + 18 q_1 + 14 q_0 - 5 q_1^u + 3 q_0^u
-   stated: blend5(A36[2], qm, p1, p0u, p1u, o) - quartic_part(3) == k*(-14*p0) + 32*k*pm + 18*q1 + 14*q0 - 5*q1u + 3*q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  0 < k ->
-  k <> 1 ->
-  det (quartic_data A B C_ E_ F) <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  blend5 (row (A36 k) 2) qm p1 p0u p1u o - quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z = k * (- 14 * p0) + 32 * k * pm + 18 * q1 + 14 * q0 - 5 * q1u + 3 * q0u.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  0 < k /\
-  k <> 1 /\
-  det (quartic_data A B C_ E_ F) <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0.
-End eq_3_6_C_r2_corrected.
-
-Module eq_3_6_k.
-(* hermite-developable/eq-3.6.k, Sect. 3.2, sentence before the solutions
-   printed: If we choice k > 0, k != 1 and k != (135/136), then it obtains the solutions
-   stated: qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  k > 0 ->
-  k <> 1 ->
-  136 * k - 135 <> 0 ->
-  det (quartic_data A B C_ E_ F) <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ ->
-  k <> 0 ->
-  k - 1 <> 0 ->
-  qm = - k * p0 + q0 + k * pm /\ p1 = (k * p0 + q1 - q0) / k /\ p0u = q0u / k /\ p1u = q1u / k /\ o = (k * p0 - q0) / (k - 1).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  k > 0 /\
-  k <> 1 /\
-  136 * k - 135 <> 0 /\
-  det (quartic_data A B C_ E_ F) <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  (quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_) /\
-  k <> 0 /\
-  k - 1 <> 0.
-End eq_3_6_k.
-
-Module eq_3_6_k_every.
-(* hermite-developable/eq-3.6.k.every, Sect. 3.2, sentence before the solutions
-   printed: The third exclusion is not needed: the solutions hold for every k > 0 other than 1, at k = 135/136 too.
-   stated: qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  k > 0 ->
-  k <> 1 ->
-  det (quartic_data A B C_ E_ F) <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ ->
-  k <> 0 ->
-  k - 1 <> 0 ->
-  qm = - k * p0 + q0 + k * pm /\ p1 = (k * p0 + q1 - q0) / k /\ p0u = q0u / k /\ p1u = q1u / k /\ o = (k * p0 - q0) / (k - 1).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  k > 0 /\
-  k <> 1 /\
-  det (quartic_data A B C_ E_ F) <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  (quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_) /\
-  k <> 0 /\
-  k - 1 <> 0.
-End eq_3_6_k_every.
-
-Module eq_3_6_k_135_136.
-(* hermite-developable/eq-3.6.k.135-136, Sect. 3.2, sentence before the solutions
-   printed: At k = 135/136 the system has one solution, the printed one.
-   stated: det(A36) != 0 and qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition k : R :=
-  135 / 136.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
-Definition A36 : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  det (quartic_data A B C_ E_ F) <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  quartic_criterion A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ ->
-  k <> 0 ->
-  k - 1 <> 0 ->
-  det A36 <> 0 /\ qm = - k * p0 + q0 + k * pm /\ p1 = (k * p0 + q1 - q0) / k /\ p0u = q0u / k /\ p1u = q1u / k /\ o = (k * p0 - q0) / (k - 1).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  det (quartic_data A B C_ E_ F) <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  (quartic_criterion A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_) /\
-  k <> 0 /\
-  k - 1 <> 0.
-End eq_3_6_k_135_136.
-
-Module eq_3_6_sol_o.
-(* hermite-developable/eq-3.6.sol.o, Sect. 3.2, solutions of (3.6)
-   printed: o = (k p_0 - q_0)/(k - 1)
-   stated: o == (k*p0 - q0)/(k - 1) *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  k > 0 ->
-  k <> 1 ->
-  det (quartic_data A B C_ E_ F) <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ ->
-  k - 1 <> 0 ->
-  o = (k * p0 - q0) / (k - 1).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
-  k > 0 /\
-  k <> 1 /\
-  det (quartic_data A B C_ E_ F) <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  (quartic_criterion A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion__ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion___ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_ /\ quartic_criterion_____ A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm = quartic_criterion_) /\
-  k - 1 <> 0.
-End eq_3_6_sol_o.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From HermiteDevelopable Require Section_3_2.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import HermiteDevelopable.Section_3_2.eq_3_6_A_r1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; unstaged; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_6_A_r1.
 
 Module eq_3_6_A_r2.
@@ -16,7 +16,7 @@ Import HermiteDevelopable.Section_3_2.eq_3_6_A_r2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; unstaged; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_6_A_r2.
 
 Module eq_3_6_A_r3.
@@ -24,7 +24,7 @@ Import HermiteDevelopable.Section_3_2.eq_3_6_A_r3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; unstaged; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_6_A_r3.
 
 Module eq_3_6_A_r4.
@@ -32,7 +32,7 @@ Import HermiteDevelopable.Section_3_2.eq_3_6_A_r4.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; unstaged; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_6_A_r4.
 
 Module eq_3_6_A_r5.
@@ -40,7 +40,7 @@ Import HermiteDevelopable.Section_3_2.eq_3_6_A_r5.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; staged_goal quartic_system; unstaged; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_6_A_r5.
 
 Module eq_3_6_C_r1.
@@ -48,15 +48,21 @@ Import HermiteDevelopable.Section_3_2.eq_3_6_C_r1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance A36 quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; unstaged; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_6_C_r1.
+
+Module eq_3_6_C_r2.
+Import HermiteDevelopable.Section_3_2.eq_3_6_C_r2.
+Theorem refuted : ~ statement.
+Proof. unfold not; cbv beta zeta delta [statement]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; unstaged; intro no; refuting (no 0 0 0 0 0 (2) 0 (1) 0 0 0 (0) (0) (0) (0) (0) 0). Qed.
+End eq_3_6_C_r2.
 
 Module eq_3_6_C_r3.
 Import HermiteDevelopable.Section_3_2.eq_3_6_C_r3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance A36 quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; unstaged; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_6_C_r3.
 
 Module eq_3_6_C_r4.
@@ -64,7 +70,7 @@ Import HermiteDevelopable.Section_3_2.eq_3_6_C_r4.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance A36 quartic quartic_ quartic_data quartic_basis blend5 hermite4 q4 p4 quartic_gap quartic_part]; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; unstaged; first [(exists 2, 3, 4, 5, 6, (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18; met) | (exists 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6; met) | (exists 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
 End eq_3_6_C_r4.
 
 Module eq_3_6_det.
@@ -91,32 +97,26 @@ Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; identity. Qed.
 End eq_3_6_det_factored.
 
-Module eq_3_6_system.
-Import HermiteDevelopable.Section_3_2.eq_3_6_system.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement A36 right_]; identity. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance A36 right_]; first [(exists (2), (3), (4), (5), (6), (7), (8); met) | (exists (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9); met) | (exists (1), (1), (1), (1), (1), (1), (1); met)]. Qed.
-End eq_3_6_system.
-
-Module eq_3_6_C_r2.
-Import HermiteDevelopable.Section_3_2.eq_3_6_C_r2.
-Theorem refuted : ~ statement.
-Proof. unfold not; cbv beta zeta delta [statement]; stage A36; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; staged_goal quartic_part; unstaged; intro no; refuting (no 0 0 0 0 0 (2) 0 (1) 0 0 0 (0) (0) (0) (0) (0) 0). Qed.
-End eq_3_6_C_r2.
-
 Module eq_3_6_k.
 Import HermiteDevelopable.Section_3_2.eq_3_6_k.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); put_known; concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met) | (exists 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
 End eq_3_6_k.
 
 Module eq_3_6_sol_o.
 Import HermiteDevelopable.Section_3_2.eq_3_6_sol_o.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); put_known; concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage quartic_part; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met) | (exists 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
 End eq_3_6_sol_o.
+
+Module eq_3_6_system.
+Import HermiteDevelopable.Section_3_2.eq_3_6_system.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement A36 right_]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance A36 right_]; first [(exists (2), (3), (4), (5), (6), (7), (8); met) | (exists (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9); met) | (exists (1), (1), (1), (1), (1), (1), (1); met) | (exists (1), (0), (0), (0), (0), (0), (0); met)]. Qed.
+End eq_3_6_system.

@@ -2,6 +2,76 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module sec_3_3_curves.
+(* hermite-developable/sec-3.3.curves, Sect. 3.3, first sentences
+   printed: p_5(u) = a_1 u^5 + b_1 u^4 + c_1 u^3 + d_1 u^2 + e_1 u + f_1 and q_5(u) = a_2 u^5 + b_2 u^4 + c_2 u^3 + d_2 u^2 + e_2 u + f_2 in the parallel plane Gamma_1 // Gamma_2; D(u,v) = (1-v) p_5(u) + v q_5(u); posing p_0, p, q_0^u, q_1, q_0, q_1^u, and p''
+   read as: p'' is read as p^u (the superscript u seen as two strokes): the example lists p^u as the seventh datum and no second derivative occurs in the paper. The seven data named last are given, the six others follow: the equations of the criterion determine them
+   stated: quintic_system*solve(quintic_system, right) == right and solve(quintic_system, quintic_system*x) == x *)
+Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
+  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
+Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
+  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
+Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
+  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
+Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
+Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
+  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
+Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R) : R :=
+  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
+Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
+  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - k) * o.
+Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition quintic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : list (list R) :=
+  [[Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 o]].
+Definition right_ (c1 : R) (c2 : R) (c3 : R) (c4 : R) (c5 : R) (c6 : R) : list R :=
+  [c1; c2; c3; c4; c5; c6].
+Definition x (x1 : R) (x2 : R) (x3 : R) (x4 : R) (x5 : R) (x6 : R) : list R :=
+  [x1; x2; x3; x4; x5; x6].
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (c1 : R) (c2 : R) (c3 : R) (c4 : R) (c5 : R) (c6 : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (x1 : R) (x2 : R) (x3 : R) (x4 : R) (x5 : R) (x6 : R),
+  0 < k ->
+  k <> 1 ->
+  det (quintic_data A B C_ E_ F G) <> 0 ->
+  (0 <= 5%Z)%Z ->
+  factorial 5%Z <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  det (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) <> 0 ->
+  mvec (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) (solve (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) (right_ c1 c2 c3 c4 c5 c6)) = right_ c1 c2 c3 c4 c5 c6 /\ solve (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) (mvec (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) (x x1 x2 x3 x4 x5 x6)) = x x1 x2 x3 x4 x5 x6.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (c1 : R) (c2 : R) (c3 : R) (c4 : R) (c5 : R) (c6 : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (x1 : R) (x2 : R) (x3 : R) (x4 : R) (x5 : R) (x6 : R),
+  0 < k /\
+  k <> 1 /\
+  det (quintic_data A B C_ E_ F G) <> 0 /\
+  (0 <= 5%Z)%Z /\
+  factorial 5%Z <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  det (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) <> 0.
+End sec_3_3_curves.
+
 Module eq_3_7_A_r1.
 (* hermite-developable/eq-3.7.A.r1, Sect. 3.3, eq. (3.7), matrix A, row 1
    printed: (-4k, 16, -4k, 0, 24k, 0)
@@ -358,6 +428,119 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
   factorial 0%Z <> 0.
 End eq_3_7_A_r6.
 
+Module eq_3_7_B.
+(* hermite-developable/eq-3.7.B, Sect. 3.3, eq. (3.7), column of unknowns
+   printed: B = (p_0^u, q^u, p_1^u, q, p_1, q)
+   stated: quintic_system*[p0u, qu, p1u, qm, p1, o] == A37*[p0u, qu, p1u, qm, p1, qm] *)
+Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
+  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
+Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
+  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
+Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
+  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
+Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
+Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
+  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
+Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R) : R :=
+  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
+Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
+  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - k) * o.
+Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition quintic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : list (list R) :=
+  [[Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 o]].
+Definition A37 (k : R) : list (list R) :=
+  [[- 4 * k; 16; - 4 * k; 0; 24 * k; 0]; [- 8 * k; 40; - 12 * k; 16; 68 * k; 0]; [35 * k; - 128; 27 * k; 32; - 174 * k; 0]; [- 33 * k; 88; - 14 * k; - 80; 95 * k; 0]; [11 * k; - 16; 2 * k; 32; - 14 * k; 0]; [- k; 0; 0; 0; 0; k - 1]].
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
+  0 < k ->
+  k <> 1 ->
+  det (quintic_data A B C_ E_ F G) <> 0 ->
+  (0 <= 5%Z)%Z ->
+  factorial 5%Z <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  mvec (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) [p0u; qu; p1u; qm; p1; o] = mvec (A37 k) [p0u; qu; p1u; qm; p1; qm].
+End eq_3_7_B.
+
+Module eq_3_7_B_corrected.
+(* hermite-developable/eq-3.7.B (corrected), Sect. 3.3, eq. (3.7), column of unknowns
+   printed: B = (p_0^u, q^u, p_1^u, q, p_1, q)
+   stated: quintic_system*[p0u, qu, p1u, qm, p1, o] == A37*[p0u, qu, p1u, qm, p1, o] *)
+Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
+  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
+Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
+  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
+Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
+  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
+Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
+Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
+  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
+Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R) : R :=
+  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
+Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
+  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - k) * o.
+Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition quintic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : list (list R) :=
+  [[Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 o]].
+Definition A37 (k : R) : list (list R) :=
+  [[- 4 * k; 16; - 4 * k; 0; 24 * k; 0]; [- 8 * k; 40; - 12 * k; 16; 68 * k; 0]; [35 * k; - 128; 27 * k; 32; - 174 * k; 0]; [- 33 * k; 88; - 14 * k; - 80; 95 * k; 0]; [11 * k; - 16; 2 * k; 32; - 14 * k; 0]; [- k; 0; 0; 0; 0; k - 1]].
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
+  0 < k ->
+  k <> 1 ->
+  det (quintic_data A B C_ E_ F G) <> 0 ->
+  (0 <= 5%Z)%Z ->
+  factorial 5%Z <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  mvec (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) [p0u; qu; p1u; qm; p1; o] = mvec (A37 k) [p0u; qu; p1u; qm; p1; o].
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
+  0 < k /\
+  k <> 1 /\
+  det (quintic_data A B C_ E_ F G) <> 0 /\
+  (0 <= 5%Z)%Z /\
+  factorial 5%Z <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0.
+End eq_3_7_B_corrected.
+
 Module eq_3_7_C_r1.
 (* hermite-developable/eq-3.7.C.r1, Sect. 3.3, eq. (3.7), right-hand side, row 1
    printed: 24 k p_0 + 24 q_1 - 24 q_0 - 4 q_0^u - 4 q_1^u + 16 k p^u
@@ -602,214 +785,6 @@ Definition statement : Prop :=
 forall (k : R),
   det (A37 k) = 256 * k ^ 3 * (k - 1).
 End eq_3_7_det.
-
-Module eq_3_7_system.
-(* hermite-developable/eq-3.7.system, Sect. 3.3, solutions of (3.7)
-   printed: The printed matrix and right-hand side, with o for the last unknown, have the printed solutions.
-   stated: solve(A37, right) == [q0u/k, k*pu, q1u/k, -k*p0 + q0 + k*pm, (k*p0 + q1 - q0)/k, (k*p0 - q0)/(k - 1)] *)
-Definition A37 (k : R) : list (list R) :=
-  [[- 4 * k; 16; - 4 * k; 0; 24 * k; 0]; [- 8 * k; 40; - 12 * k; 16; 68 * k; 0]; [35 * k; - 128; 27 * k; 32; - 174 * k; 0]; [- 33 * k; 88; - 14 * k; - 80; 95 * k; 0]; [11 * k; - 16; 2 * k; 32; - 14 * k; 0]; [- k; 0; 0; 0; 0; k - 1]].
-Definition right_ (k : R) (p0 : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list R :=
-  [24 * k * p0 + 24 * q1 - 24 * q0 - 4 * q0u - 4 * q1u + 16 * k * pu; 52 * k * p0 + 16 * k * pm + 68 * q1 - 52 * q0 - 8 * q0u - 12 * q1u + 40 * k * pu; - 206 * k * p0 + 32 * k * pm - 174 * q1 + 206 * q0 + 35 * q0u + 27 * q1u - 128 * k * pu; 175 * k * p0 - 80 * k * pm + 95 * q1 - 175 * q0 - 33 * q0u - 14 * q1u + 88 * k * pu; - 46 * k * p0 + 32 * k * pm - 14 * q1 + 46 * q0 + 11 * q0u + 2 * q1u - 16 * k * pu; k * p0 - q0 - q0u].
-Definition statement : Prop :=
-forall (k : R) (p0 : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
-  k > 0 ->
-  k <> 1 ->
-  det (A37 k) <> 0 ->
-  k <> 0 ->
-  k - 1 <> 0 ->
-  solve (A37 k) (right_ k p0 pm pu q0 q0u q1 q1u) = [q0u / k; k * pu; q1u / k; - k * p0 + q0 + k * pm; (k * p0 + q1 - q0) / k; (k * p0 - q0) / (k - 1)].
-Definition instance : Prop :=
-exists (k : R) (p0 : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
-  k > 0 /\
-  k <> 1 /\
-  det (A37 k) <> 0 /\
-  k <> 0 /\
-  k - 1 <> 0.
-End eq_3_7_system.
-
-Module sec_3_3_curves.
-(* hermite-developable/sec-3.3.curves, Sect. 3.3, first sentences
-   printed: p_5(u) = a_1 u^5 + b_1 u^4 + c_1 u^3 + d_1 u^2 + e_1 u + f_1 and q_5(u) = a_2 u^5 + b_2 u^4 + c_2 u^3 + d_2 u^2 + e_2 u + f_2 in the parallel plane Gamma_1 // Gamma_2; D(u,v) = (1-v) p_5(u) + v q_5(u); posing p_0, p, q_0^u, q_1, q_0, q_1^u, and p''
-   read as: p'' is read as p^u (the superscript u seen as two strokes): the example lists p^u as the seventh datum and no second derivative occurs in the paper. The seven data named last are given, the six others follow: the equations of the criterion determine them
-   stated: quintic_system*solve(quintic_system, right) == right and solve(quintic_system, quintic_system*x) == x *)
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
-Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
-  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R) : R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
-Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
-  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - k) * o.
-Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quintic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : list (list R) :=
-  [[Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 o]].
-Definition right_ (c1 : R) (c2 : R) (c3 : R) (c4 : R) (c5 : R) (c6 : R) : list R :=
-  [c1; c2; c3; c4; c5; c6].
-Definition x (x1 : R) (x2 : R) (x3 : R) (x4 : R) (x5 : R) (x6 : R) : list R :=
-  [x1; x2; x3; x4; x5; x6].
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (c1 : R) (c2 : R) (c3 : R) (c4 : R) (c5 : R) (c6 : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (x1 : R) (x2 : R) (x3 : R) (x4 : R) (x5 : R) (x6 : R),
-  0 < k ->
-  k <> 1 ->
-  det (quintic_data A B C_ E_ F G) <> 0 ->
-  (0 <= 5%Z)%Z ->
-  factorial 5%Z <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  det (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) <> 0 ->
-  mvec (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) (solve (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) (right_ c1 c2 c3 c4 c5 c6)) = right_ c1 c2 c3 c4 c5 c6 /\ solve (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) (mvec (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) (x x1 x2 x3 x4 x5 x6)) = x x1 x2 x3 x4 x5 x6.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (c1 : R) (c2 : R) (c3 : R) (c4 : R) (c5 : R) (c6 : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (x1 : R) (x2 : R) (x3 : R) (x4 : R) (x5 : R) (x6 : R),
-  0 < k /\
-  k <> 1 /\
-  det (quintic_data A B C_ E_ F G) <> 0 /\
-  (0 <= 5%Z)%Z /\
-  factorial 5%Z <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  det (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) <> 0.
-End sec_3_3_curves.
-
-Module eq_3_7_B.
-(* hermite-developable/eq-3.7.B, Sect. 3.3, eq. (3.7), column of unknowns
-   printed: B = (p_0^u, q^u, p_1^u, q, p_1, q)
-   stated: quintic_system*[p0u, qu, p1u, qm, p1, o] == A37*[p0u, qu, p1u, qm, p1, qm] *)
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
-Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
-  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R) : R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
-Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
-  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - k) * o.
-Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quintic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : list (list R) :=
-  [[Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 o]].
-Definition A37 (k : R) : list (list R) :=
-  [[- 4 * k; 16; - 4 * k; 0; 24 * k; 0]; [- 8 * k; 40; - 12 * k; 16; 68 * k; 0]; [35 * k; - 128; 27 * k; 32; - 174 * k; 0]; [- 33 * k; 88; - 14 * k; - 80; 95 * k; 0]; [11 * k; - 16; 2 * k; 32; - 14 * k; 0]; [- k; 0; 0; 0; 0; k - 1]].
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
-  0 < k ->
-  k <> 1 ->
-  det (quintic_data A B C_ E_ F G) <> 0 ->
-  (0 <= 5%Z)%Z ->
-  factorial 5%Z <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  mvec (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) [p0u; qu; p1u; qm; p1; o] = mvec (A37 k) [p0u; qu; p1u; qm; p1; qm].
-End eq_3_7_B.
-
-Module eq_3_7_B_corrected.
-(* hermite-developable/eq-3.7.B (corrected), Sect. 3.3, eq. (3.7), column of unknowns
-   printed: B = (p_0^u, q^u, p_1^u, q, p_1, q)
-   stated: quintic_system*[p0u, qu, p1u, qm, p1, o] == A37*[p0u, qu, p1u, qm, p1, o] *)
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
-Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
-  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R) : R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
-Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
-  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - k) * o.
-Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quintic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : list (list R) :=
-  [[Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z) 1 o]; [Derive_n (fun p0u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p0u; Derive_n (fun qu => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qu; Derive_n (fun p1u => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1u; Derive_n (fun qm => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 qm; Derive_n (fun p1 => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 p1; Derive_n (fun o => quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z) 1 o]].
-Definition A37 (k : R) : list (list R) :=
-  [[- 4 * k; 16; - 4 * k; 0; 24 * k; 0]; [- 8 * k; 40; - 12 * k; 16; 68 * k; 0]; [35 * k; - 128; 27 * k; 32; - 174 * k; 0]; [- 33 * k; 88; - 14 * k; - 80; 95 * k; 0]; [11 * k; - 16; 2 * k; 32; - 14 * k; 0]; [- k; 0; 0; 0; 0; k - 1]].
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
-  0 < k ->
-  k <> 1 ->
-  det (quintic_data A B C_ E_ F G) <> 0 ->
-  (0 <= 5%Z)%Z ->
-  factorial 5%Z <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  mvec (quintic_system A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu) [p0u; qu; p1u; qm; p1; o] = mvec (A37 k) [p0u; qu; p1u; qm; p1; o].
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
-  0 < k /\
-  k <> 1 /\
-  det (quintic_data A B C_ E_ F G) <> 0 /\
-  (0 <= 5%Z)%Z /\
-  factorial 5%Z <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0.
-End eq_3_7_B_corrected.
 
 Module eq_3_7_k.
 (* hermite-developable/eq-3.7.k, Sect. 3.3, sentence before the solutions
@@ -1341,6 +1316,110 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
   (quintic_criterion A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion__ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion___ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion_____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion______ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_) /\
   k <> 0.
 End eq_3_7_sol_p1.
+
+Module eq_3_7_sol_o.
+(* hermite-developable/eq-3.7.sol.o, Sect. 3.3, solutions of (3.7)
+   printed: o = (k p_0 - q_0)/(k - 1)
+   stated: o == (k*p0 - q0)/(k - 1) *)
+Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
+  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
+Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
+  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
+Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
+  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
+Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
+Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
+  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
+Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R) : R :=
+  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
+Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
+  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - k) * o.
+Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z.
+Definition quintic_criterion_ : R :=
+  0.
+Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z.
+Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z.
+Definition quintic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z.
+Definition quintic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z.
+Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
+  k > 0 ->
+  k <> 1 ->
+  det (quintic_data A B C_ E_ F G) <> 0 ->
+  (0 <= 5%Z)%Z ->
+  factorial 5%Z <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  quintic_criterion A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion__ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion___ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion_____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion______ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ ->
+  k - 1 <> 0 ->
+  o = (k * p0 - q0) / (k - 1).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
+  k > 0 /\
+  k <> 1 /\
+  det (quintic_data A B C_ E_ F G) <> 0 /\
+  (0 <= 5%Z)%Z /\
+  factorial 5%Z <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (quintic_criterion A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion__ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion___ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion_____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion______ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_) /\
+  k - 1 <> 0.
+End eq_3_7_sol_o.
+
+Module eq_3_7_system.
+(* hermite-developable/eq-3.7.system, Sect. 3.3, solutions of (3.7)
+   printed: The printed matrix and right-hand side, with o for the last unknown, have the printed solutions.
+   stated: solve(A37, right) == [q0u/k, k*pu, q1u/k, -k*p0 + q0 + k*pm, (k*p0 + q1 - q0)/k, (k*p0 - q0)/(k - 1)] *)
+Definition A37 (k : R) : list (list R) :=
+  [[- 4 * k; 16; - 4 * k; 0; 24 * k; 0]; [- 8 * k; 40; - 12 * k; 16; 68 * k; 0]; [35 * k; - 128; 27 * k; 32; - 174 * k; 0]; [- 33 * k; 88; - 14 * k; - 80; 95 * k; 0]; [11 * k; - 16; 2 * k; 32; - 14 * k; 0]; [- k; 0; 0; 0; 0; k - 1]].
+Definition right_ (k : R) (p0 : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list R :=
+  [24 * k * p0 + 24 * q1 - 24 * q0 - 4 * q0u - 4 * q1u + 16 * k * pu; 52 * k * p0 + 16 * k * pm + 68 * q1 - 52 * q0 - 8 * q0u - 12 * q1u + 40 * k * pu; - 206 * k * p0 + 32 * k * pm - 174 * q1 + 206 * q0 + 35 * q0u + 27 * q1u - 128 * k * pu; 175 * k * p0 - 80 * k * pm + 95 * q1 - 175 * q0 - 33 * q0u - 14 * q1u + 88 * k * pu; - 46 * k * p0 + 32 * k * pm - 14 * q1 + 46 * q0 + 11 * q0u + 2 * q1u - 16 * k * pu; k * p0 - q0 - q0u].
+Definition statement : Prop :=
+forall (k : R) (p0 : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 ->
+  k <> 1 ->
+  det (A37 k) <> 0 ->
+  k <> 0 ->
+  k - 1 <> 0 ->
+  solve (A37 k) (right_ k p0 pm pu q0 q0u q1 q1u) = [q0u / k; k * pu; q1u / k; - k * p0 + q0 + k * pm; (k * p0 + q1 - q0) / k; (k * p0 - q0) / (k - 1)].
+Definition instance : Prop :=
+exists (k : R) (p0 : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
+  k > 0 /\
+  k <> 1 /\
+  det (A37 k) <> 0 /\
+  k <> 0 /\
+  k - 1 <> 0.
+End eq_3_7_system.
 
 Module sec_3_3_advantage.
 (* hermite-developable/sec-3.3.advantage, Sect. 3.3, last sentence
@@ -2431,82 +2510,3 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
   factorial 0%Z <> 0 /\
   (quintic_criterion A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion__ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion___ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion____ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion_____ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion______ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3).
 End fig_4d_constant.
-
-Module eq_3_7_sol_o.
-(* hermite-developable/eq-3.7.sol.o, Sect. 3.3, solutions of (3.7)
-   printed: o = (k p_0 - q_0)/(k - 1)
-   stated: o == (k*p0 - q0)/(k - 1) *)
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
-Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
-  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R) : R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
-Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
-  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - k) * o.
-Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
-Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z.
-Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z.
-Definition quintic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z.
-Definition quintic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z.
-Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
-  k > 0 ->
-  k <> 1 ->
-  det (quintic_data A B C_ E_ F G) <> 0 ->
-  (0 <= 5%Z)%Z ->
-  factorial 5%Z <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  quintic_criterion A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion__ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion___ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion_____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion______ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ ->
-  k - 1 <> 0 ->
-  o = (k * p0 - q0) / (k - 1).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
-  k > 0 /\
-  k <> 1 /\
-  det (quintic_data A B C_ E_ F G) <> 0 /\
-  (0 <= 5%Z)%Z /\
-  factorial 5%Z <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  (quintic_criterion A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion__ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion___ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion_____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion______ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_) /\
-  k - 1 <> 0.
-End eq_3_7_sol_o.

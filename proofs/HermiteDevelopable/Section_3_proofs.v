@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From HermiteDevelopable Require Section_3.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import HermiteDevelopable.Section_3.def_3_1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement p g ruled ruled_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance p g ruled ruled_]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, (1 / 3), (39); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, (1 / 3), (1); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, (1 / 3), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance p g ruled ruled_]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, (1 / 3), (39); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, (1 / 3), (1); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, (1 / 3), (1); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, (1 / 3), (1); met)]. Qed.
 End def_3_1.
 
 Module def_3_1_normal.
@@ -16,7 +16,7 @@ Import HermiteDevelopable.Section_3.def_3_1_normal.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement p g ruled]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance p g ruled]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, (1 / 3), (39); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, (1 / 3), (1); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, (1 / 3), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance p g ruled]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, (1 / 3), (39); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, (1 / 3), (1); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, 1, 4, 13, (1 / 3), (1); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, (1 / 3), (1); met)]. Qed.
 End def_3_1_normal.
 
 Module def_3_2.
@@ -36,7 +36,7 @@ Import HermiteDevelopable.Section_3.sec_3_g_boundary.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement p q g ruled ruled_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance p q g ruled ruled_]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, (1 / 3), (39); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, (1 / 3), (1); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, (1 / 3), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance p q g ruled ruled_]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, (1 / 3), (39); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, (1 / 3), (1); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, (1 / 3), (1); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, (1 / 3), (1); met)]. Qed.
 End sec_3_g_boundary.
 
 Module sec_3_g_prime.
@@ -48,17 +48,17 @@ End sec_3_g_prime.
 Module sec_3_g_prime_corrected.
 Import HermiteDevelopable.Section_3.sec_3_g_prime_corrected.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; prepared; unknown dg'1; unknown dg'2; unknown dg'3; unknown dq'1; unknown dq'2; unknown dq'3; finished. Qed.
+Proof. cbv beta zeta delta [statement]; prepared; unknown dg'1; unknown dg'2; unknown dg'3; unknown dq'1; unknown dq'2; unknown dq'3; put_in; finished. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists (2), (3), 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists (0), (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists (13), (8), 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists (1), (1), 7, 7, 2, 6, 8, 7, 8, 7, 9, 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (2), (3), 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists (0), (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists (13), (8), 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists (1), (1), 7, 7, 2, 6, 8, 7, 8, 7, 9, 9, 7, 7; met) | (exists (1), (0), 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0; met)]. Qed.
 End sec_3_g_prime_corrected.
 
 Module eq_3_1.
 Import HermiteDevelopable.Section_3.eq_3_1.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement rho]; prepared; unknown dg'1; unknown dg'2; unknown dg'3; unknown dq'1; unknown dq'2; unknown dq'3; finished. Qed.
+Proof. cbv beta zeta delta [statement rho]; unstaged; prepared; known (dg'1) (alpha*dp'1 + beta*ruling'1) (1); known (dg'2) (alpha*dp'2 + beta*ruling'2) (1); known (dg'3) (alpha*dp'3 + beta*ruling'3) (1); known (dq'1) (alpha*dp'1 + beta*ruling'1 + dp'1) (1); known (dq'2) (alpha*dp'2 + beta*ruling'2 + dp'2) (1); known (dq'3) (alpha*dp'3 + beta*ruling'3 + dp'3) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance rho]; first [(exists (2), (3), 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists (0), (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists (13), (8), 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists (1), (1), 7, 7, 2, 6, 8, 7, 8, 7, 9, 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance rho]; first [(exists (2), (3), ((((2))*(7) + ((3))*(13)) / (1)), ((((2))*(8) + ((3))*(14)) / (1)), ((((2))*(9) + ((3))*(15)) / (1)), 7, 8, 9, ((((2))*(7) + ((3))*(13) + (7)) / (1)), ((((2))*(8) + ((3))*(14) + (8)) / (1)), ((((2))*(9) + ((3))*(15) + (9)) / (1)), 13, 14, 15; met) | (exists (0), (0), ((((0))*(0) + ((0))*(0)) / (1)), ((((0))*(0) + ((0))*(0)) / (1)), ((((0))*(0) + ((0))*(0)) / (1)), 0, 0, 0, ((((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0) + ((0))*(0) + (0)) / (1)), 0, 0, 0; met) | (exists (13), (8), ((((13))*(7) + ((8))*(1)) / (1)), ((((13))*(9) + ((8))*(4)) / (1)), ((((13))*(7) + ((8))*(13)) / (1)), 7, 9, 7, ((((13))*(7) + ((8))*(1) + (7)) / (1)), ((((13))*(9) + ((8))*(4) + (9)) / (1)), ((((13))*(7) + ((8))*(13) + (7)) / (1)), 1, 4, 13; met) | (exists (1), (1), ((((1))*(6) + ((1))*(9)) / (1)), ((((1))*(8) + ((1))*(7)) / (1)), ((((1))*(7) + ((1))*(7)) / (1)), 6, 8, 7, ((((1))*(6) + ((1))*(9) + (6)) / (1)), ((((1))*(8) + ((1))*(7) + (8)) / (1)), ((((1))*(7) + ((1))*(7) + (7)) / (1)), 9, 7, 7; met) | (exists (1), (0), ((((1))*(0) + ((0))*(1)) / (1)), ((((1))*(1) + ((0))*(0)) / (1)), ((((1))*(0) + ((0))*(0)) / (1)), 0, 1, 0, ((((1))*(0) + ((0))*(1) + (0)) / (1)), ((((1))*(1) + ((0))*(0) + (1)) / (1)), ((((1))*(0) + ((0))*(0) + (0)) / (1)), 1, 0, 0; met)]. Qed.
 End eq_3_1.
 
 Module eq_3_1_must.
@@ -66,7 +66,7 @@ Import HermiteDevelopable.Section_3.eq_3_1_must.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement normal rho beta]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal rho beta]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7; met) | (exists 6, 8, 7, 8, 7, 9, 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance normal rho beta]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7; met) | (exists 6, 8, 7, 8, 7, 9, 9, 7, 7; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1; met)]. Qed.
 End eq_3_1_must.
 
 Module eq_3_1_types_a.
@@ -74,7 +74,7 @@ Import HermiteDevelopable.Section_3.eq_3_1_types_a.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement d_cylinder cylinder d_cone cone d_second d_first second first]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance d_cylinder cylinder d_cone cone d_second d_first second first]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (11), (12), 13, 14, 15, (16), (17), 18, 19, 20; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), (0), 0, 0, 0, (0), (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (2), (11), 1, 4, 13, (8), (8), 6, 8, 7; met) | (exists 8, 8, 6, 7, 7, 2, 4, 13, 8, (1), (1), 6, 8, 7, (1), (1), 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance d_cylinder cylinder d_cone cone d_second d_first second first]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (11), (12), 13, 14, 15, (16), (17), 18, 19, 20; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), (0), 0, 0, 0, (0), (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (2), (11), 1, 4, 13, (8), (8), 6, 8, 7; met) | (exists 8, 8, 6, 7, 7, 2, 4, 13, 8, (1), (1), 6, 8, 7, (1), (1), 9, 7, 7; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (1), (0), 1, 0, 0, (0), (0), 0, 1, 0; met)]. Qed.
 End eq_3_1_types_a.
 
 Module eq_3_1_types_b.
@@ -86,41 +86,41 @@ End eq_3_1_types_b.
 Module eq_3_1_rho_constant.
 Import HermiteDevelopable.Section_3.eq_3_1_rho_constant.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement q p parallel q_ p_]; prepared; unknown b5'1; unknown b5'2; unknown b5'3; unknown b4'1; unknown b4'2; unknown b4'3; unknown b3'1; unknown b3'2; unknown b3'3; unknown b2'1; unknown b2'2; unknown b2'3; unknown b1'1; unknown b1'2; unknown b1'3; finished. Qed.
+Proof. cbv beta zeta delta [statement]; stage q; stage p; stage parallel; stage q_; staged_goal p_; unstaged; prepared; known (b1'1) (a1'1*rho) (1); known (b1'2) (a1'2*rho) (1); known (b1'3) (a1'3*rho) (1); known (b2'1) (a2'1*rho) (1); known (b2'2) (a2'2*rho) (1); known (b2'3) (a2'3*rho) (1); known (b3'1) (a3'1*rho) (1); known (b3'2) (a3'2*rho) (1); known (b3'3) (a3'3*rho) (1); known (b4'1) (a4'1*rho) (1); known (b4'2) (a4'2*rho) (1); known (b4'3) (a4'3*rho) (1); known (b5'1) (a5'1*rho) (1); known (b5'2) (a5'2*rho) (1); known (b5'3) (a5'3*rho) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance q p parallel q_ p_]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, (38), (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, (11), (1 / 3); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, (1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage q; stage p; stage parallel; stage q_; staged_goal p_; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, (((5)*((38))) / (1)), (((6)*((38))) / (1)), (((7)*((38))) / (1)), (((8)*((38))) / (1)), (((9)*((38))) / (1)), (((10)*((38))) / (1)), (((11)*((38))) / (1)), (((12)*((38))) / (1)), (((13)*((38))) / (1)), (((14)*((38))) / (1)), (((15)*((38))) / (1)), (((16)*((38))) / (1)), (((17)*((38))) / (1)), (((18)*((38))) / (1)), (((19)*((38))) / (1)), (38), (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (0), (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, (((6)*((11))) / (1)), (((8)*((11))) / (1)), (((7)*((11))) / (1)), (((9)*((11))) / (1)), (((7)*((11))) / (1)), (((7)*((11))) / (1)), (((2)*((11))) / (1)), (((11)*((11))) / (1)), (((1)*((11))) / (1)), (((4)*((11))) / (1)), (((13)*((11))) / (1)), (((8)*((11))) / (1)), (((8)*((11))) / (1)), (((6)*((11))) / (1)), (((8)*((11))) / (1)), (11), (1 / 3); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 9, 7, 7, (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (1), (1 / 3); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (1), (1 / 3); met)]. Qed.
 End eq_3_1_rho_constant.
 
 Module eq_3_2.
 Import HermiteDevelopable.Section_3.eq_3_2.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; prepared; unknown dq'1; unknown dq'2; unknown dq'3; finished. Qed.
+Proof. cbv beta zeta delta [statement]; unstaged; prepared; known (dq'1) (dp'1*k - ruling'1) (1); known (dq'2) (dp'2*k - ruling'2) (1); known (dq'3) (dp'3*k - ruling'3) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2; met) | (exists 6, 8, 7, 8, 7, 9, (1), 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, (((2)*((8)) - (9)) / (1)), (((3)*((8)) - (10)) / (1)), (((4)*((8)) - (11)) / (1)), (8), 9, 10, 11; met) | (exists 0, 0, 0, (((0)*((0)) - (0)) / (1)), (((0)*((0)) - (0)) / (1)), (((0)*((0)) - (0)) / (1)), (0), 0, 0, 0; met) | (exists 13, 8, 8, (((13)*((9)) - (7)) / (1)), (((8)*((9)) - (7)) / (1)), (((8)*((9)) - (2)) / (1)), (9), 7, 7, 2; met) | (exists 6, 8, 7, (((6)*((1)) - (9)) / (1)), (((8)*((1)) - (7)) / (1)), (((7)*((1)) - (7)) / (1)), (1), 9, 7, 7; met) | (exists 1, 0, 0, (((1)*((1)) - (0)) / (1)), (((0)*((1)) - (0)) / (1)), (((0)*((1)) - (1)) / (1)), (1), 0, 0, 1; met)]. Qed.
 End eq_3_2.
 
 Module eq_3_2_edge.
 Import HermiteDevelopable.Section_3.eq_3_2_edge.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; prepared; unknown dq'1; unknown dq'2; unknown dq'3; unknown dg'1; unknown dg'2; unknown dg'3; finished. Qed.
+Proof. cbv beta zeta delta [statement]; unstaged; prepared; known (dg'1) (dp'1*k - dp'1 - ruling'1) (1); known (dg'2) (dp'2*k - dp'2 - ruling'2) (1); known (dg'3) (dp'3*k - dp'3 - ruling'3) (1); known (dq'1) (dp'1*k - ruling'1) (1); known (dq'2) (dp'2*k - ruling'2) (1); known (dq'3) (dp'3*k - ruling'3) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (11), 12, 13, 14; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (2), 11, 1, 4; met) | (exists 7, 7, 2, 6, 8, 7, 8, 7, 9, (1), 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists (((5)*((11)) - (5) - (12)) / (1)), (((6)*((11)) - (6) - (13)) / (1)), (((7)*((11)) - (7) - (14)) / (1)), 5, 6, 7, (((5)*((11)) - (12)) / (1)), (((6)*((11)) - (13)) / (1)), (((7)*((11)) - (14)) / (1)), (11), 12, 13, 14; met) | (exists (((0)*((0)) - (0) - (0)) / (1)), (((0)*((0)) - (0) - (0)) / (1)), (((0)*((0)) - (0) - (0)) / (1)), 0, 0, 0, (((0)*((0)) - (0)) / (1)), (((0)*((0)) - (0)) / (1)), (((0)*((0)) - (0)) / (1)), (0), 0, 0, 0; met) | (exists (((6)*((2)) - (6) - (11)) / (1)), (((8)*((2)) - (8) - (1)) / (1)), (((7)*((2)) - (7) - (4)) / (1)), 6, 8, 7, (((6)*((2)) - (11)) / (1)), (((8)*((2)) - (1)) / (1)), (((7)*((2)) - (4)) / (1)), (2), 11, 1, 4; met) | (exists (((6)*((1)) - (6) - (9)) / (1)), (((8)*((1)) - (8) - (7)) / (1)), (((7)*((1)) - (7) - (7)) / (1)), 6, 8, 7, (((6)*((1)) - (9)) / (1)), (((8)*((1)) - (7)) / (1)), (((7)*((1)) - (7)) / (1)), (1), 9, 7, 7; met) | (exists (((0)*((1)) - (0) - (1)) / (1)), (((1)*((1)) - (1) - (0)) / (1)), (((0)*((1)) - (0) - (0)) / (1)), 0, 1, 0, (((0)*((1)) - (1)) / (1)), (((1)*((1)) - (0)) / (1)), (((0)*((1)) - (0)) / (1)), (1), 1, 0, 0; met)]. Qed.
 End eq_3_2_edge.
 
 Module eq_3_2_across.
 Import HermiteDevelopable.Section_3.eq_3_2_across.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; prepared; unknown dq'1; unknown dq'2; unknown dq'3; finished. Qed.
+Proof. cbv beta zeta delta [statement]; unstaged; prepared; known (dq'1) (P'1 - Q'1 + dp'1*k) (1); known (dq'2) (P'2 - Q'2 + dp'2*k) (1); known (dq'3) (P'3 - Q'3 + dp'3*k) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, (17), 18, 19, 20; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, (8), 6, 8, 7; met) | (exists 8, 8, 6, 8, 6, 8, 7, 7, 2, 6, 8, 7, 8, 7, 9, (1), 8, 7, 9; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, (((2) - (5) + (11)*((17))) / (1)), (((3) - (6) + (12)*((17))) / (1)), (((4) - (7) + (13)*((17))) / (1)), (17), 18, 19, 20; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0) - (0) + (0)*((0))) / (1)), (((0) - (0) + (0)*((0))) / (1)), (((0) - (0) + (0)*((0))) / (1)), (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, (((13) - (6) + (2)*((8))) / (1)), (((8) - (8) + (11)*((8))) / (1)), (((8) - (7) + (1)*((8))) / (1)), (8), 6, 8, 7; met) | (exists 8, 8, 6, 8, 6, 8, 7, 7, 2, 6, 8, 7, (((8) - (8) + (6)*((1))) / (1)), (((8) - (6) + (8)*((1))) / (1)), (((6) - (8) + (7)*((1))) / (1)), (1), 8, 7, 9; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, (((1) - (0) + (1)*((1))) / (1)), (((0) - (1) + (0)*((1))) / (1)), (((0) - (0) + (0)*((1))) / (1)), (1), 0, 0, 1; met)]. Qed.
 End eq_3_2_across.
 
 Module eq_3_2_across_summit.
 Import HermiteDevelopable.Section_3.eq_3_2_across_summit.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; prepared; unknown dq'1; unknown dq'2; unknown dq'3; finished. Qed.
+Proof. cbv beta zeta delta [statement]; unstaged; prepared; known (dq'1) (P'1*k - Q'1 + dp'1*k - k*o'1 + o'1) (1); known (dq'2) (P'2*k - Q'2 + dp'2*k - k*o'2 + o'2) (1); known (dq'3) (P'3*k - Q'3 + dp'3*k - k*o'3 + o'3) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, (17), 18, 19, 20, 21, 22, 23; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, (8), 6, 8, 7, 9, 7, 7; met) | (exists 8, 8, 6, 8, 6, 8, 7, 7, 2, 6, 8, 7, 8, 7, 9, (1), 8, 7, 9, 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, (((2)*((17)) - (5) + (11)*((17)) - ((17))*(21) + (21)) / (1)), (((3)*((17)) - (6) + (12)*((17)) - ((17))*(22) + (22)) / (1)), (((4)*((17)) - (7) + (13)*((17)) - ((17))*(23) + (23)) / (1)), (17), 18, 19, 20, 21, 22, 23; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (0), 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, (((13)*((8)) - (6) + (2)*((8)) - ((8))*(9) + (9)) / (1)), (((8)*((8)) - (8) + (11)*((8)) - ((8))*(7) + (7)) / (1)), (((8)*((8)) - (7) + (1)*((8)) - ((8))*(7) + (7)) / (1)), (8), 6, 8, 7, 9, 7, 7; met) | (exists 8, 8, 6, 8, 6, 8, 7, 7, 2, 6, 8, 7, (((8)*((1)) - (8) + (6)*((1)) - ((1))*(9) + (9)) / (1)), (((8)*((1)) - (6) + (8)*((1)) - ((1))*(7) + (7)) / (1)), (((6)*((1)) - (8) + (7)*((1)) - ((1))*(7) + (7)) / (1)), (1), 8, 7, 9, 9, 7, 7; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, (((1)*((1)) - (0) + (1)*((1)) - ((1))*(1) + (1)) / (1)), (((0)*((1)) - (1) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (((0)*((1)) - (0) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (1), 0, 0, 1, 1, 0, 0; met)]. Qed.
 End eq_3_2_across_summit.
 
 Module eq_3_3_g_generatrix.
@@ -144,17 +144,17 @@ End eq_3_3_g_true.
 Module eq_3_3a.
 Import HermiteDevelopable.Section_3.eq_3_3a.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; prepared; unknown dq'1; unknown dq'2; unknown dq'3; unknown ruling'1; unknown ruling'2; unknown ruling'3; finished. Qed.
+Proof. cbv beta zeta delta [statement]; unstaged; prepared; known (dq'1) (P'1*k - Q'1 + dp'1*k - k*o'1 + o'1) (1); known (dq'2) (P'2*k - Q'2 + dp'2*k - k*o'2 + o'2) (1); known (dq'3) (P'3*k - Q'3 + dp'3*k - k*o'3 + o'3) (1); known (ruling'1) (-P'1*k + Q'1 + k*o'1 - o'1) (1); known (ruling'2) (-P'2*k + Q'2 + k*o'2 - o'2) (1); known (ruling'3) (-P'3*k + Q'3 + k*o'3 - o'3) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, (14), 15, 16, 17, 18, 19, 20; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, (4), 13, 8, 8, 6, 8, 7; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, 8, 7, 9, (1), 9, 7, 7, 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (((2)*((14)) - (5) + (8)*((14)) - ((14))*(15) + (15)) / (1)), (((3)*((14)) - (6) + (9)*((14)) - ((14))*(16) + (16)) / (1)), (((4)*((14)) - (7) + (10)*((14)) - ((14))*(17) + (17)) / (1)), (14), 15, 16, 17, ((-(2)*((14)) + (5) + ((14))*(15) - (15)) / (1)), ((-(3)*((14)) + (6) + ((14))*(16) - (16)) / (1)), ((-(4)*((14)) + (7) + ((14))*(17) - (17)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (0), 0, 0, 0, ((-(0)*((0)) + (0) + ((0))*(0) - (0)) / (1)), ((-(0)*((0)) + (0) + ((0))*(0) - (0)) / (1)), ((-(0)*((0)) + (0) + ((0))*(0) - (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (((13)*((4)) - (6) + (9)*((4)) - ((4))*(13) + (13)) / (1)), (((8)*((4)) - (8) + (7)*((4)) - ((4))*(8) + (8)) / (1)), (((8)*((4)) - (7) + (7)*((4)) - ((4))*(8) + (8)) / (1)), (4), 13, 8, 8, ((-(13)*((4)) + (6) + ((4))*(13) - (13)) / (1)), ((-(8)*((4)) + (8) + ((4))*(8) - (8)) / (1)), ((-(8)*((4)) + (7) + ((4))*(8) - (8)) / (1)); met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, (((8)*((1)) - (8) + (6)*((1)) - ((1))*(9) + (9)) / (1)), (((8)*((1)) - (6) + (8)*((1)) - ((1))*(7) + (7)) / (1)), (((6)*((1)) - (8) + (7)*((1)) - ((1))*(7) + (7)) / (1)), (1), 9, 7, 7, ((-(8)*((1)) + (8) + ((1))*(9) - (9)) / (1)), ((-(8)*((1)) + (6) + ((1))*(7) - (7)) / (1)), ((-(6)*((1)) + (8) + ((1))*(7) - (7)) / (1)); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (((1)*((1)) - (0) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (((0)*((1)) - (1) + (0)*((1)) - ((1))*(1) + (1)) / (1)), (((0)*((1)) - (0) + (1)*((1)) - ((1))*(0) + (0)) / (1)), (1), 0, 1, 0, ((-(1)*((1)) + (0) + ((1))*(0) - (0)) / (1)), ((-(0)*((1)) + (1) + ((1))*(1) - (1)) / (1)), ((-(0)*((1)) + (0) + ((1))*(0) - (0)) / (1)); met)]. Qed.
 End eq_3_3a.
 
 Module eq_3_3b.
 Import HermiteDevelopable.Section_3.eq_3_3b.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; prepared; unknown dq'1; unknown dq'2; unknown dq'3; finished. Qed.
+Proof. cbv beta zeta delta [statement]; unstaged; prepared; known (dq'1) (P'1*k - Q'1 + dp'1*k - k*o'1 + o'1) (1); known (dq'2) (P'2*k - Q'2 + dp'2*k - k*o'2 + o'2) (1); known (dq'3) (P'3*k - Q'3 + dp'3*k - k*o'3 + o'3) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, (14), 15, 16, 17; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, (4), 13, 8, 8; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, 8, 7, 9, (1), 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (((2)*((14)) - (5) + (8)*((14)) - ((14))*(15) + (15)) / (1)), (((3)*((14)) - (6) + (9)*((14)) - ((14))*(16) + (16)) / (1)), (((4)*((14)) - (7) + (10)*((14)) - ((14))*(17) + (17)) / (1)), (14), 15, 16, 17; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (((13)*((4)) - (6) + (9)*((4)) - ((4))*(13) + (13)) / (1)), (((8)*((4)) - (8) + (7)*((4)) - ((4))*(8) + (8)) / (1)), (((8)*((4)) - (7) + (7)*((4)) - ((4))*(8) + (8)) / (1)), (4), 13, 8, 8; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, (((8)*((1)) - (8) + (6)*((1)) - ((1))*(9) + (9)) / (1)), (((8)*((1)) - (6) + (8)*((1)) - ((1))*(7) + (7)) / (1)), (((6)*((1)) - (8) + (7)*((1)) - ((1))*(7) + (7)) / (1)), (1), 9, 7, 7; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (((1)*((1)) - (0) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (((0)*((1)) - (1) + (0)*((1)) - ((1))*(1) + (1)) / (1)), (((0)*((1)) - (0) + (1)*((1)) - ((1))*(0) + (0)) / (1)), (1), 0, 1, 0; met)]. Qed.
 End eq_3_3b.
 
 Module eq_3_3_same_as_3_2_generatrix.
@@ -166,17 +166,17 @@ End eq_3_3_same_as_3_2_generatrix.
 Module eq_3_3_same_as_3_2_direction.
 Import HermiteDevelopable.Section_3.eq_3_3_same_as_3_2_direction.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; prepared; unknown dq'1; unknown dq'2; unknown dq'3; unknown ruling'1; unknown ruling'2; unknown ruling'3; finished. Qed.
+Proof. cbv beta zeta delta [statement]; unstaged; prepared; known (dq'1) (P'1*k - Q'1 + dp'1*k - k*o'1 + o'1) (1); known (dq'2) (P'2*k - Q'2 + dp'2*k - k*o'2 + o'2) (1); known (dq'3) (P'3*k - Q'3 + dp'3*k - k*o'3 + o'3) (1); known (ruling'1) (-P'1*k + Q'1 + k*o'1 - o'1) (1); known (ruling'2) (-P'2*k + Q'2 + k*o'2 - o'2) (1); known (ruling'3) (-P'3*k + Q'3 + k*o'3 - o'3) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, (14), 15, 16, 17, 18, 19, 20; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, (4), 13, 8, 8, 6, 8, 7; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, 8, 7, 9, (1), 9, 7, 7, 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (((2)*((14)) - (5) + (8)*((14)) - ((14))*(15) + (15)) / (1)), (((3)*((14)) - (6) + (9)*((14)) - ((14))*(16) + (16)) / (1)), (((4)*((14)) - (7) + (10)*((14)) - ((14))*(17) + (17)) / (1)), (14), 15, 16, 17, ((-(2)*((14)) + (5) + ((14))*(15) - (15)) / (1)), ((-(3)*((14)) + (6) + ((14))*(16) - (16)) / (1)), ((-(4)*((14)) + (7) + ((14))*(17) - (17)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (0), 0, 0, 0, ((-(0)*((0)) + (0) + ((0))*(0) - (0)) / (1)), ((-(0)*((0)) + (0) + ((0))*(0) - (0)) / (1)), ((-(0)*((0)) + (0) + ((0))*(0) - (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (((13)*((4)) - (6) + (9)*((4)) - ((4))*(13) + (13)) / (1)), (((8)*((4)) - (8) + (7)*((4)) - ((4))*(8) + (8)) / (1)), (((8)*((4)) - (7) + (7)*((4)) - ((4))*(8) + (8)) / (1)), (4), 13, 8, 8, ((-(13)*((4)) + (6) + ((4))*(13) - (13)) / (1)), ((-(8)*((4)) + (8) + ((4))*(8) - (8)) / (1)), ((-(8)*((4)) + (7) + ((4))*(8) - (8)) / (1)); met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, (((8)*((1)) - (8) + (6)*((1)) - ((1))*(9) + (9)) / (1)), (((8)*((1)) - (6) + (8)*((1)) - ((1))*(7) + (7)) / (1)), (((6)*((1)) - (8) + (7)*((1)) - ((1))*(7) + (7)) / (1)), (1), 9, 7, 7, ((-(8)*((1)) + (8) + ((1))*(9) - (9)) / (1)), ((-(8)*((1)) + (6) + ((1))*(7) - (7)) / (1)), ((-(6)*((1)) + (8) + ((1))*(7) - (7)) / (1)); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (((1)*((1)) - (0) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (((0)*((1)) - (1) + (0)*((1)) - ((1))*(1) + (1)) / (1)), (((0)*((1)) - (0) + (1)*((1)) - ((1))*(0) + (0)) / (1)), (1), 0, 1, 0, ((-(1)*((1)) + (0) + ((1))*(0) - (0)) / (1)), ((-(0)*((1)) + (1) + ((1))*(1) - (1)) / (1)), ((-(0)*((1)) + (0) + ((1))*(0) - (0)) / (1)); met)]. Qed.
 End eq_3_3_same_as_3_2_direction.
 
 Module eq_3_3_same_as_3_2_true.
 Import HermiteDevelopable.Section_3.eq_3_3_same_as_3_2_true.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; prepared; unknown dq'1; unknown dq'2; unknown dq'3; finished. Qed.
+Proof. cbv beta zeta delta [statement]; unstaged; prepared; known (dq'1) (P'1 - Q'1 + dp'1*k) (1); known (dq'2) (P'2 - Q'2 + dp'2*k) (1); known (dq'3) (P'3 - Q'3 + dp'3*k) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, (14), 15, 16, 17; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, (4), 13, 8, 8; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, 8, 7, 9, (1), 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (((2) - (5) + (8)*((14))) / (1)), (((3) - (6) + (9)*((14))) / (1)), (((4) - (7) + (10)*((14))) / (1)), (14), 15, 16, 17; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0) - (0) + (0)*((0))) / (1)), (((0) - (0) + (0)*((0))) / (1)), (((0) - (0) + (0)*((0))) / (1)), (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (((13) - (6) + (9)*((4))) / (1)), (((8) - (8) + (7)*((4))) / (1)), (((8) - (7) + (7)*((4))) / (1)), (4), 13, 8, 8; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, (((8) - (8) + (6)*((1))) / (1)), (((8) - (6) + (8)*((1))) / (1)), (((6) - (8) + (7)*((1))) / (1)), (1), 9, 7, 7; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (((1) - (0) + (0)*((1))) / (1)), (((0) - (1) + (0)*((1))) / (1)), (((0) - (0) + (1)*((1))) / (1)), (1), 0, 1, 0; met)]. Qed.
 End eq_3_3_same_as_3_2_true.
 
 Module eq_3_3_developable_any.
@@ -188,9 +188,9 @@ End eq_3_3_developable_any.
 Module eq_3_3_exact.
 Import HermiteDevelopable.Section_3.eq_3_3_exact.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement gap]; prepared; unknown dq'1; unknown dq'2; unknown dq'3; finished. Qed.
+Proof. cbv beta zeta delta [statement gap]; unstaged; prepared; known (dq'1) (P'1*k - Q'1 + dp'1*k - k*o'1 + o'1) (1); known (dq'2) (P'2*k - Q'2 + dp'2*k - k*o'2 + o'2) (1); known (dq'3) (P'3*k - Q'3 + dp'3*k - k*o'3 + o'3) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance gap]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, (14), 15, 16, 17; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, (4), 13, 8, 8; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, 8, 7, 9, (1), 9, 7, 7; met)]. Qed.
+Proof. cbv beta zeta delta [instance gap]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (((2)*((14)) - (5) + (8)*((14)) - ((14))*(15) + (15)) / (1)), (((3)*((14)) - (6) + (9)*((14)) - ((14))*(16) + (16)) / (1)), (((4)*((14)) - (7) + (10)*((14)) - ((14))*(17) + (17)) / (1)), (14), 15, 16, 17; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (((13)*((4)) - (6) + (9)*((4)) - ((4))*(13) + (13)) / (1)), (((8)*((4)) - (8) + (7)*((4)) - ((4))*(8) + (8)) / (1)), (((8)*((4)) - (7) + (7)*((4)) - ((4))*(8) + (8)) / (1)), (4), 13, 8, 8; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, (((8)*((1)) - (8) + (6)*((1)) - ((1))*(9) + (9)) / (1)), (((8)*((1)) - (6) + (8)*((1)) - ((1))*(7) + (7)) / (1)), (((6)*((1)) - (8) + (7)*((1)) - ((1))*(7) + (7)) / (1)), (1), 9, 7, 7; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (((1)*((1)) - (0) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (((0)*((1)) - (1) + (0)*((1)) - ((1))*(1) + (1)) / (1)), (((0)*((1)) - (0) + (1)*((1)) - ((1))*(0) + (0)) / (1)), (1), 0, 1, 0; met)]. Qed.
 End eq_3_3_exact.
 
 Module eq_3_3_multiples_any.
@@ -204,5 +204,5 @@ Import HermiteDevelopable.Section_3.eq_3_4.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement p q g ruled]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance p q g ruled]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, (1 / 3), (39); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, (1 / 3), (1); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, (1 / 3), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance p q g ruled]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, (1 / 3), (39); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, (1 / 3), (1); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, (1 / 3), (1); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, (1 / 3), (1); met)]. Qed.
 End eq_3_4.

@@ -2,6 +2,85 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module sec_4_cone.
+(* hermite-developable/sec-4.cone, Sect. 4, first sentence
+   printed: a quintic developable Hermite surface of cone surface type D_5(u,v) = (1-v) p_5(u) + v q_5(u), [...] with p_5(u) and q_5(u) in the planes Gamma_1 // Gamma_2, respectively, and the summit of this cone surface at the point O
+   stated: q5(u) - o == k*(p5(u) - o) *)
+Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
+  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
+Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
+  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
+Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
+  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
+Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
+Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
+  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
+Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R) : R :=
+  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
+Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
+  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - k) * o.
+Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z.
+Definition quintic_criterion_ : R :=
+  0.
+Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z.
+Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z.
+Definition quintic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z.
+Definition quintic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z.
+Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
+  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R),
+  0 <= u <= 1 ->
+  k > 0 ->
+  k <> 1 ->
+  det (quintic_data A B C_ E_ F G) <> 0 ->
+  (0 <= 5%Z)%Z ->
+  factorial 5%Z <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  quintic_criterion A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion__ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion___ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion_____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion______ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ ->
+  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u - o = k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u - o).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R),
+  0 <= u <= 1 /\
+  k > 0 /\
+  k <> 1 /\
+  det (quintic_data A B C_ E_ F G) <> 0 /\
+  (0 <= 5%Z)%Z /\
+  factorial 5%Z <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (quintic_criterion A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion__ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion___ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion_____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion______ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_).
+End sec_4_cone.
+
 Module eq_4_1.
 (* hermite-developable/eq-4.1, Sect. 4, eq. (4.1)
    printed: Gamma_3(u,v) = q_0 + u a + v d
@@ -27,6 +106,329 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (q0'1 q0'2 q0'3 : R) (u : R) (v : R),
   let q0 := [q0'1; q0'2; q0'3] in
   0 <= u <= 1.
 End eq_4_1.
+
+Module sec_4_goal_designed.
+(* hermite-developable/sec-4.goal.designed, Sect. 4, paragraph after (4.1)
+   printed: the transformation of the curve q_5(u) in Gamma_2 to the curve image r_5(u) in Gamma_3 relative to the summit point O of the cone surface D_5(u,v) such that p_5(u), q_5(u), and r_5(u) construct the developable surface
+   read as: r_5 is the Hermite curve designed from the six projected data; in affine coordinates with the summit at 0, q in the plane x = 1 with q_0 = <1, 0, 0>, and the oblique plane x + y = 1: every case is of this form, since affine maps keep planes, Hermite curves, projections and developable patches; p = q/k by the criterion
+   stated: det([p5'(u), r5'(u), r5(u) - p5(u)]) == 0 *)
+Definition q0 : list R :=
+  [1; 0; 0].
+Definition qm (y1 : R) (z1 : R) : list R :=
+  [1; y1; z1].
+Definition q1 (y2 : R) (z2 : R) : list R :=
+  [1; y2; z2].
+Definition q0u (y3 : R) (z3 : R) : list R :=
+  [0; y3; z3].
+Definition qu (y4 : R) (z4 : R) : list R :=
+  [0; y4; z4].
+Definition q1u (y5 : R) (z5 : R) : list R :=
+  [0; y5; z5].
+Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
+  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
+Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
+  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
+Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
+  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
+Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition r0 : list R :=
+  q0.
+Definition o : list R :=
+  [0; 0; 0].
+Definition normal : list R :=
+  [1; 1; 0].
+Definition image (x : list R) : list R :=
+  vadd o (vscale (dot (vsub q0 o) normal / dot (vsub x o) normal) (vsub x o)).
+Definition r (y1 : R) (z1 : R) : list R :=
+  image (qm y1 z1).
+Definition r1 (y2 : R) (z2 : R) : list R :=
+  image (q1 y2 z2).
+Definition r0u (y3 : R) (z3 : R) : list R :=
+  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub q0 o) (q0u y3 z3)) normal) (vadd (vsub q0 o) (q0u y3 z3))) (vsub q0 o).
+Definition ru (y1 : R) (y4 : R) (z1 : R) (z4 : R) : list R :=
+  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (qm y1 z1) o) (qu y4 z4)) normal) (vadd (vsub (qm y1 z1) o) (qu y4 z4))) (vsub (r y1 z1) o).
+Definition r1u (y2 : R) (y5 : R) (z2 : R) (z5 : R) : list R :=
+  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (q1 y2 z2) o) (q1u y5 z5)) normal) (vadd (vsub (q1 y2 z2) o) (q1u y5 z5))) (vsub (r1 y2 z2) o).
+Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
+  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r_ : list R) (t : list R) : list R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r_ t.
+Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u q0 (qm y1 z1) (q1 y2 z2) (q0u y3 z3) (qu y4 z4) (q1u y5 z5).
+Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
+  vadd o (vscale (1 / k) (vsub (q5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u) o)).
+Definition r5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u r0 (r y1 z1) (r1 y2 z2) (r0u y3 z3) (ru y1 y4 z1 z4) (r1u y2 y5 z2 z5).
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
+  0 <= u <= 1 ->
+  k > 0 ->
+  k <> 1 ->
+  k <> 0 ->
+  det (quintic_data A B C_ E_ F G) <> 0 ->
+  dot (vsub (qm y1 z1) o) normal <> 0 ->
+  dot (vsub (q1 y2 z2) o) normal <> 0 ->
+  dot (vadd (vsub q0 o) (q0u y3 z3)) normal <> 0 ->
+  dot (vadd (vsub (qm y1 z1) o) (qu y4 z4)) normal <> 0 ->
+  dot (vadd (vsub (q1 y2 z2) o) (q1u y5 z5)) normal <> 0 ->
+  det [vDerive 3 (fun u_ => p5 A B C_ E_ F G k y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u_) 1 u; vDerive 3 (fun u_ => r5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u_) 1 u; vsub (r5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u) (p5 A B C_ E_ F G k y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u)] = 0.
+End sec_4_goal_designed.
+
+Module sec_4_goal_image.
+(* hermite-developable/sec-4.goal.image, Sect. 4, paragraph after (4.1)
+   printed: the transformation of the curve q_5(u) in Gamma_2 to the curve image r_5(u) in Gamma_3 relative to the summit point O of the cone surface D_5(u,v) such that p_5(u), q_5(u), and r_5(u) construct the developable surface
+   read as: r_5 is the image of q_5 under the projection from O to the plane; c and dc are q_5 and its derivative at one u, p is q seen from the summit
+   stated: det([dp, dr, image(c) - p]) == 0 and dot(image(c) - q0, normal) == 0 and cross(image(c) - o, c - o) == 0 *)
+Definition normal (a : list R) (d : list R) : list R :=
+  cross a d.
+Definition chord (c : list R) (dc : list R) (x : R) : list R :=
+  vadd c (vscale x dc).
+Definition dp (dc : list R) (k : R) : list R :=
+  vdiv dc k.
+Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
+  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
+Definition dr (a : list R) (c : list R) (d : list R) (dc : list R) (o : list R) (q0 : list R) : list R :=
+  let x := 0%Z in vDerive 3 (fun x_ => image a d o q0 (chord c dc x_)) 1 (IZR x).
+Definition p (c : list R) (k : R) (o : list R) : list R :=
+  vadd o (vdiv (vsub c o) k).
+Definition statement : Prop :=
+forall (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (dc'1 dc'2 dc'3 : R) (k : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R),
+  let a := [a'1; a'2; a'3] in
+  let c := [c'1; c'2; c'3] in
+  let d := [d'1; d'2; d'3] in
+  let dc := [dc'1; dc'2; dc'3] in
+  let o := [o'1; o'2; o'3] in
+  let q0 := [q0'1; q0'2; q0'3] in
+  dot (vsub c o) (normal a d) <> 0 ->
+  k <> 0 ->
+  locally (IZR 0%Z) (fun x => dot (vsub (chord c dc x) o) (normal a d) <> 0) ->
+  det [dp dc k; dr a c d dc o q0; vsub (image a d o q0 c) (p c k o)] = 0 /\ dot (vsub (image a d o q0 c) q0) (normal a d) = 0 /\ cross (vsub (image a d o q0 c) o) (vsub c o) = zeros 3.
+Definition instance : Prop :=
+exists (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (dc'1 dc'2 dc'3 : R) (k : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R),
+  let a := [a'1; a'2; a'3] in
+  let c := [c'1; c'2; c'3] in
+  let d := [d'1; d'2; d'3] in
+  let dc := [dc'1; dc'2; dc'3] in
+  let o := [o'1; o'2; o'3] in
+  let q0 := [q0'1; q0'2; q0'3] in
+  dot (vsub c o) (normal a d) <> 0 /\
+  k <> 0 /\
+  locally (IZR 0%Z) (fun x => dot (vsub (chord c dc x) o) (normal a d) <> 0).
+End sec_4_goal_image.
+
+Module sec_4_goal_leaves.
+(* hermite-developable/sec-4.goal.leaves, Sect. 4, paragraph after (4.1)
+   printed: The Hermite curve of the projected data is not on the cone in general: between u = 0, 1/2 and 1 it leaves the generatrices.
+   read as: in affine coordinates with the summit at 0, q in the plane x = 1 with q_0 = <1, 0, 0>, and the oblique plane x + y = 1: every case is of this form, since affine maps keep planes, Hermite curves, projections and developable patches
+   stated: not cross(r5(u) - o, q5(u) - o) == 0 *)
+Definition q0 : list R :=
+  [1; 0; 0].
+Definition r0 : list R :=
+  q0.
+Definition qm (y1 : R) (z1 : R) : list R :=
+  [1; y1; z1].
+Definition o : list R :=
+  [0; 0; 0].
+Definition normal : list R :=
+  [1; 1; 0].
+Definition image (x : list R) : list R :=
+  vadd o (vscale (dot (vsub q0 o) normal / dot (vsub x o) normal) (vsub x o)).
+Definition r (y1 : R) (z1 : R) : list R :=
+  image (qm y1 z1).
+Definition q1 (y2 : R) (z2 : R) : list R :=
+  [1; y2; z2].
+Definition r1 (y2 : R) (z2 : R) : list R :=
+  image (q1 y2 z2).
+Definition q0u (y3 : R) (z3 : R) : list R :=
+  [0; y3; z3].
+Definition r0u (y3 : R) (z3 : R) : list R :=
+  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub q0 o) (q0u y3 z3)) normal) (vadd (vsub q0 o) (q0u y3 z3))) (vsub q0 o).
+Definition qu (y4 : R) (z4 : R) : list R :=
+  [0; y4; z4].
+Definition ru (y1 : R) (y4 : R) (z1 : R) (z4 : R) : list R :=
+  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (qm y1 z1) o) (qu y4 z4)) normal) (vadd (vsub (qm y1 z1) o) (qu y4 z4))) (vsub (r y1 z1) o).
+Definition q1u (y5 : R) (z5 : R) : list R :=
+  [0; y5; z5].
+Definition r1u (y2 : R) (y5 : R) (z2 : R) (z5 : R) : list R :=
+  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (q1 y2 z2) o) (q1u y5 z5)) normal) (vadd (vsub (q1 y2 z2) o) (q1u y5 z5))) (vsub (r1 y2 z2) o).
+Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
+  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
+Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
+  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
+Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
+  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
+Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
+  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r_ : list R) (t : list R) : list R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r_ t.
+Definition r5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u r0 (r y1 z1) (r1 y2 z2) (r0u y3 z3) (ru y1 y4 z1 z4) (r1u y2 y5 z2 z5).
+Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u q0 (qm y1 z1) (q1 y2 z2) (q0u y3 z3) (qu y4 z4) (q1u y5 z5).
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
+  0 <= u <= 1 ->
+  ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
+  0 <= u <= 1 ->
+  dot (vsub (qm y1 z1) o) normal <> 0 ->
+  dot (vsub (q1 y2 z2) o) normal <> 0 ->
+  dot (vadd (vsub q0 o) (q0u y3 z3)) normal <> 0 ->
+  dot (vadd (vsub (qm y1 z1) o) (qu y4 z4)) normal <> 0 ->
+  dot (vadd (vsub (q1 y2 z2) o) (q1u y5 z5)) normal <> 0 ->
+  det (quintic_data A B C_ E_ F G) <> 0 ->
+  cross (vsub (r5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u) o) (vsub (q5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u) o) = zeros 3).
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
+  0 <= u <= 1.
+End sec_4_goal_leaves.
+
+Module sec_4_goal_nodes.
+(* hermite-developable/sec-4.goal.nodes, Sect. 4, paragraph after (4.1)
+   printed: What (4.2) to (4.4) reach: at u = 0, 1/2 and 1 the tangent vectors of p and r and the generatrix are coplanar, so that the patch has one tangent plane along each of these three generatrices.
+   stated: det([q0u, r0u, r0 - o]) == 0 and det([qu, ru, r - o]) == 0 and det([q1u, r1u, r1 - o]) == 0 *)
+Definition normal (a : list R) (d : list R) : list R :=
+  cross a d.
+Definition r0u (a : list R) (d : list R) (o : list R) (q0 : list R) (q0u : list R) : list R :=
+  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q0 o) q0u) (normal a d)) (vadd (vsub q0 o) q0u)) (vsub q0 o).
+Definition r0 (q0 : list R) : list R :=
+  q0.
+Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
+  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
+Definition r (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) : list R :=
+  image a d o q0 qm.
+Definition ru (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) (qu : list R) : list R :=
+  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub qm o) qu) (normal a d)) (vadd (vsub qm o) qu)) (vsub (r a d o q0 qm) o).
+Definition r1 (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) : list R :=
+  image a d o q0 q1.
+Definition r1u (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) (q1u : list R) : list R :=
+  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q1 o) q1u) (normal a d)) (vadd (vsub q1 o) q1u)) (vsub (r1 a d o q0 q1) o).
+Definition statement : Prop :=
+forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
+  let a := [a'1; a'2; a'3] in
+  let d := [d'1; d'2; d'3] in
+  let o := [o'1; o'2; o'3] in
+  let q0 := [q0'1; q0'2; q0'3] in
+  let q0u := [q0u'1; q0u'2; q0u'3] in
+  let q1 := [q1'1; q1'2; q1'3] in
+  let q1u := [q1u'1; q1u'2; q1u'3] in
+  let qm := [qm'1; qm'2; qm'3] in
+  let qu := [qu'1; qu'2; qu'3] in
+  dot (vadd (vsub q0 o) q0u) (normal a d) <> 0 ->
+  dot (vsub qm o) (normal a d) <> 0 ->
+  dot (vadd (vsub qm o) qu) (normal a d) <> 0 ->
+  dot (vsub q1 o) (normal a d) <> 0 ->
+  dot (vadd (vsub q1 o) q1u) (normal a d) <> 0 ->
+  det [q0u; r0u a d o q0 q0u; vsub (r0 q0) o] = 0 /\ det [qu; ru a d o q0 qm qu; vsub (r a d o q0 qm) o] = 0 /\ det [q1u; r1u a d o q0 q1 q1u; vsub (r1 a d o q0 q1) o] = 0.
+Definition instance : Prop :=
+exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
+  let a := [a'1; a'2; a'3] in
+  let d := [d'1; d'2; d'3] in
+  let o := [o'1; o'2; o'3] in
+  let q0 := [q0'1; q0'2; q0'3] in
+  let q0u := [q0u'1; q0u'2; q0u'3] in
+  let q1 := [q1'1; q1'2; q1'3] in
+  let q1u := [q1u'1; q1u'2; q1u'3] in
+  let qm := [qm'1; qm'2; qm'3] in
+  let qu := [qu'1; qu'2; qu'3] in
+  dot (vadd (vsub q0 o) q0u) (normal a d) <> 0 /\
+  dot (vsub qm o) (normal a d) <> 0 /\
+  dot (vadd (vsub qm o) qu) (normal a d) <> 0 /\
+  dot (vsub q1 o) (normal a d) <> 0 /\
+  dot (vadd (vsub q1 o) q1u) (normal a d) <> 0.
+End sec_4_goal_nodes.
+
+Module sec_4_goal_only.
+(* hermite-developable/sec-4.goal.only, Sect. 4, paragraph after (4.1)
+   printed: The only curve in the oblique plane whose points are on the generatrices of the cone is the central image of q, a rational curve: r - o is q - o times (q_0 - o).n / (q - o).n with n = a /\ d.
+   stated: o + w*(c - o) == image(c) and dot(c - o, normal)*(o + w*(c - o) - o) == dot(q0 - o, normal)*(c - o) *)
+Definition normal (a : list R) (d : list R) : list R :=
+  cross a d.
+Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
+  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
+Definition statement : Prop :=
+forall (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (w : R),
+  let a := [a'1; a'2; a'3] in
+  let c := [c'1; c'2; c'3] in
+  let d := [d'1; d'2; d'3] in
+  let o := [o'1; o'2; o'3] in
+  let q0 := [q0'1; q0'2; q0'3] in
+  dot (vsub c o) (normal a d) <> 0 ->
+  dot (vsub (vadd o (vscale w (vsub c o))) q0) (normal a d) = 0 ->
+  vadd o (vscale w (vsub c o)) = image a d o q0 c /\ vscale (dot (vsub c o) (normal a d)) (vsub (vadd o (vscale w (vsub c o))) o) = vscale (dot (vsub q0 o) (normal a d)) (vsub c o).
+Definition instance : Prop :=
+exists (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (w : R),
+  let a := [a'1; a'2; a'3] in
+  let c := [c'1; c'2; c'3] in
+  let d := [d'1; d'2; d'3] in
+  let o := [o'1; o'2; o'3] in
+  let q0 := [q0'1; q0'2; q0'3] in
+  dot (vsub c o) (normal a d) <> 0 /\
+  dot (vsub (vadd o (vscale w (vsub c o))) q0) (normal a d) = 0.
+End sec_4_goal_only.
+
+Module sec_4_goal_parallel.
+(* hermite-developable/sec-4.goal.parallel, Sect. 4, paragraph after (4.1)
+   printed: Hermite curves in oblique planes that bound a developable patch exist for every p and every direction c across the oblique plane: the projection along c takes the points and tangent vectors of p to those of its image, and the patch is a cylinder.
+   stated: r(u) == shadow(p5(u)) and dot(r(u) - q0, normal) == 0 and cross(r(u) - p5(u), c) == 0 and det([x, turned(x), c]) == 0 *)
+Definition normal (a : list R) (d : list R) : list R :=
+  cross a d.
+Definition shadow (a : list R) (c : list R) (d : list R) (q0 : list R) (x : list R) : list R :=
+  vsub x (vscale (dot (vsub x q0) (normal a d) / dot c (normal a d)) c).
+Definition turned (a : list R) (c : list R) (d : list R) (x : list R) : list R :=
+  vsub x (vscale (dot x (normal a d) / dot c (normal a d)) c).
+Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
+  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
+Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
+  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
+Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
+  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
+Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
+  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
+Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
+Definition r_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a : list R) (c : list R) (d : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u (shadow a c d q0 p0) (shadow a c d q0 pm) (shadow a c d q0 p1) (turned a c d p0u) (turned a c d pu) (turned a c d p1u).
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (pm'1 pm'2 pm'3 : R) (pu'1 pu'2 pu'3 : R) (q0'1 q0'2 q0'3 : R) (u : R) (x'1 x'2 x'3 : R),
+  let a := [a'1; a'2; a'3] in
+  let c := [c'1; c'2; c'3] in
+  let d := [d'1; d'2; d'3] in
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  let pm := [pm'1; pm'2; pm'3] in
+  let pu := [pu'1; pu'2; pu'3] in
+  let q0 := [q0'1; q0'2; q0'3] in
+  let x := [x'1; x'2; x'3] in
+  0 <= u <= 1 ->
+  dot c (normal a d) <> 0 ->
+  det (quintic_data A B C_ E_ F G) <> 0 ->
+  r_ A B C_ E_ F G a c d p0 p0u p1 p1u pm pu q0 u = shadow a c d q0 (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u) /\ dot (vsub (r_ A B C_ E_ F G a c d p0 p0u p1 p1u pm pu q0 u) q0) (normal a d) = 0 /\ cross (vsub (r_ A B C_ E_ F G a c d p0 p0u p1 p1u pm pu q0 u) (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u)) c = zeros 3 /\ det [x; turned a c d x; c] = 0.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (pm'1 pm'2 pm'3 : R) (pu'1 pu'2 pu'3 : R) (q0'1 q0'2 q0'3 : R) (u : R) (x'1 x'2 x'3 : R),
+  let a := [a'1; a'2; a'3] in
+  let c := [c'1; c'2; c'3] in
+  let d := [d'1; d'2; d'3] in
+  let p0 := [p0'1; p0'2; p0'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  let pm := [pm'1; pm'2; pm'3] in
+  let pu := [pu'1; pu'2; pu'3] in
+  let q0 := [q0'1; q0'2; q0'3] in
+  let x := [x'1; x'2; x'3] in
+  0 <= u <= 1 /\
+  dot c (normal a d) <> 0 /\
+  det (quintic_data A B C_ E_ F G) <> 0.
+End sec_4_goal_parallel.
 
 Module sec_4_in_plane.
 (* hermite-developable/sec-4.in-plane, Sect. 4, paragraph after (4.1)
@@ -676,6 +1078,114 @@ Definition statement : Prop :=
   ~ (  cross normal [1; 0; 0] = zeros 3) /\ ~ (  cross normal2 [1; 0; 0] = zeros 3).
 End sec_4_oblique.
 
+Module ex_4_data.
+(* hermite-developable/ex-4.data, Sect. 4, example
+   printed: Using quintic developable Hermite surface data of Figure (4a) in section 3.3, it has o = < 100, 20, 45 >, q_0 = <-20, 60, 45>, q_u^u = <0, -60, 90>, q = <-20, 5, 35>, q^u = <0, -50, 70>, q_1 = <-20, -50, 45>, q_1^u = <0, -50, -30>
+   read as: q_u^u is read as q_0^u, the only one of the six vectors of q not otherwise listed
+   stated: o == [100, 20, 45] and q5(0) == [-20, 60, 45] and q5'(0) == [0, -60, 90] and q5(1/2) == [-20, 5, 35] and q5'(1/2) == [0, -50, 70] and q5(1) == [-20, -50, 45] and q5'(1) == [0, -50, -30] *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition q1 : list R :=
+  [- 20; - 50; 45].
+Definition q0u : list R :=
+  [0; - 60; 90].
+Definition q1u : list R :=
+  [0; - 50; - 30].
+Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
+  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
+Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
+  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
+Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
+  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
+Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition p0 : list R :=
+  [40; 40; 45].
+Definition pm : list R :=
+  [40; 25 / 2; 40].
+Definition pu : list R :=
+  [0; - 25; 35].
+Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
+  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
+Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (qm : list R) (qu : list R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
+Definition k : R :=
+  2.
+Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
+Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q5 A B C_ E_ F G qm qu u) (vDerive 3 (fun u_ => q5 A B C_ E_ F G qm qu u_) 1 u)) (vscale k (vadd (p5 A B C_ E_ F G p0u p1 p1u u) (vDerive 3 (fun u_ => p5 A B C_ E_ F G p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
+Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G o p0u p1 p1u qm qu u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
+  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 5%Z.
+Definition quintic_criterion_ : R :=
+  0.
+Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
+  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 4%Z.
+Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
+  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 3%Z.
+Definition quintic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
+  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 2%Z.
+Definition quintic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
+  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 1%Z.
+Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
+  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 0%Z.
+Definition quintic_basis_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [IZR u ^ 5; IZR u ^ 4; IZR u ^ 3; IZR u ^ 2; IZR u; 1].
+Definition hermite5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
+  blend6 (quintic_basis_ A B C_ E_ F G u) a m b s r t.
+Definition q5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (qm : list R) (qu : list R) (u : Z) : list R :=
+  hermite5_ A B C_ E_ F G u q0 qm q1 q0u qu q1u.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
+  let o := [o'1; o'2; o'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  let qm := [qm'1; qm'2; qm'3] in
+  let qu := [qu'1; qu'2; qu'3] in
+  det (quintic_data A B C_ E_ F G) <> 0 ->
+  (0 <= 5%Z)%Z ->
+  factorial 5%Z <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  quintic_criterion A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion__ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion___ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion____ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion_____ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion______ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 ->
+  o = [100; 20; 45] /\ q5_ A B C_ E_ F G qm qu 0%Z = [- 20; 60; 45] /\ (let u := 0%Z in vDerive 3 (fun u_ => q5 A B C_ E_ F G qm qu u_) 1 (IZR u)) = [0; - 60; 90] /\ q5 A B C_ E_ F G qm qu (1 / 2) = [- 20; 5; 35] /\ (let u_ := 1 / 2 in vDerive 3 (fun u__ => q5 A B C_ E_ F G qm qu u__) 1 u_) = [0; - 50; 70] /\ q5_ A B C_ E_ F G qm qu 1%Z = [- 20; - 50; 45] /\ (let u__ := 1%Z in vDerive 3 (fun u___ => q5 A B C_ E_ F G qm qu u___) 1 (IZR u__)) = [0; - 50; - 30].
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
+  let o := [o'1; o'2; o'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  let qm := [qm'1; qm'2; qm'3] in
+  let qu := [qu'1; qu'2; qu'3] in
+  det (quintic_data A B C_ E_ F G) <> 0 /\
+  (0 <= 5%Z)%Z /\
+  factorial 5%Z <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (quintic_criterion A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion__ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion___ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion____ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion_____ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion______ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3).
+End ex_4_data.
+
 Module ex_4_r0.
 (* hermite-developable/ex-4.r0, Sect. 4, example, first plane
    printed: r_0 = <-20, 60, 45>
@@ -916,610 +1426,6 @@ Definition instance : Prop :=
   dot (vsub q1 o) normal <> 0.
 End ex_4_other_data.
 
-Module ex_4_stated_data.
-(* hermite-developable/ex-4.stated-data, Sect. 4, example, first plane
-   printed: For the stated data (4.2) and (4.4) give r_0^u = <-9.2, -61.5, 96.9>, r^u = <-8.7, -58.2, 79.3>, r_1^u = <-10.2, -67.7, -37.1>.
-   stated: agrees(r0u, [-9.2, -61.5, 96.9]) and agrees(ru, [-8.7, -58.2, 79.3]) and agrees(r1u, [-10.2, -67.7, -37.1]) *)
-Definition q0 : list R :=
-  [- 20; 60; 45].
-Definition o : list R :=
-  [100; 20; 45].
-Definition q0u : list R :=
-  [0; - 60; 90].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
-Definition normal : list R :=
-  cross a d.
-Definition qm : list R :=
-  [- 20; 5; 35].
-Definition qu : list R :=
-  [0; - 50; 70].
-Definition q1 : list R :=
-  [- 20; - 50; 45].
-Definition q1u : list R :=
-  [0; - 50; - 30].
-Definition r0u : list R :=
-  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub q0 o) q0u) normal) (vadd (vsub q0 o) q0u)) (vsub q0 o).
-Definition image (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) normal / dot (vsub x o) normal) (vsub x o)).
-Definition r : list R :=
-  image qm.
-Definition ru : list R :=
-  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub qm o) qu) normal) (vadd (vsub qm o) qu)) (vsub r o).
-Definition r1 : list R :=
-  image q1.
-Definition r1u : list R :=
-  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub q1 o) q1u) normal) (vadd (vsub q1 o) q1u)) (vsub r1 o).
-Definition statement : Prop :=
-  dot (vadd (vsub q0 o) q0u) normal <> 0 ->
-  dot (vadd (vsub qm o) qu) normal <> 0 ->
-  dot (vsub qm o) normal <> 0 ->
-  dot (vadd (vsub q1 o) q1u) normal <> 0 ->
-  dot (vsub q1 o) normal <> 0 ->
-  ((agrees_down (entry r0u 1) ((-46) / 5) 1 /\ agrees_down (entry r0u 2) ((-123) / 2) 1) /\ agrees_up (entry r0u 3) (969 / 10) 1) /\ ((agrees_down (entry ru 1) ((-87) / 10) 1 /\ agrees_down (entry ru 2) ((-291) / 5) 1) /\ agrees_up (entry ru 3) (793 / 10) 1) /\ (agrees_down (entry r1u 1) ((-51) / 5) 1 /\ agrees_down (entry r1u 2) ((-677) / 10) 1) /\ agrees_down (entry r1u 3) ((-371) / 10) 1.
-Definition instance : Prop :=
-  dot (vadd (vsub q0 o) q0u) normal <> 0 /\
-  dot (vadd (vsub qm o) qu) normal <> 0 /\
-  dot (vsub qm o) normal <> 0 /\
-  dot (vadd (vsub q1 o) q1u) normal <> 0 /\
-  dot (vsub q1 o) normal <> 0.
-End ex_4_stated_data.
-
-Module ex_4_true_tangents.
-(* hermite-developable/ex-4.true-tangents, Sect. 4, example, first plane
-   printed: The tangent vectors of the projected curve itself at u = 0, 1/2 and 1 are <-8.6, -57.1, 90>, <-8.2, -54.5, 74.2> and <-9.5, -63.1, -34.5>.
-   stated: agrees(at(D(image(first(x)), x), x, 0), [-8.6, -57.1, 90.0]) and agrees(at(D(image(middle(x)), x), x, 0), [-8.2, -54.5, 74.2]) and agrees(at(D(image(last(x)), x), x, 0), [-9.5, -63.1, -34.5]) *)
-Definition q0 : list R :=
-  [- 20; 60; 45].
-Definition q0u : list R :=
-  [0; - 60; 90].
-Definition first (x : R) : list R :=
-  vadd q0 (vscale x q0u).
-Definition o : list R :=
-  [100; 20; 45].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
-Definition normal : list R :=
-  cross a d.
-Definition qm : list R :=
-  [- 20; 5; 35].
-Definition qu : list R :=
-  [0; - 50; 70].
-Definition middle (x : R) : list R :=
-  vadd qm (vscale x qu).
-Definition q1 : list R :=
-  [- 20; - 50; 45].
-Definition q1u : list R :=
-  [0; - 50; - 30].
-Definition last (x : R) : list R :=
-  vadd q1 (vscale x q1u).
-Definition image (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) normal / dot (vsub x o) normal) (vsub x o)).
-Definition statement : Prop :=
-  locally (IZR 0%Z) (fun x => dot (vsub (first x) o) normal <> 0) ->
-  locally (IZR 0%Z) (fun x => dot (vsub (middle x) o) normal <> 0) ->
-  locally (IZR 0%Z) (fun x => dot (vsub (last x) o) normal <> 0) ->
-  ((agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (first x_)) 1 (IZR x)) 1) ((-43) / 5) 1 /\ agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (first x_)) 1 (IZR x)) 2) ((-571) / 10) 1) /\ agrees_up (entry (let x := 0%Z in vDerive 3 (fun x_ => image (first x_)) 1 (IZR x)) 3) 90 1) /\ ((agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (middle x_)) 1 (IZR x)) 1) ((-41) / 5) 1 /\ agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (middle x_)) 1 (IZR x)) 2) ((-109) / 2) 1) /\ agrees_up (entry (let x := 0%Z in vDerive 3 (fun x_ => image (middle x_)) 1 (IZR x)) 3) (371 / 5) 1) /\ (agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (last x_)) 1 (IZR x)) 1) ((-19) / 2) 1 /\ agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (last x_)) 1 (IZR x)) 2) ((-631) / 10) 1) /\ agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (last x_)) 1 (IZR x)) 3) ((-69) / 2) 1.
-Definition instance : Prop :=
-  locally (IZR 0%Z) (fun x => dot (vsub (first x) o) normal <> 0) /\
-  locally (IZR 0%Z) (fun x => dot (vsub (middle x) o) normal <> 0) /\
-  locally (IZR 0%Z) (fun x => dot (vsub (last x) o) normal <> 0).
-End ex_4_true_tangents.
-
-Module sec_4_cone.
-(* hermite-developable/sec-4.cone, Sect. 4, first sentence
-   printed: a quintic developable Hermite surface of cone surface type D_5(u,v) = (1-v) p_5(u) + v q_5(u), [...] with p_5(u) and q_5(u) in the planes Gamma_1 // Gamma_2, respectively, and the summit of this cone surface at the point O
-   stated: q5(u) - o == k*(p5(u) - o) *)
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
-Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
-  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R) : R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
-Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) : R :=
-  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - k) * o.
-Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
-Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z.
-Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z.
-Definition quintic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z.
-Definition quintic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z.
-Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R),
-  0 <= u <= 1 ->
-  k > 0 ->
-  k <> 1 ->
-  det (quintic_data A B C_ E_ F G) <> 0 ->
-  (0 <= 5%Z)%Z ->
-  factorial 5%Z <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  quintic_criterion A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion__ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion___ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion_____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion______ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ ->
-  q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u - o = k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u - o).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R),
-  0 <= u <= 1 /\
-  k > 0 /\
-  k <> 1 /\
-  det (quintic_data A B C_ E_ F G) <> 0 /\
-  (0 <= 5%Z)%Z /\
-  factorial 5%Z <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  (quintic_criterion A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion__ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion___ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion_____ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_ /\ quintic_criterion______ A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu = quintic_criterion_).
-End sec_4_cone.
-
-Module sec_4_goal_designed.
-(* hermite-developable/sec-4.goal.designed, Sect. 4, paragraph after (4.1)
-   printed: the transformation of the curve q_5(u) in Gamma_2 to the curve image r_5(u) in Gamma_3 relative to the summit point O of the cone surface D_5(u,v) such that p_5(u), q_5(u), and r_5(u) construct the developable surface
-   read as: r_5 is the Hermite curve designed from the six projected data; in affine coordinates with the summit at 0, q in the plane x = 1 with q_0 = <1, 0, 0>, and the oblique plane x + y = 1: every case is of this form, since affine maps keep planes, Hermite curves, projections and developable patches; p = q/k by the criterion
-   stated: det([p5'(u), r5'(u), r5(u) - p5(u)]) == 0 *)
-Definition q0 : list R :=
-  [1; 0; 0].
-Definition qm (y1 : R) (z1 : R) : list R :=
-  [1; y1; z1].
-Definition q1 (y2 : R) (z2 : R) : list R :=
-  [1; y2; z2].
-Definition q0u (y3 : R) (z3 : R) : list R :=
-  [0; y3; z3].
-Definition qu (y4 : R) (z4 : R) : list R :=
-  [0; y4; z4].
-Definition q1u (y5 : R) (z5 : R) : list R :=
-  [0; y5; z5].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition r0 : list R :=
-  q0.
-Definition o : list R :=
-  [0; 0; 0].
-Definition normal : list R :=
-  [1; 1; 0].
-Definition image (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) normal / dot (vsub x o) normal) (vsub x o)).
-Definition r (y1 : R) (z1 : R) : list R :=
-  image (qm y1 z1).
-Definition r1 (y2 : R) (z2 : R) : list R :=
-  image (q1 y2 z2).
-Definition r0u (y3 : R) (z3 : R) : list R :=
-  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub q0 o) (q0u y3 z3)) normal) (vadd (vsub q0 o) (q0u y3 z3))) (vsub q0 o).
-Definition ru (y1 : R) (y4 : R) (z1 : R) (z4 : R) : list R :=
-  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (qm y1 z1) o) (qu y4 z4)) normal) (vadd (vsub (qm y1 z1) o) (qu y4 z4))) (vsub (r y1 z1) o).
-Definition r1u (y2 : R) (y5 : R) (z2 : R) (z5 : R) : list R :=
-  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (q1 y2 z2) o) (q1u y5 z5)) normal) (vadd (vsub (q1 y2 z2) o) (q1u y5 z5))) (vsub (r1 y2 z2) o).
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r_ : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r_ t.
-Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u q0 (qm y1 z1) (q1 y2 z2) (q0u y3 z3) (qu y4 z4) (q1u y5 z5).
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
-  vadd o (vscale (1 / k) (vsub (q5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u) o)).
-Definition r5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u r0 (r y1 z1) (r1 y2 z2) (r0u y3 z3) (ru y1 y4 z1 z4) (r1u y2 y5 z2 z5).
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
-  0 <= u <= 1 ->
-  k > 0 ->
-  k <> 1 ->
-  k <> 0 ->
-  det (quintic_data A B C_ E_ F G) <> 0 ->
-  dot (vsub (qm y1 z1) o) normal <> 0 ->
-  dot (vsub (q1 y2 z2) o) normal <> 0 ->
-  dot (vadd (vsub q0 o) (q0u y3 z3)) normal <> 0 ->
-  dot (vadd (vsub (qm y1 z1) o) (qu y4 z4)) normal <> 0 ->
-  dot (vadd (vsub (q1 y2 z2) o) (q1u y5 z5)) normal <> 0 ->
-  det [vDerive 3 (fun u_ => p5 A B C_ E_ F G k y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u_) 1 u; vDerive 3 (fun u_ => r5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u_) 1 u; vsub (r5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u) (p5 A B C_ E_ F G k y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u)] = 0.
-End sec_4_goal_designed.
-
-Module sec_4_goal_image.
-(* hermite-developable/sec-4.goal.image, Sect. 4, paragraph after (4.1)
-   printed: the transformation of the curve q_5(u) in Gamma_2 to the curve image r_5(u) in Gamma_3 relative to the summit point O of the cone surface D_5(u,v) such that p_5(u), q_5(u), and r_5(u) construct the developable surface
-   read as: r_5 is the image of q_5 under the projection from O to the plane; c and dc are q_5 and its derivative at one u, p is q seen from the summit
-   stated: det([dp, dr, image(c) - p]) == 0 and dot(image(c) - q0, normal) == 0 and cross(image(c) - o, c - o) == 0 *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition chord (c : list R) (dc : list R) (x : R) : list R :=
-  vadd c (vscale x dc).
-Definition dp (dc : list R) (k : R) : list R :=
-  vdiv dc k.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition dr (a : list R) (c : list R) (d : list R) (dc : list R) (o : list R) (q0 : list R) : list R :=
-  let x := 0%Z in vDerive 3 (fun x_ => image a d o q0 (chord c dc x_)) 1 (IZR x).
-Definition p (c : list R) (k : R) (o : list R) : list R :=
-  vadd o (vdiv (vsub c o) k).
-Definition statement : Prop :=
-forall (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (dc'1 dc'2 dc'3 : R) (k : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R),
-  let a := [a'1; a'2; a'3] in
-  let c := [c'1; c'2; c'3] in
-  let d := [d'1; d'2; d'3] in
-  let dc := [dc'1; dc'2; dc'3] in
-  let o := [o'1; o'2; o'3] in
-  let q0 := [q0'1; q0'2; q0'3] in
-  dot (vsub c o) (normal a d) <> 0 ->
-  k <> 0 ->
-  locally (IZR 0%Z) (fun x => dot (vsub (chord c dc x) o) (normal a d) <> 0) ->
-  det [dp dc k; dr a c d dc o q0; vsub (image a d o q0 c) (p c k o)] = 0 /\ dot (vsub (image a d o q0 c) q0) (normal a d) = 0 /\ cross (vsub (image a d o q0 c) o) (vsub c o) = zeros 3.
-Definition instance : Prop :=
-exists (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (dc'1 dc'2 dc'3 : R) (k : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R),
-  let a := [a'1; a'2; a'3] in
-  let c := [c'1; c'2; c'3] in
-  let d := [d'1; d'2; d'3] in
-  let dc := [dc'1; dc'2; dc'3] in
-  let o := [o'1; o'2; o'3] in
-  let q0 := [q0'1; q0'2; q0'3] in
-  dot (vsub c o) (normal a d) <> 0 /\
-  k <> 0 /\
-  locally (IZR 0%Z) (fun x => dot (vsub (chord c dc x) o) (normal a d) <> 0).
-End sec_4_goal_image.
-
-Module sec_4_goal_leaves.
-(* hermite-developable/sec-4.goal.leaves, Sect. 4, paragraph after (4.1)
-   printed: The Hermite curve of the projected data is not on the cone in general: between u = 0, 1/2 and 1 it leaves the generatrices.
-   read as: in affine coordinates with the summit at 0, q in the plane x = 1 with q_0 = <1, 0, 0>, and the oblique plane x + y = 1: every case is of this form, since affine maps keep planes, Hermite curves, projections and developable patches
-   stated: not cross(r5(u) - o, q5(u) - o) == 0 *)
-Definition q0 : list R :=
-  [1; 0; 0].
-Definition r0 : list R :=
-  q0.
-Definition qm (y1 : R) (z1 : R) : list R :=
-  [1; y1; z1].
-Definition o : list R :=
-  [0; 0; 0].
-Definition normal : list R :=
-  [1; 1; 0].
-Definition image (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) normal / dot (vsub x o) normal) (vsub x o)).
-Definition r (y1 : R) (z1 : R) : list R :=
-  image (qm y1 z1).
-Definition q1 (y2 : R) (z2 : R) : list R :=
-  [1; y2; z2].
-Definition r1 (y2 : R) (z2 : R) : list R :=
-  image (q1 y2 z2).
-Definition q0u (y3 : R) (z3 : R) : list R :=
-  [0; y3; z3].
-Definition r0u (y3 : R) (z3 : R) : list R :=
-  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub q0 o) (q0u y3 z3)) normal) (vadd (vsub q0 o) (q0u y3 z3))) (vsub q0 o).
-Definition qu (y4 : R) (z4 : R) : list R :=
-  [0; y4; z4].
-Definition ru (y1 : R) (y4 : R) (z1 : R) (z4 : R) : list R :=
-  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (qm y1 z1) o) (qu y4 z4)) normal) (vadd (vsub (qm y1 z1) o) (qu y4 z4))) (vsub (r y1 z1) o).
-Definition q1u (y5 : R) (z5 : R) : list R :=
-  [0; y5; z5].
-Definition r1u (y2 : R) (y5 : R) (z2 : R) (z5 : R) : list R :=
-  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (q1 y2 z2) o) (q1u y5 z5)) normal) (vadd (vsub (q1 y2 z2) o) (q1u y5 z5))) (vsub (r1 y2 z2) o).
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r_ : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r_ t.
-Definition r5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u r0 (r y1 z1) (r1 y2 z2) (r0u y3 z3) (ru y1 y4 z1 z4) (r1u y2 y5 z2 z5).
-Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u q0 (qm y1 z1) (q1 y2 z2) (q0u y3 z3) (qu y4 z4) (q1u y5 z5).
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
-  0 <= u <= 1 ->
-  ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
-  0 <= u <= 1 ->
-  dot (vsub (qm y1 z1) o) normal <> 0 ->
-  dot (vsub (q1 y2 z2) o) normal <> 0 ->
-  dot (vadd (vsub q0 o) (q0u y3 z3)) normal <> 0 ->
-  dot (vadd (vsub (qm y1 z1) o) (qu y4 z4)) normal <> 0 ->
-  dot (vadd (vsub (q1 y2 z2) o) (q1u y5 z5)) normal <> 0 ->
-  det (quintic_data A B C_ E_ F G) <> 0 ->
-  cross (vsub (r5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u) o) (vsub (q5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u) o) = zeros 3).
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
-  0 <= u <= 1.
-End sec_4_goal_leaves.
-
-Module sec_4_goal_nodes.
-(* hermite-developable/sec-4.goal.nodes, Sect. 4, paragraph after (4.1)
-   printed: What (4.2) to (4.4) reach: at u = 0, 1/2 and 1 the tangent vectors of p and r and the generatrix are coplanar, so that the patch has one tangent plane along each of these three generatrices.
-   stated: det([q0u, r0u, r0 - o]) == 0 and det([qu, ru, r - o]) == 0 and det([q1u, r1u, r1 - o]) == 0 *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition r0u (a : list R) (d : list R) (o : list R) (q0 : list R) (q0u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q0 o) q0u) (normal a d)) (vadd (vsub q0 o) q0u)) (vsub q0 o).
-Definition r0 (q0 : list R) : list R :=
-  q0.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) : list R :=
-  image a d o q0 qm.
-Definition ru (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) (qu : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub qm o) qu) (normal a d)) (vadd (vsub qm o) qu)) (vsub (r a d o q0 qm) o).
-Definition r1 (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) : list R :=
-  image a d o q0 q1.
-Definition r1u (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) (q1u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q1 o) q1u) (normal a d)) (vadd (vsub q1 o) q1u)) (vsub (r1 a d o q0 q1) o).
-Definition statement : Prop :=
-forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
-  let a := [a'1; a'2; a'3] in
-  let d := [d'1; d'2; d'3] in
-  let o := [o'1; o'2; o'3] in
-  let q0 := [q0'1; q0'2; q0'3] in
-  let q0u := [q0u'1; q0u'2; q0u'3] in
-  let q1 := [q1'1; q1'2; q1'3] in
-  let q1u := [q1u'1; q1u'2; q1u'3] in
-  let qm := [qm'1; qm'2; qm'3] in
-  let qu := [qu'1; qu'2; qu'3] in
-  dot (vadd (vsub q0 o) q0u) (normal a d) <> 0 ->
-  dot (vsub qm o) (normal a d) <> 0 ->
-  dot (vadd (vsub qm o) qu) (normal a d) <> 0 ->
-  dot (vsub q1 o) (normal a d) <> 0 ->
-  dot (vadd (vsub q1 o) q1u) (normal a d) <> 0 ->
-  det [q0u; r0u a d o q0 q0u; vsub (r0 q0) o] = 0 /\ det [qu; ru a d o q0 qm qu; vsub (r a d o q0 qm) o] = 0 /\ det [q1u; r1u a d o q0 q1 q1u; vsub (r1 a d o q0 q1) o] = 0.
-Definition instance : Prop :=
-exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
-  let a := [a'1; a'2; a'3] in
-  let d := [d'1; d'2; d'3] in
-  let o := [o'1; o'2; o'3] in
-  let q0 := [q0'1; q0'2; q0'3] in
-  let q0u := [q0u'1; q0u'2; q0u'3] in
-  let q1 := [q1'1; q1'2; q1'3] in
-  let q1u := [q1u'1; q1u'2; q1u'3] in
-  let qm := [qm'1; qm'2; qm'3] in
-  let qu := [qu'1; qu'2; qu'3] in
-  dot (vadd (vsub q0 o) q0u) (normal a d) <> 0 /\
-  dot (vsub qm o) (normal a d) <> 0 /\
-  dot (vadd (vsub qm o) qu) (normal a d) <> 0 /\
-  dot (vsub q1 o) (normal a d) <> 0 /\
-  dot (vadd (vsub q1 o) q1u) (normal a d) <> 0.
-End sec_4_goal_nodes.
-
-Module sec_4_goal_only.
-(* hermite-developable/sec-4.goal.only, Sect. 4, paragraph after (4.1)
-   printed: The only curve in the oblique plane whose points are on the generatrices of the cone is the central image of q, a rational curve: r - o is q - o times (q_0 - o).n / (q - o).n with n = a /\ d.
-   stated: o + w*(c - o) == image(c) and dot(c - o, normal)*(o + w*(c - o) - o) == dot(q0 - o, normal)*(c - o) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition statement : Prop :=
-forall (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (w : R),
-  let a := [a'1; a'2; a'3] in
-  let c := [c'1; c'2; c'3] in
-  let d := [d'1; d'2; d'3] in
-  let o := [o'1; o'2; o'3] in
-  let q0 := [q0'1; q0'2; q0'3] in
-  dot (vsub c o) (normal a d) <> 0 ->
-  dot (vsub (vadd o (vscale w (vsub c o))) q0) (normal a d) = 0 ->
-  vadd o (vscale w (vsub c o)) = image a d o q0 c /\ vscale (dot (vsub c o) (normal a d)) (vsub (vadd o (vscale w (vsub c o))) o) = vscale (dot (vsub q0 o) (normal a d)) (vsub c o).
-Definition instance : Prop :=
-exists (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (w : R),
-  let a := [a'1; a'2; a'3] in
-  let c := [c'1; c'2; c'3] in
-  let d := [d'1; d'2; d'3] in
-  let o := [o'1; o'2; o'3] in
-  let q0 := [q0'1; q0'2; q0'3] in
-  dot (vsub c o) (normal a d) <> 0 /\
-  dot (vsub (vadd o (vscale w (vsub c o))) q0) (normal a d) = 0.
-End sec_4_goal_only.
-
-Module sec_4_goal_parallel.
-(* hermite-developable/sec-4.goal.parallel, Sect. 4, paragraph after (4.1)
-   printed: Hermite curves in oblique planes that bound a developable patch exist for every p and every direction c across the oblique plane: the projection along c takes the points and tangent vectors of p to those of its image, and the patch is a cylinder.
-   stated: r(u) == shadow(p5(u)) and dot(r(u) - q0, normal) == 0 and cross(r(u) - p5(u), c) == 0 and det([x, turned(x), c]) == 0 *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition shadow (a : list R) (c : list R) (d : list R) (q0 : list R) (x : list R) : list R :=
-  vsub x (vscale (dot (vsub x q0) (normal a d) / dot c (normal a d)) c).
-Definition turned (a : list R) (c : list R) (d : list R) (x : list R) : list R :=
-  vsub x (vscale (dot x (normal a d) / dot c (normal a d)) c).
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
-Definition r_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a : list R) (c : list R) (d : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u (shadow a c d q0 p0) (shadow a c d q0 pm) (shadow a c d q0 p1) (turned a c d p0u) (turned a c d pu) (turned a c d p1u).
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (pm'1 pm'2 pm'3 : R) (pu'1 pu'2 pu'3 : R) (q0'1 q0'2 q0'3 : R) (u : R) (x'1 x'2 x'3 : R),
-  let a := [a'1; a'2; a'3] in
-  let c := [c'1; c'2; c'3] in
-  let d := [d'1; d'2; d'3] in
-  let p0 := [p0'1; p0'2; p0'3] in
-  let p0u := [p0u'1; p0u'2; p0u'3] in
-  let p1 := [p1'1; p1'2; p1'3] in
-  let p1u := [p1u'1; p1u'2; p1u'3] in
-  let pm := [pm'1; pm'2; pm'3] in
-  let pu := [pu'1; pu'2; pu'3] in
-  let q0 := [q0'1; q0'2; q0'3] in
-  let x := [x'1; x'2; x'3] in
-  0 <= u <= 1 ->
-  dot c (normal a d) <> 0 ->
-  det (quintic_data A B C_ E_ F G) <> 0 ->
-  r_ A B C_ E_ F G a c d p0 p0u p1 p1u pm pu q0 u = shadow a c d q0 (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u) /\ dot (vsub (r_ A B C_ E_ F G a c d p0 p0u p1 p1u pm pu q0 u) q0) (normal a d) = 0 /\ cross (vsub (r_ A B C_ E_ F G a c d p0 p0u p1 p1u pm pu q0 u) (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u)) c = zeros 3 /\ det [x; turned a c d x; c] = 0.
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (pm'1 pm'2 pm'3 : R) (pu'1 pu'2 pu'3 : R) (q0'1 q0'2 q0'3 : R) (u : R) (x'1 x'2 x'3 : R),
-  let a := [a'1; a'2; a'3] in
-  let c := [c'1; c'2; c'3] in
-  let d := [d'1; d'2; d'3] in
-  let p0 := [p0'1; p0'2; p0'3] in
-  let p0u := [p0u'1; p0u'2; p0u'3] in
-  let p1 := [p1'1; p1'2; p1'3] in
-  let p1u := [p1u'1; p1u'2; p1u'3] in
-  let pm := [pm'1; pm'2; pm'3] in
-  let pu := [pu'1; pu'2; pu'3] in
-  let q0 := [q0'1; q0'2; q0'3] in
-  let x := [x'1; x'2; x'3] in
-  0 <= u <= 1 /\
-  dot c (normal a d) <> 0 /\
-  det (quintic_data A B C_ E_ F G) <> 0.
-End sec_4_goal_parallel.
-
-Module ex_4_data.
-(* hermite-developable/ex-4.data, Sect. 4, example
-   printed: Using quintic developable Hermite surface data of Figure (4a) in section 3.3, it has o = < 100, 20, 45 >, q_0 = <-20, 60, 45>, q_u^u = <0, -60, 90>, q = <-20, 5, 35>, q^u = <0, -50, 70>, q_1 = <-20, -50, 45>, q_1^u = <0, -50, -30>
-   read as: q_u^u is read as q_0^u, the only one of the six vectors of q not otherwise listed
-   stated: o == [100, 20, 45] and q5(0) == [-20, 60, 45] and q5'(0) == [0, -60, 90] and q5(1/2) == [-20, 5, 35] and q5'(1/2) == [0, -50, 70] and q5(1) == [-20, -50, 45] and q5'(1) == [0, -50, -30] *)
-Definition q0 : list R :=
-  [- 20; 60; 45].
-Definition q1 : list R :=
-  [- 20; - 50; 45].
-Definition q0u : list R :=
-  [0; - 60; 90].
-Definition q1u : list R :=
-  [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition p0 : list R :=
-  [40; 40; 45].
-Definition pm : list R :=
-  [40; 25 / 2; 40].
-Definition pu : list R :=
-  [0; - 25; 35].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
-Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (qm : list R) (qu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
-Definition k : R :=
-  2.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0u : list R) (p1 : list R) (p1u : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
-Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (u : R) : list R :=
-  vsub (vsub (vadd (q5 A B C_ E_ F G qm qu u) (vDerive 3 (fun u_ => q5 A B C_ E_ F G qm qu u_) 1 u)) (vscale k (vadd (p5 A B C_ E_ F G p0u p1 p1u u) (vDerive 3 (fun u_ => p5 A B C_ E_ F G p0u p1 p1u u_) 1 u)))) (vscale (1 - k) o).
-Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (n : Z) : list R :=
-  let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G o p0u p1 p1u qm qu u_) (Z.to_nat n) (IZR u)) (factorial n).
-Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
-Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 4%Z.
-Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 3%Z.
-Definition quintic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 2%Z.
-Definition quintic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 1%Z.
-Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 0%Z.
-Definition quintic_basis_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [IZR u ^ 5; IZR u ^ 4; IZR u ^ 3; IZR u ^ 2; IZR u; 1].
-Definition hermite5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis_ A B C_ E_ F G u) a m b s r t.
-Definition q5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (qm : list R) (qu : list R) (u : Z) : list R :=
-  hermite5_ A B C_ E_ F G u q0 qm q1 q0u qu q1u.
-Definition statement : Prop :=
-forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
-  let o := [o'1; o'2; o'3] in
-  let p0u := [p0u'1; p0u'2; p0u'3] in
-  let p1 := [p1'1; p1'2; p1'3] in
-  let p1u := [p1u'1; p1u'2; p1u'3] in
-  let qm := [qm'1; qm'2; qm'3] in
-  let qu := [qu'1; qu'2; qu'3] in
-  det (quintic_data A B C_ E_ F G) <> 0 ->
-  (0 <= 5%Z)%Z ->
-  factorial 5%Z <> 0 ->
-  (0 <= 4%Z)%Z ->
-  factorial 4%Z <> 0 ->
-  (0 <= 3%Z)%Z ->
-  factorial 3%Z <> 0 ->
-  (0 <= 2%Z)%Z ->
-  factorial 2%Z <> 0 ->
-  (0 <= 1%Z)%Z ->
-  factorial 1%Z <> 0 ->
-  (0 <= 0%Z)%Z ->
-  factorial 0%Z <> 0 ->
-  quintic_criterion A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion__ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion___ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion____ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion_____ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion______ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 ->
-  o = [100; 20; 45] /\ q5_ A B C_ E_ F G qm qu 0%Z = [- 20; 60; 45] /\ (let u := 0%Z in vDerive 3 (fun u_ => q5 A B C_ E_ F G qm qu u_) 1 (IZR u)) = [0; - 60; 90] /\ q5 A B C_ E_ F G qm qu (1 / 2) = [- 20; 5; 35] /\ (let u_ := 1 / 2 in vDerive 3 (fun u__ => q5 A B C_ E_ F G qm qu u__) 1 u_) = [0; - 50; 70] /\ q5_ A B C_ E_ F G qm qu 1%Z = [- 20; - 50; 45] /\ (let u__ := 1%Z in vDerive 3 (fun u___ => q5 A B C_ E_ F G qm qu u___) 1 (IZR u__)) = [0; - 50; - 30].
-Definition instance : Prop :=
-exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
-  let o := [o'1; o'2; o'3] in
-  let p0u := [p0u'1; p0u'2; p0u'3] in
-  let p1 := [p1'1; p1'2; p1'3] in
-  let p1u := [p1u'1; p1u'2; p1u'3] in
-  let qm := [qm'1; qm'2; qm'3] in
-  let qu := [qu'1; qu'2; qu'3] in
-  det (quintic_data A B C_ E_ F G) <> 0 /\
-  (0 <= 5%Z)%Z /\
-  factorial 5%Z <> 0 /\
-  (0 <= 4%Z)%Z /\
-  factorial 4%Z <> 0 /\
-  (0 <= 3%Z)%Z /\
-  factorial 3%Z <> 0 /\
-  (0 <= 2%Z)%Z /\
-  factorial 2%Z <> 0 /\
-  (0 <= 1%Z)%Z /\
-  factorial 1%Z <> 0 /\
-  (0 <= 0%Z)%Z /\
-  factorial 0%Z <> 0 /\
-  (quintic_criterion A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion__ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion___ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion____ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion_____ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3 /\ quintic_criterion______ A B C_ E_ F G o p0u p1 p1u qm qu = zeros 3).
-End ex_4_data.
-
 Module ex_4_other_data_twist.
 (* hermite-developable/ex-4.other-data.twist, Sect. 4, example, first plane
    printed: The patch of that other set of data is not developable either: the angle between the tangent planes at the two ends of one generatrix has a sine of more than 0.06 at u = 3/8, 3.4 degrees.
@@ -1660,6 +1566,100 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
   dot (vadd (vsub qm o) qu) normal <> 0 /\
   dot (vadd (vsub q1 o) q1u) normal <> 0.
 End ex_4_other_data_twist.
+
+Module ex_4_stated_data.
+(* hermite-developable/ex-4.stated-data, Sect. 4, example, first plane
+   printed: For the stated data (4.2) and (4.4) give r_0^u = <-9.2, -61.5, 96.9>, r^u = <-8.7, -58.2, 79.3>, r_1^u = <-10.2, -67.7, -37.1>.
+   stated: agrees(r0u, [-9.2, -61.5, 96.9]) and agrees(ru, [-8.7, -58.2, 79.3]) and agrees(r1u, [-10.2, -67.7, -37.1]) *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition o : list R :=
+  [100; 20; 45].
+Definition q0u : list R :=
+  [0; - 60; 90].
+Definition a : list R :=
+  [- 30; - 200; 0].
+Definition d : list R :=
+  [0; 0; 200].
+Definition normal : list R :=
+  cross a d.
+Definition qm : list R :=
+  [- 20; 5; 35].
+Definition qu : list R :=
+  [0; - 50; 70].
+Definition q1 : list R :=
+  [- 20; - 50; 45].
+Definition q1u : list R :=
+  [0; - 50; - 30].
+Definition r0u : list R :=
+  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub q0 o) q0u) normal) (vadd (vsub q0 o) q0u)) (vsub q0 o).
+Definition image (x : list R) : list R :=
+  vadd o (vscale (dot (vsub q0 o) normal / dot (vsub x o) normal) (vsub x o)).
+Definition r : list R :=
+  image qm.
+Definition ru : list R :=
+  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub qm o) qu) normal) (vadd (vsub qm o) qu)) (vsub r o).
+Definition r1 : list R :=
+  image q1.
+Definition r1u : list R :=
+  vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub q1 o) q1u) normal) (vadd (vsub q1 o) q1u)) (vsub r1 o).
+Definition statement : Prop :=
+  dot (vadd (vsub q0 o) q0u) normal <> 0 ->
+  dot (vadd (vsub qm o) qu) normal <> 0 ->
+  dot (vsub qm o) normal <> 0 ->
+  dot (vadd (vsub q1 o) q1u) normal <> 0 ->
+  dot (vsub q1 o) normal <> 0 ->
+  ((agrees_down (entry r0u 1) ((-46) / 5) 1 /\ agrees_down (entry r0u 2) ((-123) / 2) 1) /\ agrees_up (entry r0u 3) (969 / 10) 1) /\ ((agrees_down (entry ru 1) ((-87) / 10) 1 /\ agrees_down (entry ru 2) ((-291) / 5) 1) /\ agrees_up (entry ru 3) (793 / 10) 1) /\ (agrees_down (entry r1u 1) ((-51) / 5) 1 /\ agrees_down (entry r1u 2) ((-677) / 10) 1) /\ agrees_down (entry r1u 3) ((-371) / 10) 1.
+Definition instance : Prop :=
+  dot (vadd (vsub q0 o) q0u) normal <> 0 /\
+  dot (vadd (vsub qm o) qu) normal <> 0 /\
+  dot (vsub qm o) normal <> 0 /\
+  dot (vadd (vsub q1 o) q1u) normal <> 0 /\
+  dot (vsub q1 o) normal <> 0.
+End ex_4_stated_data.
+
+Module ex_4_true_tangents.
+(* hermite-developable/ex-4.true-tangents, Sect. 4, example, first plane
+   printed: The tangent vectors of the projected curve itself at u = 0, 1/2 and 1 are <-8.6, -57.1, 90>, <-8.2, -54.5, 74.2> and <-9.5, -63.1, -34.5>.
+   stated: agrees(at(D(image(first(x)), x), x, 0), [-8.6, -57.1, 90.0]) and agrees(at(D(image(middle(x)), x), x, 0), [-8.2, -54.5, 74.2]) and agrees(at(D(image(last(x)), x), x, 0), [-9.5, -63.1, -34.5]) *)
+Definition q0 : list R :=
+  [- 20; 60; 45].
+Definition q0u : list R :=
+  [0; - 60; 90].
+Definition first (x : R) : list R :=
+  vadd q0 (vscale x q0u).
+Definition o : list R :=
+  [100; 20; 45].
+Definition a : list R :=
+  [- 30; - 200; 0].
+Definition d : list R :=
+  [0; 0; 200].
+Definition normal : list R :=
+  cross a d.
+Definition qm : list R :=
+  [- 20; 5; 35].
+Definition qu : list R :=
+  [0; - 50; 70].
+Definition middle (x : R) : list R :=
+  vadd qm (vscale x qu).
+Definition q1 : list R :=
+  [- 20; - 50; 45].
+Definition q1u : list R :=
+  [0; - 50; - 30].
+Definition last (x : R) : list R :=
+  vadd q1 (vscale x q1u).
+Definition image (x : list R) : list R :=
+  vadd o (vscale (dot (vsub q0 o) normal / dot (vsub x o) normal) (vsub x o)).
+Definition statement : Prop :=
+  locally (IZR 0%Z) (fun x => dot (vsub (first x) o) normal <> 0) ->
+  locally (IZR 0%Z) (fun x => dot (vsub (middle x) o) normal <> 0) ->
+  locally (IZR 0%Z) (fun x => dot (vsub (last x) o) normal <> 0) ->
+  ((agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (first x_)) 1 (IZR x)) 1) ((-43) / 5) 1 /\ agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (first x_)) 1 (IZR x)) 2) ((-571) / 10) 1) /\ agrees_up (entry (let x := 0%Z in vDerive 3 (fun x_ => image (first x_)) 1 (IZR x)) 3) 90 1) /\ ((agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (middle x_)) 1 (IZR x)) 1) ((-41) / 5) 1 /\ agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (middle x_)) 1 (IZR x)) 2) ((-109) / 2) 1) /\ agrees_up (entry (let x := 0%Z in vDerive 3 (fun x_ => image (middle x_)) 1 (IZR x)) 3) (371 / 5) 1) /\ (agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (last x_)) 1 (IZR x)) 1) ((-19) / 2) 1 /\ agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (last x_)) 1 (IZR x)) 2) ((-631) / 10) 1) /\ agrees_down (entry (let x := 0%Z in vDerive 3 (fun x_ => image (last x_)) 1 (IZR x)) 3) ((-69) / 2) 1.
+Definition instance : Prop :=
+  locally (IZR 0%Z) (fun x => dot (vsub (first x) o) normal <> 0) /\
+  locally (IZR 0%Z) (fun x => dot (vsub (middle x) o) normal <> 0) /\
+  locally (IZR 0%Z) (fun x => dot (vsub (last x) o) normal <> 0).
+End ex_4_true_tangents.
 
 Module ex_4_a_developable_computed.
 (* hermite-developable/ex-4.a.developable.computed, Sect. 4, example, first plane

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From HermiteDevelopable Require Section_4.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import HermiteDevelopable.Section_4.eq_4_1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement oblique oblique_ normal]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance oblique oblique_ normal]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (1 / 3), (12); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (1 / 3), (11); met) | (exists 7, 9, 7, 7, 2, 11, 7, 2, 11, (1 / 3), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance oblique oblique_ normal]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (1 / 3), (12); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (1 / 3), (11); met) | (exists 7, 9, 7, 7, 2, 11, 7, 2, 11, (1 / 3), (1); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (1 / 3), (1); met)]. Qed.
 End eq_4_1.
 
 Module eq_4_2_tangent_derivative.
@@ -28,7 +28,7 @@ Import HermiteDevelopable.Section_4.ex_4_r0.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement q0 o a d normal image]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance q0 o a d normal image]; first [(met) | (met) | (met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance q0 o a d normal image]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_r0.
 
 Module ex_4_r0u.
@@ -42,7 +42,7 @@ Import HermiteDevelopable.Section_4.ex_4_r.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement qm o a d normal q0 image r]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance qm o a d normal q0 image r]; first [(met) | (met) | (met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance qm o a d normal q0 image r]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_r.
 
 Module ex_4_ru.
@@ -56,7 +56,7 @@ Import HermiteDevelopable.Section_4.ex_4_r1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement q1 o a d normal q0 image r1]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance q1 o a d normal q0 image r1]; first [(met) | (met) | (met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance q1 o a d normal q0 image r1]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_r1.
 
 Module ex_4_r1_rounding.
@@ -64,7 +64,7 @@ Import HermiteDevelopable.Section_4.ex_4_r1_rounding.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement q1 o a d normal q0 image r1]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance q1 o a d normal q0 image r1]; first [(met) | (met) | (met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance q1 o a d normal q0 image r1]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_r1_rounding.
 
 Module ex_4_r1u.
@@ -78,7 +78,7 @@ Import HermiteDevelopable.Section_4.ex_4_other_data.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement q0 o q0u a d normal qm qu q1 q1u r0u image r ru r1 r1u]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance q0 o q0u a d normal qm qu q1 q1u r0u image r ru r1 r1u]; first [(met) | (met) | (met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance q0 o q0u a d normal qm qu q1 q1u r0u image r ru r1 r1u]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_other_data.
 
 Module ex_4_stated_data.
@@ -86,7 +86,7 @@ Import HermiteDevelopable.Section_4.ex_4_stated_data.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement q0 o q0u a d normal qm qu q1 q1u r0u image r ru r1 r1u]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance q0 o q0u a d normal qm qu q1 q1u r0u image r ru r1 r1u]; first [(met) | (met) | (met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance q0 o q0u a d normal qm qu q1 q1u r0u image r ru r1 r1u]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_stated_data.
 
 Module ex_4_true_tangents.
@@ -94,5 +94,5 @@ Import HermiteDevelopable.Section_4.ex_4_true_tangents.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement q0 q0u first o a d normal qm qu middle q1 q1u last image]; ordered. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance q0 q0u first o a d normal qm qu middle q1 q1u last image]; first [(met) | (met) | (met) | (met)]. Qed.
+Proof. cbv beta zeta delta [instance q0 q0u first o a d normal qm qu middle q1 q1u last image]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_true_tangents.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From Hyperbolic Require Part_Tractrix.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Hyperbolic.Part_Tractrix.tractrix_pull.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement T]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance T]; first [(exists (1); met) | (exists (1); met) | (exists (1); met) | (exists (1); met) | (exists (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance T]; first [(exists (1); met) | (exists (1); met) | (exists (13); met) | (exists (1); met) | (exists (1); met)]. Qed.
 End tractrix_pull.
 
 Module tractrix_speed.

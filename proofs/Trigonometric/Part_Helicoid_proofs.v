@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From Trigonometric Require Part_Helicoid.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Trigonometric.Part_Helicoid.helicoid_skew.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement X N_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance X N_]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met) | (exists (1), (1), (8); met) | (exists (1), (1), (1); met) | (exists (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance X N_]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met) | (exists (13), (8), (8); met) | (exists (1), (1), (1); met) | (exists (1), (1), (1); met)]. Qed.
 End helicoid_skew.
 
 Module helicoid_skew_slip.

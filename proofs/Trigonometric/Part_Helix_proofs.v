@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From Trigonometric Require Part_Helix.
 Open Scope R_scope.
 
@@ -8,7 +8,7 @@ Import Trigonometric.Part_Helix.helix_speed.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement X]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance X]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met) | (exists (1), (1), (8); met) | (exists (1), (1), (1); met) | (exists (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance X]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met) | (exists (13), (8), (8); met) | (exists (1), (1), (1); met) | (exists (1), (1), (1); met)]. Qed.
 End helix_speed.
 
 Module helix_torsion.
@@ -16,7 +16,7 @@ Import Trigonometric.Part_Helix.helix_torsion.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement X]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance X]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met) | (exists (1), (1), (8); met) | (exists (1), (1), (1); met) | (exists (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance X]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met) | (exists (13), (8), (8); met) | (exists (1), (1), (1); met) | (exists (1), (1), (1); met)]. Qed.
 End helix_torsion.
 
 Module helix_curvature.
@@ -24,5 +24,5 @@ Import Trigonometric.Part_Helix.helix_curvature.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement X]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance X]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met) | (exists (1), (1), (8); met) | (exists (1), (1), (1); met) | (exists (1), (1), (1); met)]. Qed.
+Proof. cbv beta zeta delta [instance X]; first [(exists (1), (1), (4); met) | (exists (1), (1), (0); met) | (exists (13), (8), (8); met) | (exists (1), (1), (1); met) | (exists (1), (1), (1); met)]. Qed.
 End helix_curvature.

@@ -1,15 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
 From Trigonometric Require Part_Joins.
 Open Scope R_scope.
-
-Module quadratic_join.
-Import Trigonometric.Part_Joins.quadratic_join.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement a c b G a_ c_ b_ F G_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance a c b G a_ c_ b_ F G_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End quadratic_join.
 
 Module quadratic_join_slip.
 Import Trigonometric.Part_Joins.quadratic_join_slip.
@@ -20,7 +12,7 @@ End quadratic_join_slip.
 Module quadratic_join_slip_corrected.
 Import Trigonometric.Part_Joins.quadratic_join_slip_corrected.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement a c b G a_ c_ b_ F G_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); finished. Qed.
+Proof. cbv beta zeta delta [statement a c b G a_ c_ b_ F G_]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance a c b G a_ c_ b_ F G_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End quadratic_join_slip_corrected.

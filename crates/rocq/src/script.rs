@@ -158,7 +158,7 @@ fn given(goal: &Goal) -> (String, &'static str) {
     let functions = functions(goal).unwrap_or_default();
     (
         format!("unstaged; {functions}prepared; {values}put_known"),
-        "concluded",
+        "Solved.concluded",
     )
 }
 
