@@ -287,8 +287,9 @@ fn an_interrupted_check_leaves_the_folder_as_it_was() {
     assert_eq!(code, Some(0), "{err}");
     fs::write(out.path().join("accepted.json"), "those of before").unwrap();
     let before = contents(out.path());
-    // Where coqc is asked for the first file, the run gets what Ctrl-C sends.
-    let bin = stand_in("*) kill -INT $PPID; sleep 1;;");
+    // Where coqc is asked for the first file, the run gets what Ctrl-C sends; a shell may have had that ignored in the
+    // background, then what `kill` sends.
+    let bin = stand_in("*) kill -INT $PPID; kill -TERM $PPID; sleep 1;;");
     let path = format!("{}:/usr/bin:/bin", bin.path().display());
     let (code, said, err) = prove(&derivations, folder, Some(&path), &["--check"]);
     assert_ne!(code, Some(0), "{said}{err}");
