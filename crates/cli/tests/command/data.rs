@@ -133,7 +133,6 @@ fn what_people_type_is_answered_with_what_to_write() {
         ("sin^2(x) == 1", "sin(x)^2"),
         ("x = 1", "`==`"),
         ("\u{3c0} == 3", "`pi`"),
-        ("P[0,2] == 1", "`P[i][2]`"),
         ("coth(x) == 1", "not in the language"),
         ("sin == 1", "`sin(x)`"),
     ] {
