@@ -1,6 +1,7 @@
 //! `torse erratum`: the corrections of a paper, ready to be sent.
 
 use crate::derivations::{Derivations, Found};
+use crate::documents::Made;
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
@@ -9,7 +10,7 @@ use clap::Args;
 use std::path::PathBuf;
 use torse_language::derivation::Paper;
 use torse_report::model::Report;
-use torse_report::{ReportError, Typeset, erratum_latex, erratum_markdown, write_file};
+use torse_report::{Manuscript, ReportError, erratum_latex, erratum_markdown, write_file};
 
 /// Write the corrections of a paper as TeX, PDF and Markdown, ready to be sent to its authors or journal.
 ///
@@ -38,14 +39,20 @@ Examples:
   torse erratum gbt-surfaces
   torse erratum gbt-developable --out letters";
 
-/// How the bytes of a letter are made.
-type Bytes = fn(&Report) -> Result<Vec<u8>, ReportError>;
+/// How a letter is made.
+type Letter = fn(&Report) -> Result<Made, ReportError>;
 
 /// The files of a letter: their endings, and what makes them.
-pub const LETTERS: [(&str, Bytes); 3] = [
-    ("tex", |report| Ok(erratum_latex(report).into_bytes())),
-    ("pdf", |report| Typeset::erratum(report)?.pdf()),
-    ("md", |report| Ok(erratum_markdown(report).into_bytes())),
+pub const LETTERS: [(&str, Letter); 3] = [
+    ("tex", |report| {
+        Ok(Made::Bytes(erratum_latex(report).into_bytes()))
+    }),
+    ("pdf", |report| {
+        Manuscript::erratum(report).map(Made::Manuscript)
+    }),
+    ("md", |report| {
+        Ok(Made::Bytes(erratum_markdown(report).into_bytes()))
+    }),
 ];
 
 /// The name of a file of a paper's letter.
@@ -74,9 +81,9 @@ impl Erratum {
         let mut written = String::new();
         for paper in &run.papers {
             let report = Report::with_kernel(paper, &[], &accepted);
-            for (ending, bytes) in LETTERS {
+            for (ending, letter) in LETTERS {
                 let file = self.out.join(file(&paper.slug, ending));
-                write_file(&file, &bytes(&report)?)?;
+                write_file(&file, &letter(&report)?.bytes()?)?;
                 written.push_str(&format!("{}\n", file.display()));
             }
         }

@@ -8,6 +8,7 @@ mod audit;
 mod derivations;
 mod derive;
 mod design;
+mod documents;
 mod erratum;
 mod exit;
 mod explain;

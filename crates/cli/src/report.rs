@@ -1,30 +1,32 @@
 //! `torse report`: verdicts, typeset reports and figures into a folder.
 
 use crate::derivations::{Derivations, Found};
+use crate::documents::{Document, Made};
 use crate::exit::{Exit, Failure};
 use crate::figures::FOLDER as FIGURES;
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
-use crate::{erratum, figures, guard, selection, terminal};
+use crate::{documents, erratum, figures, guard, selection, terminal};
 use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use torse_language::derivation::Paper;
-use torse_report::model::Report as Document;
+use torse_report::model::Report as Model;
 use torse_report::{
-    FigureImage, ReportError, Source, Typeset, gallery, html_page, landing_page,
-    verdicts_json_with_kernel, write_file,
+    FigureImage, Manuscript, Source, gallery, html_page, landing_page, verdicts_json_with_kernel,
 };
 use torse_verdicts::outcome::PaperOutcome;
 
 /// Decide all claims, draw the figures, and write everything into a folder.
 ///
 /// The folder gets `verdicts.json` and `summary.pdf` over all papers, `PAPER.pdf`, `PAPER.html` and a letter of corrections
-/// (`PAPER-erratum.tex`, `.pdf`, `.md`) for each paper, `index.html`, which leads to them, the figures as PNG and SVG (developables as STEP besides) under `figures/`, and `README.md`, which shows
-/// them all. Naming papers leaves out the reports and figures of the others, and the pages of all; verdicts and summary are
-/// always of all. Nothing is written while a derivation file is wrong. Figures that did not change are not drawn again. The same input gives the same bytes.
+/// (`PAPER-erratum.tex`, `.pdf`, `.md`) for each paper, `index.html`, which leads to them, the figures as PNG and SVG
+/// (developables as STEP besides) under `figures/`, and `README.md`, which shows them all. Naming papers leaves out the
+/// reports and figures of the others, and the pages of all; verdicts and summary are always of all. Nothing is written
+/// while a derivation file is wrong. All claims are decided anew; figures and PDFs that did not change are not drawn and
+/// set again. The same input gives the same bytes.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Report {
@@ -83,30 +85,19 @@ impl Report {
         let sources: Vec<Source> = (papers.iter())
             .map(|paper| self.derivations.source(&paper.head))
             .collect::<Result<_, _>>()?;
-        let reports: Vec<Document> = (run.papers.par_iter())
+        let reports: Vec<Model> = (run.papers.par_iter())
             .map(|paper| {
                 let figures = shown.iter().find(|(of, _)| of.slug == paper.slug);
                 let figures = figures.map_or(&[][..], |(_, figures)| *figures);
-                Document::with_kernel(paper, figures, &accepted)
+                Model::with_kernel(paper, figures, &accepted)
             })
             .zip(sources)
             .map(|(report, source)| report.from_source(source))
             .collect();
         let documents = self.documents(&run, &reports, &shown, &accepted);
-        let names: Vec<Result<&str, Failure>> = documents
-            .par_iter()
-            .map(|document| {
-                progress.doing(&document.name);
-                write_file(&self.out.join(&document.name), &(document.bytes)()?)?;
-                progress.step();
-                Ok(document.name.as_str())
-            })
-            .collect();
+        let names = documents::write(&self.out, &documents, &progress)?;
         progress.finish();
-        // Collected first, so that the first failure told is always the same.
-        for name in names {
-            written.push(self.line(name?));
-        }
+        written.extend(names.iter().map(|name| self.line(name)));
         terminal::print(&written.concat())?;
         Ok(Exit::of(run.outcomes(), &[]))
     }
@@ -149,37 +140,39 @@ impl Report {
     fn documents<'a>(
         &self,
         run: &'a Run,
-        reports: &'a [Document],
+        reports: &'a [Model],
         shown: &'a [(&'a PaperOutcome, &'a [FigureImage])],
         accepted: &'a BTreeSet<String>,
-    ) -> Vec<File<'a>> {
+    ) -> Vec<Document<'a>> {
         let mut documents = Vec::new();
         for (paper, figures) in shown {
             let Some(report) = reports.iter().find(|report| report.slug == paper.slug) else {
                 continue;
             };
-            documents.push(File::new(format!("{}.pdf", paper.slug), || {
-                Typeset::paper(report, figures)?.pdf()
+            documents.push(Document::new(format!("{}.pdf", paper.slug), || {
+                Manuscript::paper(report, figures).map(Made::Manuscript)
             }));
-            documents.push(File::new(format!("{}.html", paper.slug), || {
-                Ok(html_page(report, figures)?.into_bytes())
+            documents.push(Document::new(format!("{}.html", paper.slug), || {
+                Ok(Made::Bytes(html_page(report, figures)?.into_bytes()))
             }));
-            for (ending, bytes) in erratum::LETTERS {
-                documents.push(File::new(erratum::file(&paper.slug, ending), move || {
-                    bytes(report)
-                }));
+            for (ending, letter) in erratum::LETTERS {
+                let name = erratum::file(&paper.slug, ending);
+                documents.push(Document::new(name, move || letter(report)));
             }
         }
-        documents.push(File::new("summary.pdf", || {
-            Typeset::summary(reports)?.pdf()
+        documents.push(Document::new("summary.pdf", || {
+            Manuscript::summary(reports).map(Made::Manuscript)
         }));
-        documents.push(File::new("verdicts.json", || {
-            Ok(verdicts_json_with_kernel(run.outcomes(), accepted)?.into_bytes())
+        documents.push(Document::new("verdicts.json", || {
+            let text = verdicts_json_with_kernel(run.outcomes(), accepted)?;
+            Ok(Made::Bytes(text.into_bytes()))
         }));
         if self.papers.is_empty() {
-            documents.push(File::new("README.md", || Ok(gallery(shown)?.into_bytes())));
-            documents.push(File::new("index.html", || {
-                Ok(landing_page(reports)?.into_bytes())
+            documents.push(Document::new("README.md", || {
+                Ok(Made::Bytes(gallery(shown)?.into_bytes()))
+            }));
+            documents.push(Document::new("index.html", || {
+                Ok(Made::Bytes(landing_page(reports)?.into_bytes()))
             }));
         }
         documents
@@ -188,24 +181,6 @@ impl Report {
     /// The line that says that a file was written.
     fn line(&self, name: impl AsRef<Path>) -> String {
         format!("{}\n", self.out.join(name).display())
-    }
-}
-
-/// A file of the report, and how its bytes are made.
-struct File<'a> {
-    name: String,
-    bytes: Box<dyn Fn() -> Result<Vec<u8>, ReportError> + Sync + 'a>,
-}
-
-impl<'a> File<'a> {
-    fn new(
-        name: impl Into<String>,
-        bytes: impl Fn() -> Result<Vec<u8>, ReportError> + Sync + 'a,
-    ) -> Self {
-        File {
-            name: name.into(),
-            bytes: Box::new(bytes),
-        }
     }
 }
 

@@ -3,10 +3,11 @@
 //! The engine hands over [`PaperOutcome`](torse_verdicts::outcome::PaperOutcome)s and pictures
 //! ([`FigureImage`]); this crate decides nothing and computes nothing, it lays out.
 //!
-//! - [`Typeset`] is a typeset document: [`Typeset::paper`] for one paper, [`Typeset::summary`] for
-//!   several, written with [`Typeset::pdf`], looked at with [`Typeset::page_png`];
+//! - [`Manuscript`] is a document that can be set: [`Manuscript::paper`] for one paper, [`Manuscript::summary`] for
+//!   several, with a fingerprint that tells whether it was set before;
+//! - [`Typeset`] is it with its pages laid out, written with [`Typeset::pdf`], looked at with [`Typeset::page_png`];
 //! - [`html_page`] is one self-contained page for a browser, formulas as MathML; [`landing_page`] leads to several;
-//! - [`erratum_latex`], [`erratum_markdown`] and [`Typeset::erratum`] are corrections ready to be sent;
+//! - [`erratum_latex`], [`erratum_markdown`] and [`Manuscript::erratum`] are corrections ready to be sent;
 //! - [`gallery`] shows all figures of all papers, in Markdown;
 //! - [`verdicts_json`] is the interface that other programs read;
 //! - [`write_file`] puts bytes in place whole or not at all.
@@ -15,6 +16,7 @@
 
 mod base64;
 pub mod corrections;
+pub mod digest;
 mod erratum;
 mod error;
 mod figure;
@@ -22,6 +24,7 @@ mod findings;
 mod gallery;
 mod html;
 mod json;
+mod manuscript;
 mod math;
 pub mod model;
 mod rests;
@@ -44,6 +47,7 @@ pub use findings::Finding;
 pub use gallery::gallery;
 pub use html::{html_page, landing_page};
 pub use json::{verdicts_json, verdicts_json_with_kernel};
+pub use manuscript::Manuscript;
 pub use math::{Mathematics, Piece, Prose, Span, in_words, plain};
 pub use rests::{Rests, rests};
 pub use sentence::failure_in_full;

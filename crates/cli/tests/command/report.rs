@@ -44,6 +44,7 @@ fn a_report_of_a_paper_is_written_whole_and_the_same_twice() {
         names,
         [
             "README.md",
+            "documents.json",
             "index.html",
             "mini-erratum.md",
             "mini-erratum.pdf",
@@ -156,6 +157,47 @@ fn a_figure_is_drawn_again_only_when_it_changed_or_a_file_is_missing() {
         "kept though it changed"
     );
     assert!(changed["figures/fingerprints.json"] != first["figures/fingerprints.json"]);
+}
+
+#[test]
+fn a_document_is_set_again_only_when_it_changed_or_its_file_did() {
+    let folder = mini(&claim("a", "x == x", ""));
+    let out = TempDir::new().unwrap();
+    let report = || {
+        let path = out.path().to_str().unwrap();
+        let ran = on(folder.path(), &["report", "--out", path]);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        files(out.path())
+    };
+    let first = report();
+    let (pdf, list) = (
+        out.path().join("mini.pdf"),
+        out.path().join("documents.json"),
+    );
+    // A file that is not what was written is written again, and so is one that is missing.
+    fs::write(&pdf, b"%PDF- cut off").unwrap();
+    assert!(report() == first, "a damaged file was kept");
+    fs::remove_file(&pdf).unwrap();
+    assert!(report() == first, "a missing file was not set again");
+    // Another file is kept where the list says that it is the one that was written.
+    let known: serde_json::Value = serde_json::from_slice(&first["documents.json"]).unwrap();
+    let digest = torse_report::digest::of([b"another".as_slice()]);
+    let mut other = known.clone();
+    other["mini.pdf"]["file"] = digest.into();
+    fs::write(&list, other.to_string()).unwrap();
+    fs::write(&pdf, b"another").unwrap();
+    let kept = report();
+    assert!(kept["mini.pdf"] == b"another", "set again");
+    assert!(kept["summary.pdf"] == first["summary.pdf"]);
+    // And no longer when the paper changed.
+    let claims = folder.path().join("mini/claims.toml");
+    let text = fs::read_to_string(&claims).unwrap();
+    fs::write(&claims, text.replace("x == x", "x + 0 == x")).unwrap();
+    let changed = report();
+    assert!(changed["mini.pdf"].starts_with(b"%PDF-") && changed["mini.pdf"] != first["mini.pdf"]);
+    // A list that cannot be read is none.
+    fs::write(&list, "{").unwrap();
+    assert!(report() == changed);
 }
 
 #[test]

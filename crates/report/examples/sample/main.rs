@@ -7,7 +7,7 @@ mod paper;
 
 use std::{error::Error, path::Path};
 use torse_report::model::Report;
-use torse_report::{Typeset, html_page, verdicts_json, write_file};
+use torse_report::{Manuscript, html_page, verdicts_json, write_file};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args()
@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let sample = paper::sample();
     let figures = paper::figures();
     let document = Report::new(&sample, &figures);
-    let report = Typeset::paper(&document, &figures)?;
+    let report = Manuscript::paper(&document, &figures)?.typeset()?;
     write_file(&folder.join("sample.pdf"), &report.pdf()?)?;
     for page in 0..report.page_count() {
         write_file(
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         &folder.join("verdicts.json"),
         verdicts_json(&sample.claims)?.as_bytes(),
     )?;
-    let summary = Typeset::summary(&[document])?;
+    let summary = Manuscript::summary(&[document])?.typeset()?;
     write_file(&folder.join("summary.pdf"), &summary.pdf()?)?;
     for page in 0..summary.page_count() {
         write_file(

@@ -2,7 +2,7 @@
 
 use crate::paper;
 use torse_language::words::Verdict;
-use torse_report::{Typeset, erratum_latex, erratum_markdown, model::Report};
+use torse_report::{Manuscript, erratum_latex, erratum_markdown, model::Report};
 
 #[test]
 fn a_letter_holds_what_is_false_in_every_reading_and_no_slip_of_the_copy() {
@@ -29,9 +29,21 @@ fn a_letter_holds_what_is_false_in_every_reading_and_no_slip_of_the_copy() {
     let report = Report::new(&sample, &[]);
     let none = erratum_markdown(&report);
     assert!(none.contains("No statement of this paper was found to be false as printed"));
-    let pdf = Typeset::erratum(&report).unwrap().pdf().unwrap();
+    let pdf = Manuscript::erratum(&report)
+        .unwrap()
+        .typeset()
+        .unwrap()
+        .pdf()
+        .unwrap();
     assert!(pdf.starts_with(b"%PDF-1."));
-    assert!(pdf == Typeset::erratum(&report).unwrap().pdf().unwrap());
+    assert!(
+        pdf == Manuscript::erratum(&report)
+            .unwrap()
+            .typeset()
+            .unwrap()
+            .pdf()
+            .unwrap()
+    );
 }
 
 #[test]
@@ -52,5 +64,10 @@ fn hostile_strings_do_not_act_in_a_letter() {
     assert_eq!(entry.matches("```").count(), 1);
     assert!(!letter.contains("\n#panic"), "{letter}");
     assert!(!tex.contains(" # ") && !tex.contains(" & "));
-    Typeset::erratum(&report).unwrap().pdf().unwrap();
+    Manuscript::erratum(&report)
+        .unwrap()
+        .typeset()
+        .unwrap()
+        .pdf()
+        .unwrap();
 }

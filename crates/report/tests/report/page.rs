@@ -2,7 +2,7 @@
 
 use crate::paper;
 use crate::support::{HTML, page};
-use torse_report::{Source, Typeset, html_page, landing_page, model::Report};
+use torse_report::{Manuscript, Source, html_page, landing_page, model::Report};
 
 #[test]
 fn the_page_has_an_anchor_and_filter_attributes_for_every_claim() {
@@ -76,7 +76,12 @@ fn page_letter_and_landing_page_say_what_they_were_made_from() {
     assert!(page.contains(&digest) && page.contains("cat derivations/sample/*.toml | sha256sum"));
     assert!(landing.contains("<code>0123456789ab</code>"));
     assert!(page.contains("href=\"sample-erratum.pdf\"") && page.contains("href=\"sample.pdf\""));
-    Typeset::paper(&report, &[]).unwrap().pdf().unwrap();
+    Manuscript::paper(&report, &[])
+        .unwrap()
+        .typeset()
+        .unwrap()
+        .pdf()
+        .unwrap();
 }
 
 #[test]

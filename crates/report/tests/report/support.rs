@@ -2,7 +2,7 @@
 
 use crate::paper;
 use std::sync::LazyLock;
-use torse_report::{FigureImage, ReportError, Typeset, html_page, model::Report};
+use torse_report::{FigureImage, Manuscript, ReportError, Typeset, html_page, model::Report};
 use torse_verdicts::outcome::PaperOutcome;
 
 pub static HTML: LazyLock<String> = LazyLock::new(|| {
@@ -46,12 +46,12 @@ fn decoded(text: &str) -> Vec<u8> {
 }
 
 pub fn typeset(paper: &PaperOutcome, figures: &[FigureImage]) -> Result<Typeset, ReportError> {
-    Typeset::paper(&Report::new(paper, figures), figures)
+    Manuscript::paper(&Report::new(paper, figures), figures)?.typeset()
 }
 
 pub fn summary(papers: &[PaperOutcome]) -> Result<Typeset, ReportError> {
     let reports: Vec<Report> = papers.iter().map(|paper| Report::new(paper, &[])).collect();
-    Typeset::summary(&reports)
+    Manuscript::summary(&reports)?.typeset()
 }
 
 /// The sample without the claims that take long to lay out.

@@ -1,0 +1,132 @@
+//! The documents of a report: made side by side, and of the PDFs only those are set whose manuscripts changed.
+//!
+//! Beside the documents lies a list that has, of each PDF, the fingerprint of its manuscript and the digest of the
+//! file. A PDF is left as it is when both fit: equal manuscripts give equal documents, and a file that somebody changed,
+//! cut off or took away does not have its digest.
+
+use crate::exit::Failure;
+use crate::terminal::Progress;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
+use torse_report::{Manuscript, ReportError, digest, write_file};
+
+/// The list in the folder of a report.
+const LIST: &str = "documents.json";
+
+/// What a document is before it is written.
+pub enum Made {
+    /// The file itself.
+    Bytes(Vec<u8>),
+    /// A manuscript, to be set.
+    Manuscript(Manuscript),
+}
+
+impl Made {
+    /// The bytes of the file; a manuscript is set for them.
+    pub fn bytes(self) -> Result<Vec<u8>, ReportError> {
+        match self {
+            Made::Bytes(bytes) => Ok(bytes),
+            Made::Manuscript(manuscript) => manuscript.typeset()?.pdf(),
+        }
+    }
+}
+
+/// A file of a report, and how it is made.
+pub struct Document<'a> {
+    name: String,
+    made: Box<dyn Fn() -> Result<Made, ReportError> + Sync + 'a>,
+}
+
+impl<'a> Document<'a> {
+    /// The document of that file name.
+    pub fn new(
+        name: impl Into<String>,
+        made: impl Fn() -> Result<Made, ReportError> + Sync + 'a,
+    ) -> Self {
+        Document {
+            name: name.into(),
+            made: Box::new(made),
+        }
+    }
+}
+
+/// What is known of a PDF that was written.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+struct Known {
+    /// The fingerprint of its manuscript.
+    manuscript: String,
+    /// The digest of the file.
+    file: String,
+}
+
+type List = BTreeMap<String, Known>;
+
+/// Writes the documents into the folder, one step of progress each; returns the names of all its files, those that were
+/// left as they are too.
+pub fn write(
+    folder: &Path,
+    documents: &[Document],
+    progress: &Progress,
+) -> Result<Vec<String>, Failure> {
+    let mut list = known(folder);
+    let written: Vec<Result<Option<Known>, Failure>> = (documents.par_iter())
+        .map(|document| {
+            progress.doing(&document.name);
+            let known = put(folder, document, list.get(&document.name))?;
+            progress.step();
+            Ok(known)
+        })
+        .collect();
+    // Collected first, so that the first failure told is always the same.
+    for (document, known) in documents.iter().zip(written) {
+        if let Some(known) = known? {
+            list.insert(document.name.clone(), known);
+        }
+    }
+    let mut text = serde_json::to_string_pretty(&list).map_err(ReportError::from)?;
+    text.push('\n');
+    write_file(&folder.join(LIST), text.as_bytes())?;
+    let names = documents.iter().map(|document| document.name.clone());
+    Ok(names.chain([LIST.to_owned()]).collect())
+}
+
+/// The list of a folder: empty if there is none, or one that cannot be read.
+fn known(folder: &Path) -> List {
+    let list = std::fs::read(folder.join(LIST)).unwrap_or_default();
+    serde_json::from_slice(&list).unwrap_or_default()
+}
+
+/// Sees to it that the document is in the folder; returns what is to be known of it, if it was made from a manuscript.
+fn put(
+    folder: &Path,
+    document: &Document,
+    known: Option<&Known>,
+) -> Result<Option<Known>, Failure> {
+    let path = folder.join(&document.name);
+    let manuscript = match (document.made)()? {
+        Made::Bytes(bytes) => {
+            write_file(&path, &bytes)?;
+            return Ok(None);
+        }
+        Made::Manuscript(manuscript) => manuscript,
+    };
+    let fingerprint = manuscript.fingerprint();
+    let kept = known.filter(|known| known.manuscript == fingerprint && known.file == of(&path));
+    if let Some(known) = kept {
+        return Ok(Some(known.clone()));
+    }
+    let bytes = manuscript.typeset()?.pdf()?;
+    write_file(&path, &bytes)?;
+    Ok(Some(Known {
+        manuscript: fingerprint,
+        file: digest::of([bytes.as_slice()]),
+    }))
+}
+
+/// The digest of a file; that of no bytes at all where there is none, which no PDF has.
+fn of(path: &Path) -> String {
+    let bytes = std::fs::read(path).unwrap_or_default();
+    digest::of([bytes.as_slice()])
+}

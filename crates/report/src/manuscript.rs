@@ -1,0 +1,212 @@
+//! What a document is made of, before it is set.
+//!
+//! Setting pages is most of the work of a report. A [`Manuscript`] is all that determines them: the templates, the
+//! data and the pictures. Its fingerprint tells whether a document that was set before is still the one that setting
+//! it again would give.
+
+use crate::corrections::Corrected;
+use crate::model::{Report, figure_file};
+use crate::words::{self, EVIDENCE, RULES, Rule, Term, VERDICTS};
+use crate::world::{MemoryWorld, has_glyph};
+use crate::{FigureImage, ReportError, Typeset, digest, erratum, text};
+use serde::Serialize;
+use serde_json::Value;
+
+/// Changes whenever the same manuscript is set or written in another way, so that every fingerprint does.
+const VERSION: u32 = 1;
+
+const TEMPLATES: [(&str, &str); 4] = [
+    ("theme.typ", include_str!("../assets/theme.typ")),
+    ("formula.typ", include_str!("../assets/formula.typ")),
+    ("claim.typ", include_str!("../assets/claim.typ")),
+    ("overview.typ", include_str!("../assets/overview.typ")),
+];
+const PAPER: &str = include_str!("../assets/paper.typ");
+const ERRATUM: &str = include_str!("../assets/erratum.typ");
+const SUMMARY: &str = include_str!("../assets/summary.typ");
+
+/// A document that can be set: what it says, in which form, with which pictures.
+///
+/// ```
+/// # fn run(paper: &torse_verdicts::outcome::PaperOutcome) -> Result<(), torse_report::ReportError> {
+/// let report = torse_report::model::Report::new(paper, &[]);
+/// let manuscript = torse_report::Manuscript::paper(&report, &[])?;
+/// let same = torse_report::Manuscript::paper(&report, &[])?;
+/// assert_eq!(manuscript.fingerprint(), same.fingerprint());
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug)]
+pub struct Manuscript {
+    /// Which document errors speak of.
+    name: &'static str,
+    /// The main template.
+    main: &'static str,
+    /// The data and the pictures, by the names that the templates know.
+    files: Vec<(String, Vec<u8>)>,
+    identifier: String,
+}
+
+impl Manuscript {
+    /// The report of one paper, with the pictures that it was made with.
+    ///
+    /// A formula that cannot be read is shown as code; a character that no font has is spelled out.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Json`] when the report cannot be written as data.
+    pub fn paper(report: &Report, figures: &[FigureImage]) -> Result<Self, ReportError> {
+        let data = Data {
+            glossary: Glossary::new(),
+            content: report,
+        };
+        let pictures = figures.iter().enumerate().map(|(position, figure)| {
+            (figure_file(position, figure), figure.image.bytes().to_vec())
+        });
+        Self::new(
+            "the report of a paper",
+            PAPER,
+            &data,
+            pictures,
+            &report.slug,
+        )
+    }
+
+    /// The summary of several papers: counts, and of each what a reader must know in a minute. Examples of ours are left
+    /// out.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Json`] when the reports cannot be written as data.
+    pub fn summary(reports: &[Report]) -> Result<Self, ReportError> {
+        let papers: Vec<&Report> = reports.iter().filter(|of| !of.is_example()).collect();
+        let data = Data {
+            glossary: Glossary::new(),
+            content: papers,
+        };
+        Self::new("the summary", SUMMARY, &data, [], "summary")
+    }
+
+    /// The corrections of a paper, ready to be sent.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Json`] when the reports cannot be written as data.
+    pub fn erratum(report: &Report) -> Result<Self, ReportError> {
+        let data = Letter {
+            content: report,
+            corrections: erratum::certain(report).collect(),
+            opening: erratum::opening(report),
+            closing: erratum::CLOSING,
+        };
+        let identifier = format!("{}-erratum", report.slug);
+        Self::new(
+            "the corrections of a paper",
+            ERRATUM,
+            &data,
+            [],
+            &identifier,
+        )
+    }
+
+    fn new(
+        name: &'static str,
+        main: &'static str,
+        data: &impl Serialize,
+        pictures: impl IntoIterator<Item = (String, Vec<u8>)>,
+        identifier: &str,
+    ) -> Result<Self, ReportError> {
+        let mut data = serde_json::to_value(data)?;
+        spell_out_missing_glyphs(&mut data);
+        let files = pictures
+            .into_iter()
+            .chain([("data.json".to_owned(), serde_json::to_vec(&data)?)]);
+        Ok(Manuscript {
+            name,
+            main,
+            files: files.collect(),
+            identifier: format!("torse-{identifier}"),
+        })
+    }
+
+    /// A number that changes with everything that determines the document, the typesetter's version included: SHA-256, in
+    /// hexadecimal digits. Equal fingerprints mean equal documents.
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        let version = VERSION.to_be_bytes();
+        let typesetter = typst_utils::version().raw();
+        let fixed: [&[u8]; 4] = [
+            &version,
+            typesetter.as_bytes(),
+            self.identifier.as_bytes(),
+            self.main.as_bytes(),
+        ];
+        let templates = TEMPLATES.map(|(name, text)| [name.as_bytes(), text.as_bytes()]);
+        let files = (self.files.iter()).map(|(name, bytes)| [name.as_bytes(), bytes.as_slice()]);
+        digest::of(
+            fixed
+                .into_iter()
+                .chain(templates.into_iter().chain(files).flatten()),
+        )
+    }
+
+    /// The document with its pages laid out.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Typeset`] when it cannot be set, for instance because a picture is not what it is said to be.
+    pub fn typeset(self) -> Result<Typeset, ReportError> {
+        let world = MemoryWorld::new(self.main, &TEMPLATES, self.files)?;
+        Ok(Typeset {
+            document: world.compile(self.name)?,
+            identifier: self.identifier,
+        })
+    }
+}
+
+#[derive(Serialize)]
+struct Data<C> {
+    content: C,
+    glossary: Glossary,
+}
+
+#[derive(Serialize)]
+struct Letter<'a> {
+    content: &'a Report,
+    corrections: Vec<&'a Corrected>,
+    opening: String,
+    closing: &'static str,
+}
+
+#[derive(Serialize)]
+struct Glossary {
+    verdicts: Vec<Term>,
+    evidence: Vec<Term>,
+    levels: [Term; 3],
+    rules: [Rule; 7],
+}
+
+impl Glossary {
+    fn new() -> Self {
+        Glossary {
+            verdicts: VERDICTS.into_iter().map(words::verdict).collect(),
+            evidence: EVIDENCE.into_iter().map(words::evidence).collect(),
+            levels: [words::KERNEL, words::NETTED, words::DECIDED],
+            rules: RULES,
+        }
+    }
+}
+
+/// PDF/A allows no glyph that stands for "no such glyph".
+fn spell_out_missing_glyphs(data: &mut Value) {
+    match data {
+        Value::String(string) => {
+            if !string.chars().all(has_glyph) {
+                *string = text::replace(string, has_glyph);
+            }
+        }
+        Value::Array(values) => values.iter_mut().for_each(spell_out_missing_glyphs),
+        Value::Object(members) => members.values_mut().for_each(spell_out_missing_glyphs),
+        Value::Null | Value::Bool(_) | Value::Number(_) => {}
+    }
+}
