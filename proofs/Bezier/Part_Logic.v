@@ -50,7 +50,7 @@ End reach_roots_slip.
 
 Module reach_weights_zero.
 (* bezier/reach.weights.zero, Logic
-   printed: If weights that are not negative add up to zero, all are zero.
+   printed: If A + B + C = 0 for weights A, B, C >= 0, then A = B = C = 0.
    stated: A == 0 and B == 0 and C == 0 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R),
