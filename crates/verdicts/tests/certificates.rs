@@ -28,6 +28,7 @@ fn interval(lower: i64, upper: i64) -> SymbolKind {
     SymbolKind::Real(Box::new(Interval {
         lower: bound(lower),
         upper: bound(upper),
+        ..Interval::default()
     }))
 }
 

@@ -8,7 +8,7 @@ use super::elaborate::Elaborator;
 use super::{Set, Statement, Term};
 use crate::derivation::{self, Origin, Written};
 use crate::fault::Fault;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// A claim in core terms.
@@ -17,7 +17,8 @@ pub struct Claim {
     /// The declared symbols that occur in the statement, the hypotheses and the unknowns, and those in whose terms
     /// their sets and index ranges are declared.
     pub symbols: BTreeMap<Arc<str>, Set>,
-    /// What is assumed, in the order of the file: `assume`, then `given`.
+    /// What is assumed, in the order of the file: `assume`, then `given`; then what the ends of declared intervals say
+    /// that are formulas, of every symbol in the claim.
     pub hypotheses: Vec<Hypothesis>,
     /// The unknowns of the `given` equations: scalar symbols, coordinates or members.
     pub unknowns: Vec<Term>,
@@ -39,7 +40,9 @@ pub struct Hypothesis {
 /// The field of a hypothesis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
-    /// `assume`
+    /// `assume`, or the end of a declared interval that is a formula, see [`Interval::relations`].
+    ///
+    /// [`Interval::relations`]: crate::derivation::declarations::Interval::relations
     Assume,
     /// `given`
     Given,
@@ -98,8 +101,29 @@ impl Claim {
         }
         unknowns.iter().for_each(|t| t.declared_names(&mut add));
         statement.declared_names(&mut add);
+        let mut symbols = elaborator.symbols_of(names.clone());
+        let mut bounded: BTreeSet<Arc<str>> = BTreeSet::new();
+        // What the ends of a range say may name symbols whose ranges have such ends again.
+        while let Some((name, relations)) = symbols.iter().find_map(|(name, set)| match set {
+            Set::Real(interval) if interval.formulas().next().is_some() => {
+                (!bounded.contains(name)).then(|| (Arc::clone(name), interval.relations(name)))
+            }
+            _ => None,
+        }) {
+            for relation in relations {
+                let statement = within(&relation)?;
+                statement.declared_names(&mut |name: &Arc<str>| names.push(Arc::clone(name)));
+                hypotheses.push(Hypothesis {
+                    statement,
+                    source: Source::Assume,
+                    origin: relation.origin,
+                });
+            }
+            bounded.insert(name);
+            symbols = elaborator.symbols_of(names.clone());
+        }
         Ok(Self {
-            symbols: elaborator.symbols_of(names),
+            symbols,
             hypotheses,
             unknowns,
             statement,

@@ -1,5 +1,8 @@
 //! What names mean: symbols with their domains, basis families, definitions.
 
+pub use super::interval::{Bound, Constant, End, Interval};
+
+use super::interval::interval;
 use super::provenance::{Provenance, provenance};
 use super::source::whole;
 use super::table::Errors;
@@ -9,51 +12,7 @@ use crate::syntax::{Expr, Node, Place, is_name, parse};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use toml::Spanned;
-use torse_numbers::{Affine, Rational, rational};
-
-/// The number `rational + pi * turns`.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Constant {
-    /// The rational part.
-    pub rational: Rational,
-    /// The multiple of pi.
-    pub turns: Rational,
-}
-
-impl Constant {
-    /// The number, if pi does not occur in it.
-    #[must_use]
-    pub fn as_rational(&self) -> Option<&Rational> {
-        (self.turns == rational::integer(0)).then_some(&self.rational)
-    }
-}
-
-impl From<Rational> for Constant {
-    fn from(rational: Rational) -> Self {
-        Self {
-            rational,
-            turns: rational::integer(0),
-        }
-    }
-}
-
-/// One end of an interval.
-#[derive(Debug, Clone)]
-pub struct Bound {
-    /// The exact value.
-    pub value: Constant,
-    /// Whether the end belongs to the interval.
-    pub closed: bool,
-}
-
-/// An interval of real numbers; a missing end is infinite.
-#[derive(Debug, Clone, Default)]
-pub struct Interval {
-    /// The lower end.
-    pub lower: Option<Bound>,
-    /// The upper end.
-    pub upper: Option<Bound>,
-}
+use torse_numbers::Affine;
 
 /// What a declared symbol stands for.
 #[derive(Debug, Clone)]
@@ -382,6 +341,9 @@ impl Declarations {
                         continue;
                     }
                     pending.extend(self.definition(name).map(|d| &d.body.expr));
+                    if let Some(SymbolKind::Real(interval)) = self.symbol(name) {
+                        pending.extend(interval.formulas().map(|end| &end.formula.expr));
+                    }
                     if let Some(basis) = self.basis(name) {
                         let steps = [&basis.step.0, &basis.step.1];
                         pending.extend(basis.seeds.iter().chain(steps).map(|w| &w.expr));
@@ -616,18 +578,7 @@ fn symbol_kind(
     let Some(text) = &entry.interval else {
         return found(SymbolKind::Real(Box::default()));
     };
-    let origin = Origin::of(source, text);
-    match interval(text.get_ref()) {
-        Some(interval) => found(SymbolKind::Real(Box::new(interval))),
-        None => {
-            let text = text.get_ref();
-            let message = format!(
-                "`{text}` is no interval: write `[-1, 1]`, `(0, inf)` and so on; an end that is a symbol is assumed, \
-                 `assume = ['x <= c']`"
-            );
-            Err(complaint(&origin, message))
-        }
-    }
+    found(SymbolKind::Real(Box::new(interval(source, text)?)))
 }
 
 /// `>= 2`, `0..k`.
@@ -661,69 +612,4 @@ fn affine_of(expr: &Expr) -> Option<Affine> {
         }
         _ => None,
     }
-}
-
-/// `[-1, 1]`, `(0, inf)`: ends are rationals or rational multiples of pi.
-fn interval(text: &str) -> Option<Interval> {
-    let text = text.trim();
-    let closed = |c: char, closing: char, opening: char| match c {
-        c if c == closing => Some(true),
-        c if c == opening => Some(false),
-        _ => None,
-    };
-    let lower_closed = closed(text.chars().next()?, '[', '(')?;
-    let upper_closed = closed(text.chars().next_back()?, ']', ')')?;
-    let (low, high) = text.get(1..text.len().checked_sub(1)?)?.split_once(',')?;
-    let bound = |text: &str, closed: bool, infinite: &str| -> Option<Option<Bound>> {
-        match text.trim() {
-            end if end == infinite => Some(None),
-            finite => Some(Some(Bound {
-                value: constant(&parse(finite).ok()?)?,
-                closed,
-            })),
-        }
-    };
-    Some(Interval {
-        lower: bound(low, lower_closed, "-inf")?,
-        upper: bound(high, upper_closed, "inf")?,
-    })
-}
-
-/// A constant formula: rationals and rational multiples of pi.
-fn constant(expr: &Expr) -> Option<Constant> {
-    use crate::syntax::Operator;
-    use num_traits::Zero;
-    let zero = || rational::integer(0);
-    let scaled = |c: Constant, q: &Rational| Constant {
-        rational: c.rational * q,
-        turns: c.turns * q,
-    };
-    Some(match &expr.node {
-        Node::Number { value, .. } => value.clone().into(),
-        Node::Name(name) if name == "pi" => Constant {
-            rational: zero(),
-            turns: rational::integer(1),
-        },
-        Node::Negative(inner) => scaled(constant(inner)?, &rational::integer(-1)),
-        Node::Binary(operator, a, b) => {
-            let (a, b) = (constant(a)?, constant(b)?);
-            match operator {
-                Operator::Add => Constant {
-                    rational: a.rational + b.rational,
-                    turns: a.turns + b.turns,
-                },
-                Operator::Subtract => Constant {
-                    rational: a.rational - b.rational,
-                    turns: a.turns - b.turns,
-                },
-                Operator::Multiply if a.turns.is_zero() => scaled(b, &a.rational),
-                Operator::Multiply if b.turns.is_zero() => scaled(a, &b.rational),
-                Operator::Divide if b.turns.is_zero() && !b.rational.is_zero() => {
-                    scaled(a, &b.rational.recip())
-                }
-                _ => return None,
-            }
-        }
-        _ => return None,
-    })
 }

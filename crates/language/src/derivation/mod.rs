@@ -10,6 +10,7 @@ mod error;
 mod figure;
 mod finding;
 mod folder;
+mod interval;
 mod load;
 mod paper;
 mod provenance;

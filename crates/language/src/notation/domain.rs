@@ -1,7 +1,7 @@
 //! Declared sets, as formulas and in words.
 
 use super::text::text;
-use crate::derivation::declarations::{Bound, Constant, SymbolKind};
+use crate::derivation::declarations::{Bound, Constant, End, SymbolKind};
 use crate::syntax::{Expr, Node, Operator, Relation};
 use std::sync::Arc;
 use torse_numbers::{Affine, Rational, rational};
@@ -17,11 +17,10 @@ pub fn statement(name: &str, kind: &SymbolKind) -> Option<Expr> {
         true => Relation::AtLeast,
         false => Relation::Greater,
     };
-    let end = |bound: &Bound| (constant(&bound.value), bound.closed);
     let (low, high) = match kind {
         SymbolKind::Real(interval) => (
-            interval.lower.as_ref().map(end),
-            interval.upper.as_ref().map(end),
+            end(&interval.lower, &interval.above),
+            end(&interval.upper, &interval.below),
         ),
         SymbolKind::Integer { least, most } => (
             least.as_ref().map(|form| (affine(form), true)),
@@ -39,6 +38,14 @@ pub fn statement(name: &str, kind: &SymbolKind) -> Option<Expr> {
         }
     };
     Some(Expr::made(Node::Compare(Arc::new(first), rest)))
+}
+
+/// An end of an interval, and whether it belongs to it.
+fn end(number: &Option<Bound>, formula: &Option<End>) -> Option<(Expr, bool)> {
+    let number = number.as_ref();
+    let number = number.map(|bound| (constant(&bound.value), bound.closed));
+    let formula = formula.as_ref();
+    number.or_else(|| formula.map(|end| (end.formula.expr.placeless(), end.closed)))
 }
 
 fn constant(value: &Constant) -> Expr {
@@ -87,16 +94,20 @@ pub fn words(name: &str, kind: &SymbolKind) -> String {
     };
     match kind {
         SymbolKind::Real(interval) => {
-            let end = |bound: &Option<Bound>, infinite: &str| match bound {
+            let shown = |end: &Option<(Expr, bool)>, infinite: &str| match end {
                 None => (infinite.to_owned(), false),
-                Some(bound) => (text(&constant(&bound.value)), bound.closed),
+                Some((end, closed)) => (text(end), *closed),
             };
-            let (low, low_closed) = end(&interval.lower, "-inf");
-            let (high, high_closed) = end(&interval.upper, "inf");
+            let ends = [
+                end(&interval.lower, &interval.above),
+                end(&interval.upper, &interval.below),
+            ];
+            let [(low, low_closed), (high, high_closed)] =
+                [shown(&ends[0], "-inf"), shown(&ends[1], "inf")];
             let left = if low_closed { '[' } else { '(' };
             let right = if high_closed { ']' } else { ')' };
-            match (&interval.lower, &interval.upper) {
-                (None, None) => format!("{name}, a real number"),
+            match ends {
+                [None, None] => format!("{name}, a real number"),
                 _ => format!("{name} in {left}{low}, {high}{right}"),
             }
         }
@@ -134,6 +145,7 @@ mod tests {
         SymbolKind::Real(Box::new(crate::derivation::declarations::Interval {
             lower: low.map(bound),
             upper: high.map(bound),
+            ..Default::default()
         }))
     }
 

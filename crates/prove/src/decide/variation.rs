@@ -286,6 +286,7 @@ fn totally_positive(seeds: &[Fraction], variable: &str, domain: &Domain<'_>) -> 
     let unit = SymbolKind::Real(Box::new(Interval {
         lower: unit(0),
         upper: unit(1),
+        ..Interval::default()
     }));
     let declarations = places
         .iter()

@@ -101,7 +101,7 @@ fn nonnegative() -> Set {
     };
     Set::Real(Box::new(Interval {
         lower: Some(zero),
-        upper: None,
+        ..Interval::default()
     }))
 }
 

@@ -168,6 +168,7 @@ pub(super) fn apart(declarations: &Declarations, one: &Kind, other: &Kind) -> bo
             Some(Interval {
                 lower: end(),
                 upper: end(),
+                ..Interval::default()
             })
         }
         Kind::Symbol(name) => match declarations.symbol(name) {
