@@ -54,3 +54,37 @@ exists (r : R) (s : R) (t : R) (y : R),
   s <= y /\
   y <= t.
 End reach_between.
+
+Module reach_interval.
+(* bezier/reach.interval, Bounds
+   printed: (s - y)(y - r) >= 0 for y in [r, s]
+   stated: (s - y)*(y - r) >= 0 *)
+Definition statement : Prop :=
+forall (r : R) (s : R) (y : R),
+  r <= y ->
+  y <= s ->
+  (s - y) * (y - r) >= 0.
+Definition instance : Prop :=
+exists (r : R) (s : R) (y : R),
+  r <= y /\
+  y <= s.
+End reach_interval.
+
+Module reach_interval_basis.
+(* bezier/reach.interval.basis, Bounds
+   printed: On the interval [r, s] with r < s the middle quadratic Bernstein polynomial lies between 0 and 1/2.
+   stated: 0 <= 2*(s - y)*(y - r)/(s - r)^2 <= 1/2 *)
+Definition statement : Prop :=
+forall (r : R) (s : R) (y : R),
+  r < s ->
+  r <= y ->
+  y <= s ->
+  (s - r) ^ 2 <> 0 ->
+  0 <= 2 * (s - y) * (y - r) / (s - r) ^ 2 /\ 2 * (s - y) * (y - r) / (s - r) ^ 2 <= 1 / 2.
+Definition instance : Prop :=
+exists (r : R) (s : R) (y : R),
+  r < s /\
+  r <= y /\
+  y <= s /\
+  (s - r) ^ 2 <> 0.
+End reach_interval_basis.

@@ -26,3 +26,11 @@ Proof. cbv beta zeta delta [statement]; ordered. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; first [(exists (2), (3), (4), (5); met) | (exists (0), (0), (0), (0); met) | (exists (13), (8), (8), (6); met) | (exists (1), (1), (1), (1); met) | (exists (1), (0), (0), (0); met)]. Qed.
 End reach_between.
+
+Module reach_interval.
+Import Bezier.Part_Bounds.reach_interval.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; ordered. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (2), (3), (4); met) | (exists (0), (0), (0); met) | (exists (13), (8), (8); met) | (exists (1), (1), (1); met) | (exists (1), (0), (0); met)]. Qed.
+End reach_interval.

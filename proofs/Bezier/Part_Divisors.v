@@ -2,6 +2,42 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module reach_interval_open.
+(* bezier/reach.interval.open, Divisors
+   printed: (s - y)/(y - r) > 0 for y in (r, s)
+   stated: (s - y)/(y - r) > 0 *)
+Definition statement : Prop :=
+forall (r : R) (s : R) (y : R),
+  r < y ->
+  y < s ->
+  y - r <> 0 ->
+  (s - y) / (y - r) > 0.
+Definition instance : Prop :=
+exists (r : R) (s : R) (y : R),
+  r < y /\
+  y < s /\
+  y - r <> 0.
+End reach_interval_open.
+
+Module reach_interval_closed.
+(* bezier/reach.interval.closed, Divisors
+   printed: (s - y)/(y - r) >= 0 for y in [r, s]
+   stated: (s - y)/(y - r) >= 0 *)
+Definition statement : Prop :=
+forall (r : R) (s : R) (y : R),
+  r <= y ->
+  y <= s ->
+  y - r <> 0 ->
+  r - y <> 0 ->
+  (s - y) / (y - r) >= 0.
+Definition instance : Prop :=
+exists (r : R) (s : R) (y : R),
+  r <= y /\
+  y <= s /\
+  y - r <> 0 /\
+  r - y <> 0.
+End reach_interval_closed.
+
 Module reach_positive.
 (* bezier/reach.positive, Divisors
    printed: y/(y² + 1) + 1/(y² + 1) = (y + 1)/(y² + 1)

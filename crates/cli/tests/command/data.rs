@@ -77,6 +77,8 @@ fn all_mistakes_are_shown_at_once_and_the_rest_is_decided() {
         claim("right", "x == x", ""),
         claim("kind", "P[0] + 1 == 0", ""),
         claim("range", "y == y", "symbols = { y = { in = \"[0 1]\" } }"),
+        claim("end", "y <= 1", "symbols = { y = { in = \"[0, why]\" } }"),
+        claim("half", "y <= 1", "symbols = { y = { in = \"[0, 2*]\" } }"),
     ];
     let folder = mini(&claims.concat());
     let ran = on(folder.path(), &["verify", "--format", "json"]);
@@ -86,6 +88,8 @@ fn all_mistakes_are_shown_at_once_and_the_rest_is_decided() {
         (13, "why"),
         (27, ""),
         (35, "no interval"),
+        (42, "`why` is not declared"),
+        (49, "expected"),
     ] {
         assert!(ran.err.contains(message), "{message}: {}", ran.err);
         let place = format!("mini/claims.toml:{line}:");

@@ -109,8 +109,8 @@ pub enum DeriveError {
         /// What went wrong.
         source: ExactError,
     },
-    /// The variable has no finite interval.
-    #[error("the variable `{variable}` is declared on no finite interval")]
+    /// The variable has no finite interval, or one with formulas as ends.
+    #[error("the variable `{variable}` is declared on no interval with two numbers as ends")]
     Interval {
         /// The variable.
         variable: String,

@@ -36,7 +36,7 @@ pub struct PaperHead {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SymbolEntry {
-    /// An interval: `"[-1, 1]"`, `"(0, inf)"`.
+    /// An interval: `"[-1, 1]"`, `"(0, inf)"`, `"[0, c]"`.
     #[serde(rename = "in")]
     pub interval: Option<Text>,
     /// An integer symbol with its bound: `">= 2"`, or a range `"0..k"` (both ends included).
