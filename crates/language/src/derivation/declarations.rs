@@ -578,7 +578,7 @@ fn symbol_kind(
     let Some(text) = &entry.interval else {
         return found(SymbolKind::Real(Box::default()));
     };
-    found(SymbolKind::Real(Box::new(interval(source, text)?)))
+    found(SymbolKind::Real(Box::new(interval(source, name, text)?)))
 }
 
 /// `>= 2`, `0..k`.

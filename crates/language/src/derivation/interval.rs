@@ -100,50 +100,59 @@ impl Interval {
     }
 }
 
-/// `[-1, 1]`, `(0, inf)`, `[a, 2*b]`: ends are rationals, rational multiples of pi, or formulas in declared symbols.
+/// `[-1, 1]`, `(0, inf)`, `[a, 2*b]`: ends are rationals, rational multiples of pi, or formulas in other declared
+/// symbols than the one whose interval it is.
 pub(super) fn interval(
     source: &Arc<Source>,
+    symbol: &str,
     text: &Spanned<String>,
 ) -> Result<Interval, LoadError> {
     let origin = Origin::of(source, text);
-    let Some(([low, high], [left, right], start)) = parts(text.get_ref()) else {
+    let wrong = || {
         let message = format!(
             "`{}` is no interval: write `[-1, 1]`, `(0, inf)`, `[0, c]` and so on",
             text.get_ref()
         );
         let error = DerivationError::at(&origin, whole(text), message);
-        return Err(LoadError::Derivation(Box::new(error)));
+        LoadError::Derivation(Box::new(error))
     };
+    let ([low, high], [left, right], start) = parts(text.get_ref()).ok_or_else(wrong)?;
+    // Infinity is an end of its side only.
+    if low.trim() == "inf" || high.trim() == "-inf" {
+        return Err(wrong());
+    }
     let mut interval = Interval::default();
     let upper_start = start + low.len() + 1;
-    match end(&origin, low, start, "-inf")? {
+    match end(&origin, symbol, low, start)? {
+        Found::Nothing => return Err(wrong()),
         Found::Infinite => {}
         Found::Number(value) => {
             interval.lower = Some(Bound {
                 value,
                 closed: left,
-            })
+            });
         }
         Found::Formula(formula) => {
             interval.above = Some(End {
                 formula,
                 closed: left,
-            })
+            });
         }
     }
-    match end(&origin, high, upper_start, "inf")? {
+    match end(&origin, symbol, high, upper_start)? {
+        Found::Nothing => return Err(wrong()),
         Found::Infinite => {}
         Found::Number(value) => {
             interval.upper = Some(Bound {
                 value,
                 closed: right,
-            })
+            });
         }
         Found::Formula(formula) => {
             interval.below = Some(End {
                 formula,
                 closed: right,
-            })
+            });
         }
     }
     Ok(interval)
@@ -173,11 +182,13 @@ enum Found {
     Infinite,
     Number(Constant),
     Formula(Written),
+    /// No end: a formula without a value, or one in the symbol itself.
+    Nothing,
 }
 
-/// Reads an end that begins after `start` bytes of the text.
-fn end(origin: &Origin, text: &str, start: usize, infinite: &str) -> Result<Found, LoadError> {
-    if text.trim() == infinite {
+/// Reads an end of the interval of a symbol, which begins after `start` bytes of the text.
+fn end(origin: &Origin, symbol: &str, text: &str, start: usize) -> Result<Found, LoadError> {
+    if matches!(text.trim(), "inf" | "-inf") {
         return Ok(Found::Infinite);
     }
     let origin = origin.clone().after(start);
@@ -188,6 +199,9 @@ fn end(origin: &Origin, text: &str, start: usize, infinite: &str) -> Result<Foun
         }
         Ok(expr) => Ok(match constant(&expr) {
             Some(number) => Found::Number(number),
+            // What names nothing and is no number, such as 1/0, has no value at all.
+            None if expr.names().iter().all(|name| *name == "pi") => Found::Nothing,
+            None if expr.names().contains(&symbol) => Found::Nothing,
             None => Found::Formula(Written { expr, origin }),
         }),
     }
