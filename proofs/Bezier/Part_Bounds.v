@@ -72,7 +72,7 @@ End reach_interval.
 
 Module reach_interval_basis.
 (* bezier/reach.interval.basis, Bounds
-   printed: On the interval [r, s] with r < s the middle quadratic Bernstein polynomial lies between 0 and 1/2.
+   printed: For y in [r, s], r < s, the middle quadratic Bernstein polynomial lies between 0 and 1/2.
    stated: 0 <= 2*(s - y)*(y - r)/(s - r)^2 <= 1/2 *)
 Definition statement : Prop :=
 forall (r : R) (s : R) (y : R),
