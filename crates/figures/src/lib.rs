@@ -9,6 +9,7 @@
 //! | curves, control polygons, points on axes | [`Plot`] |
 //! | surfaces, nets, space curves, tangent planes | [`View`] |
 //! | panels (a), (b), ... with captions | [`Figure`] |
+//! | panels that are compared | [`same_scales`] |
 //! | data for a viewer with sliders | [`Interactive`] |
 //! | a developable for a viewer that unrolls it | [`Torse`] |
 //!
@@ -27,6 +28,7 @@
 
 mod colormap;
 mod colour;
+mod compare;
 mod error;
 mod flat;
 mod ink;
@@ -38,6 +40,7 @@ mod torse;
 
 pub use colormap::ColourMap;
 pub use colour::{Colour, DASHES, Dash, Line, PALETTE, palette};
+pub use compare::same_scales;
 pub use error::{FigureError, LabelProblem};
 pub use flat::{Aspect, Axis, Frame, GuideAxis, Layer, Plot};
 pub use ink::markup::label_html;

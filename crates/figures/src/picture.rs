@@ -6,6 +6,7 @@ use crate::ink::chart::TEXT_SIZE;
 use crate::ink::scene::{Align, Rect, Scene, Turn};
 use crate::ink::typeset::typeset;
 use crate::ink::{raster, svg};
+use crate::legend::{Entries, Key, Legend};
 use crate::space::View;
 
 /// Size of a page in pixels of 1/96 inch. The PNG has twice as many pixels each way.
@@ -76,6 +77,22 @@ pub enum Content {
     View(View),
 }
 
+impl Content {
+    fn legend(&self) -> Legend {
+        match self {
+            Content::Plot(plot) => plot.legend,
+            Content::View(view) => view.legend,
+        }
+    }
+
+    fn legend_entries(&self) -> Vec<(Key, &str)> {
+        match self {
+            Content::Plot(plot) => plot.legend_entries(),
+            Content::View(view) => view.legend_entries(),
+        }
+    }
+}
+
 /// One panel of a figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
@@ -86,7 +103,7 @@ pub struct Panel {
     pub caption: String,
 }
 
-/// One or more panels on a page, row by row.
+/// One or more panels on a page, row by row. A legend that several panels have below stands once, below all of them.
 ///
 /// ```
 /// use torse_figures::{Axis, Content, Figure, Line, Panel, Plot, Size};
@@ -167,7 +184,10 @@ impl Figure {
             f64::from(self.panel_size.width),
             f64::from(self.panel_size.height),
         );
-        let page = [w * columns as f64, (h + caption) * rows as f64];
+        let below = self.repeated();
+        let below = Entries::new(Legend::Below, &below, w * columns as f64 - 2.0 * MARGIN)?;
+        let panels = (h + caption) * rows as f64;
+        let page = [w * columns as f64, panels + below.height];
         within("page width", page[0], 64.0, 2048.0)?;
         within("page height", page[1], 64.0, 2048.0)?;
         let views = self
@@ -185,9 +205,10 @@ impl Figure {
                 h,
             };
             let room = cell.inset([MARGIN; 4]);
+            let legend = self.legend(panel);
             match &panel.content {
-                Content::Plot(plot) => plot.draw_in(&mut scene, room)?,
-                Content::View(view) => view.draw_in(&mut scene, room, budget)?,
+                Content::Plot(plot) => plot.draw_in(&mut scene, room, legend)?,
+                Content::View(view) => view.draw_in(&mut scene, room, legend, budget)?,
             }
             let middle = [cell.x + w / 2.0, cell.bottom() + caption / 2.0 - 4.0];
             scene.set(
@@ -198,10 +219,46 @@ impl Figure {
                 0.0,
             );
         }
+        let room = Rect {
+            x: 0.0,
+            y: panels - MARGIN,
+            w: page[0],
+            h: below.height,
+        };
+        below.draw(&mut scene, Legend::Below, room);
         Ok(Picture {
             svg: svg::write(&scene, &self.title)?,
             scene,
         })
+    }
+
+    /// The entries of legends that several panels have: they stand once, below all panels.
+    fn repeated(&self) -> Vec<(Key, &str)> {
+        let mut entries: Vec<(Key, &str)> = vec![];
+        for panel in self.panels.iter().filter(|panel| self.is_repeated(panel)) {
+            for entry in panel.content.legend_entries() {
+                if !entries.contains(&entry) {
+                    entries.push(entry);
+                }
+            }
+        }
+        entries
+    }
+
+    fn is_repeated(&self, panel: &Panel) -> bool {
+        let own = panel.content.legend_entries();
+        let same = |other: &&Panel| {
+            other.content.legend() == Legend::Below && other.content.legend_entries() == own
+        };
+        panel.content.legend() == Legend::Below && self.panels.iter().filter(same).count() > 1
+    }
+
+    /// Where the legend of a panel stands in its own room.
+    fn legend(&self, panel: &Panel) -> Legend {
+        match self.is_repeated(panel) {
+            true => Legend::Hidden,
+            false => panel.content.legend(),
+        }
     }
 
     fn caption(&self, k: usize, panel: &Panel) -> String {

@@ -68,6 +68,75 @@ fn the_same_input_gives_the_same_bytes() {
     assert_eq!(a.png().unwrap(), b.png().unwrap());
 }
 
+fn panels(contents: impl IntoIterator<Item = Content>) -> Vec<Panel> {
+    let panel = |content| Panel {
+        content,
+        caption: String::new(),
+    };
+    contents.into_iter().map(panel).collect()
+}
+
+#[test]
+fn a_legend_that_panels_share_stands_once_below_them() {
+    let height = |contents: [Content; 2]| {
+        let figure = Figure {
+            title: "Two".into(),
+            panels: panels(contents),
+            columns: 2,
+            panel_size: Size::PANEL,
+        };
+        figure.draw().unwrap().size().height
+    };
+    let plot = |legend| Content::Plot(graph(legend));
+    let bare = height([plot(Legend::Hidden), plot(Legend::Hidden)]);
+    let one_row = height([plot(Legend::Below), plot(Legend::Below)]) - bare;
+    assert!((15..40).contains(&one_row), "{one_row} pixels");
+    // One has a legend of its own, or stands elsewhere: then it is drawn within the panel.
+    let own = Content::View(view().legend(Legend::Below));
+    assert_eq!(height([plot(Legend::Below), own]), bare);
+    assert_eq!(height([plot(Legend::Below), plot(Legend::Right)]), bare);
+}
+
+#[test]
+fn compared_views_have_the_box_around_all_and_compared_plots_the_same_axes() {
+    let surface = |size: f64| {
+        let grid = Grid::sample(3, 3, |u, v| [size * u, v, size * u * v]).unwrap();
+        Content::View(View::new().surface(Surface::new(grid)))
+    };
+    let fixed = [[0.0, 1.0]; 3];
+    let own = Content::View(view().bounds(Bounds::Fixed(fixed)));
+    let line = |top: f64, x: Axis| {
+        Content::Plot(Plot::new(x, Axis::auto("y")).curve(
+            vec![[0.0, 0.0], [1.0, top]],
+            Line::nth(0),
+            "",
+        ))
+    };
+    let plots = [
+        line(1.0, Axis::auto("x")),
+        line(5.0, Axis::fixed("x", 0.0, 1.0)),
+    ];
+    let mut all = panels([surface(1.0), surface(4.0), own].into_iter().chain(plots));
+    same_scales(&mut all).unwrap();
+    let mut boxes = vec![];
+    let mut ranges = vec![];
+    for panel in &all {
+        match &panel.content {
+            Content::View(view) => boxes.push(view.bounds),
+            Content::Plot(plot) => ranges.push((plot.x.range, plot.y.range)),
+        }
+    }
+    assert_eq!(boxes[0], boxes[1]);
+    let Bounds::Fixed([[low, high], ..]) = boxes[0] else {
+        panic!("no box");
+    };
+    assert!(low < 0.0 && high > 4.0 && high < 4.5);
+    assert_eq!(boxes[2], Bounds::Fixed(fixed), "bounds that are given stay");
+    assert_eq!(ranges[0].1, ranges[1].1);
+    assert!(ranges[0].1.unwrap()[1] > 5.0);
+    assert_eq!(ranges[1].0, Some([0.0, 1.0]));
+}
+
 #[test]
 fn a_png_has_twice_the_pixels_of_the_page_and_is_not_blank() {
     let size = Size {

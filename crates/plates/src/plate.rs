@@ -2,12 +2,12 @@
 
 use crate::figure::{self, Drawing};
 use crate::{PlateError, plane, space};
-use torse_figures::{Content, Figure, Panel, Picture, Size};
+use torse_figures::{Content, Figure, Panel, Picture, Size, same_scales};
 use torse_language::derivation::Figure as Entry;
 use torse_language::derivation::{DerivationError, Paper};
 
 /// Changes whenever plates are drawn in another way from the same data, so that every fingerprint does.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// A figure of a derivation file with all its formulas evaluated.
 #[derive(Debug, Clone)]
@@ -75,6 +75,14 @@ impl Plate {
     /// # Errors
     /// [`PlateError`]: a formula that is infinite at a sample, and whatever the drawing room refuses.
     pub fn draw(&self) -> Result<Picture, PlateError> {
+        Ok(self.figure()?.draw()?)
+    }
+
+    /// Its panels, sampled; those of one entry with the same scales.
+    ///
+    /// # Errors
+    /// [`PlateError`]: a formula that is infinite at a sample, a panel with nothing in it.
+    pub fn figure(&self) -> Result<Figure, PlateError> {
         let drawing = &self.drawing;
         let panels = drawing.panels.iter().map(|panel| {
             let content = match panel.dimension {
@@ -84,7 +92,15 @@ impl Plate {
             let caption = panel.caption.clone();
             Ok(Panel { content, caption })
         });
-        let panels = panels.collect::<Result<Vec<_>, PlateError>>()?;
+        let mut panels = panels.collect::<Result<Vec<_>, PlateError>>()?;
+        let mut rest = panels.as_mut_slice();
+        for compared in drawing.panels.chunk_by(|a, b| a.entry == b.entry) {
+            let (own, others) = rest.split_at_mut(compared.len());
+            if own.len() > 1 {
+                same_scales(own)?;
+            }
+            rest = others;
+        }
         let columns = drawing.columns.unwrap_or(match panels.len() {
             1 => 1,
             2 | 4 => 2,
@@ -96,13 +112,12 @@ impl Plate {
             _ => [320, 280],
         });
         let [width, height] = size;
-        let figure = Figure {
+        Ok(Figure {
             title: drawing.title.clone(),
             panels,
             columns,
             panel_size: Size { width, height },
-        };
-        Ok(figure.draw()?)
+        })
     }
 
     /// A number that changes with everything that determines the picture and the words around it: the FNV-1a

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::LazyLock;
+use torse_figures::{Bounds, Content};
 use torse_language::derivation::load;
 use torse_plates::{Plate, plates};
 
@@ -34,6 +35,36 @@ fn every_figure_is_drawn_and_fits_into_a_report() {
             plate.name()
         );
     });
+}
+
+#[test]
+fn panels_that_are_compared_have_the_same_box_or_the_same_axes() {
+    let mut compared = 0;
+    for plate in PLATES.iter() {
+        let figure = plate.figure().unwrap();
+        let panels = plate.drawing().panels.iter().zip(&figure.panels);
+        let panels: Vec<_> = panels.collect();
+        for pair in panels.windows(2) {
+            let [(first, a), (second, b)] = pair else {
+                continue;
+            };
+            if first.entry != second.entry {
+                continue;
+            }
+            let same = match (&a.content, &b.content) {
+                (Content::View(a), Content::View(b)) => {
+                    a.bounds == b.bounds && a.bounds != Bounds::Data
+                }
+                (Content::Plot(a), Content::Plot(b)) => {
+                    a.x.range.is_some() && (&a.x.range, &a.y.range) == (&b.x.range, &b.y.range)
+                }
+                _ => false,
+            };
+            assert!(same, "{}: {} and {}", plate.name(), a.caption, b.caption);
+            compared += 1;
+        }
+    }
+    assert!(compared > 60, "{compared} pairs of panels");
 }
 
 #[test]

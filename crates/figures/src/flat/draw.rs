@@ -13,10 +13,15 @@ use crate::legend::{Entries, Key, Legend, Marker, draw_marker};
 const PER_TICK: [f64; 2] = [62.0, 40.0];
 
 impl Plot {
-    pub(crate) fn draw_in(&self, scene: &mut Scene, page: Rect) -> Result<(), FigureError> {
+    pub(crate) fn draw_in(
+        &self,
+        scene: &mut Scene,
+        page: Rect,
+        legend: Legend,
+    ) -> Result<(), FigureError> {
         self.check()?;
-        let entries = Entries::new(self.legend, &self.legend_entries(), page.w)?;
-        let body = match self.legend {
+        let entries = Entries::new(legend, &self.legend_entries(), page.w)?;
+        let body = match legend {
             Legend::Right => page.inset([0.0, 0.0, entries.width, 0.0]),
             _ => page.inset([0.0, 0.0, 0.0, entries.height]),
         };
@@ -46,7 +51,7 @@ impl Plot {
         for layer in &self.layers {
             map.layer(scene, layer)?;
         }
-        let room = match self.legend {
+        let room = match legend {
             Legend::Right => Rect {
                 x: body.right(),
                 y: inner.y,
@@ -60,11 +65,11 @@ impl Plot {
                 h: entries.height,
             },
         };
-        entries.draw(scene, self.legend, room);
+        entries.draw(scene, legend, room);
         Ok(())
     }
 
-    fn legend_entries<'a>(&'a self) -> Vec<(Key, &'a str)> {
+    pub(crate) fn legend_entries<'a>(&'a self) -> Vec<(Key, &'a str)> {
         let entry = |layer: &'a Layer| match *layer {
             Layer::Curve {
                 line, ref label, ..
@@ -94,7 +99,7 @@ impl Plot {
     }
 
     /// The data window, x then y, before units are made equal.
-    fn window(&self) -> Result<[[f64; 2]; 2], FigureError> {
+    pub(crate) fn window(&self) -> Result<[[f64; 2]; 2], FigureError> {
         let points: Vec<[f64; 2]> = self.layers.iter().flat_map(Layer::extent).collect();
         let side = |axis: &Axis, k: usize| match axis.range {
             Some(range) => Ok(range),

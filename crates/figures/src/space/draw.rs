@@ -24,11 +24,12 @@ impl View {
         &self,
         scene: &mut Scene,
         page: Rect,
+        legend: Legend,
         budget: usize,
     ) -> Result<(), FigureError> {
         self.check()?;
-        let entries = Entries::new(self.legend, &self.legend_entries(), page.w)?;
-        let body = match self.legend {
+        let entries = Entries::new(legend, &self.legend_entries(), page.w)?;
+        let body = match legend {
             Legend::Right => page.inset([0.0, 0.0, entries.width, 0.0]),
             _ => page.inset([0.0, 0.0, 0.0, entries.height]),
         };
@@ -76,7 +77,7 @@ impl View {
             };
             bar.draw(scene, room)?;
         }
-        let room = match self.legend {
+        let room = match legend {
             Legend::Right => Rect {
                 x: page.right() - entries.width,
                 w: entries.width,
@@ -88,7 +89,7 @@ impl View {
                 ..page
             },
         };
-        entries.draw(scene, self.legend, room);
+        entries.draw(scene, legend, room);
         Ok(())
     }
 
@@ -127,7 +128,7 @@ impl View {
         Ok(Item::Image { x, y, pixels, png })
     }
 
-    fn legend_entries<'a>(&'a self) -> Vec<(Key, &'a str)> {
+    pub(crate) fn legend_entries<'a>(&'a self) -> Vec<(Key, &'a str)> {
         let entry = |solid: &'a Solid| match *solid {
             Solid::Surface(Surface {
                 paint: Paint::TwoSided { front, back },
@@ -187,6 +188,13 @@ impl View {
         let [low, high] = [low - air, high + air];
         range("values on a surface", low, high)?;
         Ok([low, high])
+    }
+
+    /// The box that is shown, see [`View::box_bounds`].
+    pub(crate) fn shown(&self) -> Result<BoxBounds, FigureError> {
+        self.check()?;
+        let cloud: Vec<V3> = self.solids.iter().flat_map(Solid::points).collect();
+        self.box_bounds(&cloud)
     }
 
     /// The box that is shown. A flat object gets some depth, every object a little air.

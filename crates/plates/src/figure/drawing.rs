@@ -89,6 +89,8 @@ pub struct Piece {
 /// One panel.
 #[derive(Debug, Clone, Serialize)]
 pub struct Panel {
+    /// Which entry of the figure it comes from: panels of one entry show the same for other values, and are compared.
+    pub entry: usize,
     /// The caption.
     pub caption: String,
     /// The number of coordinates, 2 or 3.

@@ -78,8 +78,8 @@ fn elaborated(figure: &Figure, free: &[String]) -> Faulty<Drawing> {
         free,
     };
     let mut panels = vec![];
-    for entry in &figure.entry.panel {
-        panels.extend(context.panels(entry)?);
+    for (number, entry) in figure.entry.panel.iter().enumerate() {
+        panels.extend(context.panels(number, entry)?);
     }
     let entry = &figure.entry;
     Ok(Drawing {

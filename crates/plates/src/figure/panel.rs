@@ -19,8 +19,8 @@ pub(super) struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// The panels that an entry makes.
-    pub fn panels(&self, entry: &PanelEntry) -> Faulty<Vec<Panel>> {
+    /// The panels that the entry of this number makes.
+    pub fn panels(&self, number: usize, entry: &PanelEntry) -> Faulty<Vec<Panel>> {
         let mut round = self.round.clone();
         for set in [&self.figure.entry.set, &entry.set] {
             round.environment.set_integers(set)?;
@@ -28,11 +28,11 @@ impl<'a> Context<'a> {
         round
             .rounds(&entry.loops, self.free)?
             .iter()
-            .map(|round| self.panel(entry, round))
+            .map(|round| self.panel(number, entry, round))
             .collect()
     }
 
-    fn panel(&self, entry: &PanelEntry, round: &Round<'a>) -> Faulty<Panel> {
+    fn panel(&self, number: usize, entry: &PanelEntry, round: &Round<'a>) -> Faulty<Panel> {
         let mut layers = vec![];
         let environment = self.with_values(entry, round)?;
         for layer in &entry.layer {
@@ -85,6 +85,7 @@ impl<'a> Context<'a> {
         let side =
             |text: &Option<Text>| text.as_ref().map(|t| interval(&environment, t)).transpose();
         Ok(Panel {
+            entry: number,
             caption: round.filled(&entry.caption),
             dimension,
             axes: entry.axes.as_ref().map(|axes| {
