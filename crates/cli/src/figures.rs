@@ -12,8 +12,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use torse_designs::movable::step_of;
 use torse_figures::Torse;
-use torse_language::derivation::Paper;
-use torse_plates::{Plate, PlateError, figure};
+use torse_language::derivation::{DerivationError, Figure, Paper};
+use torse_plates::{Plate, PlateError};
 use torse_report::{FigureImage, Image, write_file};
 
 /// The fingerprints of the figures in a folder, by the name of their files.
@@ -40,23 +40,37 @@ pub fn remember(folder: &Path, fingerprints: &Fingerprints) -> Result<&'static s
     Ok(LIST)
 }
 
-/// Adds what is wrong with the formulas of figures, which are evaluated and not drawn.
-pub fn check(papers: &[Paper], mistakes: &mut Mistakes) {
-    let figures: Vec<_> = papers.iter().flat_map(Paper::figures).collect();
-    let checked: Vec<_> = figures
+/// A figure of a derivation file with its formulas evaluated.
+pub struct Evaluated<'a> {
+    entry: &'a Figure,
+    plate: Plate,
+}
+
+/// The figures of each paper, evaluated and not drawn. What is wrong with their formulas is added to the mistakes, and the
+/// figure left out.
+pub fn evaluated<'a>(papers: &'a [Paper], mistakes: &mut Mistakes) -> Vec<Vec<Evaluated<'a>>> {
+    let of_papers: Vec<Vec<&Figure>> = papers.iter().map(|p| p.figures().collect()).collect();
+    let evaluate = |entry: &&'a Figure| {
+        let plate = guard::named(&entry.id, || Plate::new(entry))?;
+        Ok(Evaluated { entry, plate })
+    };
+    let evaluated: Vec<Vec<Result<_, Box<DerivationError>>>> = of_papers
         .par_iter()
-        .map(|figure| {
-            guard::named(&figure.id, || {
-                figure::drawing(figure)?;
-                figure::torse(figure)?;
-                figure::interactive(figure)
-            })
-        })
+        .map(|figures| figures.par_iter().map(evaluate).collect())
         .collect();
     // Collected first, so that mistakes are always told in the same order.
-    for error in checked.into_iter().filter_map(Result::err) {
-        mistakes.add(error);
+    let mut kept = vec![];
+    for figures in evaluated {
+        let mut own = vec![];
+        for figure in figures {
+            match figure {
+                Ok(figure) => own.push(figure),
+                Err(error) => mistakes.add(error),
+            }
+        }
+        kept.push(own);
     }
+    kept
 }
 
 /// A figure as the report shows it, with its fingerprint.
@@ -69,54 +83,57 @@ pub struct Shown {
 
 /// The figures of a paper, in its order, with their files in `folder`; one step of progress each.
 pub fn shown(
-    paper: &Paper,
+    figures: &[Evaluated],
     folder: &Path,
     known: &Fingerprints,
     progress: &Progress,
 ) -> Result<Vec<Shown>, Failure> {
-    let figures: Vec<_> = paper.figures().collect();
     let shown: Vec<Result<Shown, Failure>> = figures
-        .into_par_iter()
-        .map(|figure| {
-            progress.doing(&figure.id);
-            let plate = Plate::new(figure)?;
-            let failed = |source| Failure::Figure {
-                figure: figure.id.clone(),
-                source,
-            };
-            let name = plate.name();
-            let fingerprint = format!("{:016x}", plate.fingerprint().map_err(failed)?);
-            let kept = match known.get(&name) == Some(&fingerprint) {
-                true => drawn_before(folder, &name),
-                false => None,
-            };
-            let (svg, kept) = match kept {
-                Some(svg) => (svg, true),
-                None => (draw(&plate, folder, &name, failed)?, false),
-            };
-            let interactive = plate.interactive().map_err(failed)?;
-            let torse = plate.torse().map_err(failed)?;
-            let step = match &torse {
-                Some(torse) => Some(solid(torse, &figure.id, folder, &name, kept)?),
-                None => None,
-            };
-            progress.step();
-            let drawing = plate.drawing();
-            let image = FigureImage {
-                name,
-                caption: drawing.caption.clone(),
-                alt: drawing.alt.clone(),
-                image: Image::Svg(svg),
-                claims: drawing.claims.clone(),
-                verdict: figure.verdict(),
-                assumes: drawing.assumes.clone(),
-                stand_in: drawing.stand_in.clone(),
-                interactive,
-                torse,
-                step,
-            };
-            Ok(Shown { image, fingerprint })
-        })
+        .par_iter()
+        .map(
+            |Evaluated {
+                 entry: figure,
+                 plate,
+             }| {
+                progress.doing(&figure.id);
+                let failed = |source| Failure::Figure {
+                    figure: figure.id.clone(),
+                    source,
+                };
+                let name = plate.name();
+                let fingerprint = format!("{:016x}", plate.fingerprint().map_err(failed)?);
+                let kept = match known.get(&name) == Some(&fingerprint) {
+                    true => drawn_before(folder, &name),
+                    false => None,
+                };
+                let (svg, kept) = match kept {
+                    Some(svg) => (svg, true),
+                    None => (draw(plate, folder, &name, failed)?, false),
+                };
+                let interactive = plate.interactive().map_err(failed)?;
+                let torse = plate.torse().map_err(failed)?;
+                let step = match &torse {
+                    Some(torse) => Some(solid(torse, &figure.id, folder, &name, kept)?),
+                    None => None,
+                };
+                progress.step();
+                let drawing = plate.drawing();
+                let image = FigureImage {
+                    name,
+                    caption: drawing.caption.clone(),
+                    alt: drawing.alt.clone(),
+                    image: Image::Svg(svg),
+                    claims: drawing.claims.clone(),
+                    verdict: figure.verdict(),
+                    assumes: drawing.assumes.clone(),
+                    stand_in: drawing.stand_in.clone(),
+                    interactive,
+                    torse,
+                    step,
+                };
+                Ok(Shown { image, fingerprint })
+            },
+        )
         .collect();
     // Collected first, so that the first failure told is always the same.
     shown.into_iter().collect()

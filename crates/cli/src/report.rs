@@ -3,7 +3,7 @@
 use crate::derivations::{Derivations, Found};
 use crate::documents::{Document, Made};
 use crate::exit::{Exit, Failure};
-use crate::figures::FOLDER as FIGURES;
+use crate::figures::{Evaluated, FOLDER as FIGURES};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
@@ -12,7 +12,6 @@ use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use torse_language::derivation::Paper;
 use torse_report::model::Report as Model;
 use torse_report::{
     FigureImage, Manuscript, Source, gallery, html_page, landing_page, verdicts_json_with_kernel,
@@ -62,19 +61,17 @@ impl Report {
             check_slug(&paper.head.id)?;
         }
         let run = Run::of(&papers, self.budget, &mut mistakes);
-        figures::check(&papers, &mut mistakes);
+        let evaluated = figures::evaluated(&papers, &mut mistakes);
         guard::finished();
         // A report without a claim that the paper makes would not be one.
         if !mistakes.is_empty() {
             return Ok(mistakes.tell(Exit::BadData));
         }
-        let wanted: Vec<(&Paper, &PaperOutcome)> = (papers.iter().zip(&run.papers))
-            .filter(|(paper, _)| self.wants(&paper.head.id))
+        let wanted: Vec<(&[Evaluated], &PaperOutcome)> = (evaluated.iter().zip(&run.papers))
+            .filter(|(_, outcome)| self.wants(&outcome.slug))
+            .map(|(figures, outcome)| (figures.as_slice(), outcome))
             .collect();
-        let pictures: usize = wanted
-            .iter()
-            .map(|(paper, _)| paper.figures().count())
-            .sum();
+        let pictures: usize = wanted.iter().map(|(figures, _)| figures.len()).sum();
         let progress = Progress::new("reporting", pictures + 5 * wanted.len() + 3);
         let mut written = Vec::new();
         let figures = self.figures(&wanted, &progress, &mut written)?;
@@ -109,15 +106,15 @@ impl Report {
     /// The figures of each paper, drawn unless they are in the folder already.
     fn figures(
         &self,
-        wanted: &[(&Paper, &PaperOutcome)],
+        wanted: &[(&[Evaluated], &PaperOutcome)],
         progress: &Progress,
         written: &mut Vec<String>,
     ) -> Result<Vec<Vec<FigureImage>>, Failure> {
         let folder = self.out.join(FIGURES);
         let mut fingerprints = figures::known(&folder);
         let mut all = Vec::new();
-        for (paper, _) in wanted {
-            let shown = figures::shown(paper, &folder, &fingerprints, progress)?;
+        for (figures, _) in wanted {
+            let shown = figures::shown(figures, &folder, &fingerprints, progress)?;
             let mut images = Vec::new();
             for figure in shown {
                 let name = &figure.image.name;

@@ -75,7 +75,7 @@ impl Verify {
         let (papers, mut mistakes) = self.derivations.select(&self.names)?;
         let before = self.against.as_deref().map(Verdicts::read).transpose()?;
         let run = Run::of(&papers, self.budget, &mut mistakes);
-        figures::check(&papers, &mut mistakes);
+        figures::evaluated(&papers, &mut mistakes);
         guard::finished();
         let mut exit = Exit::of(run.outcomes(), &self.names);
         let json = match (self.format, &before) {

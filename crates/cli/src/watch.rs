@@ -73,7 +73,7 @@ impl Watch<'_> {
             .filter(|paper| !old(&paper.head.id))
             .collect();
         let run = Run::of(&papers, self.budget, &mut mistakes);
-        figures::check(&papers, &mut mistakes);
+        figures::evaluated(&papers, &mut mistakes);
         let mut all: BTreeMap<String, PaperOutcome> = known
             .drain(..)
             .chain(run.papers)

@@ -130,6 +130,17 @@ fn numbers_of_the_print_and_of_the_statement_are_compared() {
 }
 
 #[test]
+fn a_raised_digit_is_an_exponent_that_is_printed() {
+    told(
+        Flag::AddsNumber,
+        "c is y³ y¹⁰",
+        "states = 'c == y^11*y^2'",
+        "stated and not printed: 11",
+        "states = 'c == y^3*y^10'",
+    );
+}
+
+#[test]
 fn numbers_of_names_references_and_enumerations_are_no_numbers_of_the_print() {
     for printed in [
         "y_7 is y",

@@ -85,6 +85,14 @@ impl Print {
                 i += length;
                 continue;
             }
+            // An exponent as it is printed, or part of a name such as C².
+            let raised: String = rest.iter().map_while(|c| superscript(*c)).collect();
+            if !raised.is_empty() {
+                print.mentioned.extend(number(&raised));
+                i += raised.len();
+                last_word.clear();
+                continue;
+            }
             match c {
                 // Half of `<=` or `>=`, which was counted, or of `!=`.
                 '=' if matches!(
@@ -236,6 +244,12 @@ fn number(text: &str) -> Option<Rational> {
         Node::Number { value, .. } => Some(value),
         _ => None,
     }
+}
+
+/// The digit that a raised one is.
+fn superscript(c: char) -> Option<char> {
+    let place = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == c)?;
+    char::from_digit(u32::try_from(place).ok()?, 10)
 }
 
 /// How files spell Greek letters.
