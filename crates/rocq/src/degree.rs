@@ -63,6 +63,8 @@ impl Degrees<'_> {
                 self.without(indices)?;
                 self.of(of)
             }
+            Node::Product { .. } => Err(Gap::Construct("a product over an index")),
+            Node::Integral { .. } => Err(Gap::Construct("an integral")),
             Node::Sum {
                 index,
                 low,
