@@ -63,8 +63,7 @@ impl Degrees<'_> {
                 self.without(indices)?;
                 self.of(of)
             }
-            Node::Product { .. } => Err(Gap::Construct("a product over an index")),
-            Node::Integral { .. } => Err(Gap::Construct("an integral")),
+            Node::Product { .. } | Node::Integral { .. } => None,
             Node::Sum {
                 index,
                 low,

@@ -20,7 +20,7 @@ use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
 /// Into how many pieces the interval is cut, and the odd order to which f is expanded on each.
-const PLANS: [(i64, u16); 6] = [(1, 7), (1, 19), (1, 39), (3, 39), (8, 39), (20, 39)];
+const PLANS: [(i64, u16); 5] = [(1, 7), (2, 27), (4, 31), (10, 35), (24, 39)];
 
 impl<A: Arithmetic> Evaluator<'_, A> {
     /// The integral of the body by the variable.

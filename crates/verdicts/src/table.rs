@@ -63,6 +63,14 @@ pub struct Family {
     pub display: Option<String>,
 }
 
+impl Family {
+    /// Whether there is no step, which is written as one with factors zero: a list of functions of one degree.
+    #[must_use]
+    pub fn is_list(&self) -> bool {
+        self.step.iter().all(|factor| factor.text == "0")
+    }
+}
+
 /// What a claim rests on; nothing where it states nothing, or what makes no sense.
 #[must_use]
 pub fn of(claim: &Claim) -> Table {

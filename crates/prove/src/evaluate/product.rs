@@ -12,6 +12,7 @@ use super::series::{polynomial_of, with_index};
 use super::value::Value;
 use super::{Environment, Evaluator};
 use num_traits::Zero;
+use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
 use torse_language::core::{Term, Variable};
 use torse_language::fault::Fault;
@@ -94,6 +95,10 @@ impl Evaluator<'_> {
             with_index(g, index, &form).ok()
         };
         let at = |g: &Fraction, form: Affine| with_index(g, index, &form).ok();
+        let high = match planted(Planted::LastFactorForgotten) {
+            true => high.clone() - Affine::number(1),
+            false => high.clone(),
+        };
         for s in 1..=MAX_SHIFT {
             for rises in [true, false] {
                 let (g, other) = match rises {

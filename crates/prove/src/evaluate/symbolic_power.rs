@@ -30,7 +30,10 @@ impl Evaluator<'_> {
             return Err(refused("which may be negative or is no declared integer"));
         }
         if base.is_zero() {
-            return Err(refused("of zero"));
+            return match self.declarations.least(exponent) {
+                Some(1..) => Ok(Fraction::zero().under(base.conditions()).into()),
+                _ => Err(refused("of zero")),
+            };
         }
         self.symbolic_degree.set(true);
         let axes = Axis::powers(base, exponent).map_err(|e| Fault::exact(place, e))?;

@@ -144,6 +144,22 @@ impl Series {
         if let Some(merged) = self.merged(other) {
             return Ok(Some(merged));
         }
+        match (self.is_power(), other.is_power(), other.axes.as_slice()) {
+            (true, false, _) => return other.product(self),
+            // One power after the other, so that each finds its own.
+            (_, true, [first, rest @ ..]) if !rest.is_empty() => {
+                let first = Self::entry(first.clone());
+                let rest = Self {
+                    axes: rest.to_vec(),
+                    ..other.clone()
+                };
+                return match self.product(&first)? {
+                    Some(product) => product.product(&rest),
+                    None => Ok(None),
+                };
+            }
+            _ => {}
+        }
         let behind = (0..other.axes.len())
             .map(|axis| (here(axis), Affine::symbol(&here(axis + count))))
             .collect();
@@ -152,6 +168,11 @@ impl Series {
             factor: self.factor.clone() * other.factor.clone(),
             points: self.points.clone() * with_indices(&other.points, &behind)?,
         }))
+    }
+
+    /// Whether it is a product of powers of formulas, with a factor.
+    fn is_power(&self) -> bool {
+        self.points == Fraction::integer(1) && self.axes.iter().all(Axis::is_pure)
     }
 
     /// The product with the power of a formula of which this series has one already: the exponents are added.
