@@ -386,7 +386,7 @@ fn a_number_as_degree_gives_what_the_symbol_gives() {
         [
             "Q1[0] == Q[3]",
             "Q1[1] == 2*Q[3] - Q[2]",
-            "Q1[2] == 4*(Q[3] - Q[2]) + Q[1]",
+            "Q1[2] == Q[1] + 4*(Q[3] - Q[2])",
         ]
     );
     let low = Shape {
@@ -409,7 +409,7 @@ fn a_rational_curve_has_the_classical_tangent_at_its_start() {
     let ends = end_derivatives(&declarations, "b", 1, rational).unwrap();
     let lines = text(&ends);
     assert_eq!(lines[0], "G(0) == R[0]");
-    assert_eq!(lines[1], "G'(0) == k*w[1]/w[0]*(R[1] - R[0])");
+    assert_eq!(lines[1], "G'(0) == -k*w[1]*(R[0] - R[1])/w[0]");
     let join = continuity(&declarations, "b", 1, rational).unwrap();
     let lines = text(&join);
     assert_eq!(lines[0], "Q1[0] == Q[m]");
@@ -436,7 +436,7 @@ fn a_list_of_functions_has_its_own_degree() {
         .filter(|c| c.declarations.basis("T").is_some_and(|b| b.is_list));
     let list = &lists.next().unwrap().declarations;
     let ends = end_derivatives(list, "T", 1, Shape::default()).unwrap();
-    assert_eq!(text(&ends)[1], "G'(0) == (2 - v)*(R[1] - R[0])");
+    assert_eq!(text(&ends)[1], "G'(0) == (v - 2)*(R[0] - R[1])");
     let cubic = Shape {
         degree: Some(3),
         rational: false,

@@ -357,11 +357,10 @@ fn integrals_have_derivatives_by_their_ends_and_parameters() {
 
 #[test]
 fn an_integral_over_a_pole_is_not_known_to_have_a_value() {
-    let judged = says("integral(1/y, y, -1, 2) == 0", &[]);
-    assert!(
-        !matches!(judged, Judgement::True | Judgement::False),
-        "{judged:?}"
-    );
-    is_undefined("integral(1/y, y, -1, 1) == 0", &[]);
+    for ends in ["-1, 2", "-1, 1", "0, 1"] {
+        let judged = says(&format!("integral(1/y, y, {ends}) == 0"), &[]);
+        let told = matches!(judged, Judgement::True | Judgement::False);
+        assert!(!told, "{judged:?}");
+    }
     holds("integral(1/y, y, 1, 2) - integral(1/y, y, 2, 4) == 0", &[]);
 }
