@@ -9,7 +9,7 @@ which refutes but does not prove. Statements about every degree are looked at fo
 
 import itertools
 
-from sympy import (Abs, E as e, Matrix, Rational, S, cos, cosh, diff, exp, expand, lambdify, simplify, sin, sinh, solve, sqrt,
+from sympy import (Abs, E as e, Matrix, Rational, S, cos, cosh, diff, exp, expand, integrate, lambdify, simplify, sin, sinh, solve, sqrt,
                    symbols, tanh, together)
 
 from expected import compare
@@ -227,6 +227,23 @@ CHECKS = {
     and equal(dL[2] ** 2 * (1 + r**2 + d**2 * r**2), d**2 * r**2 * square(dL)),
     "cone.torsion": lambda: equal(det(dL, L.diff(y, 2), L.diff(y, 3)), d * r * (1 + r**2) * exp(3 * r * y)),
     "cone.torse": lambda: equal(det(dL, dL, L.diff(y, 2)), 0),
+}
+
+# Integrals, of the functions of derivations/hyperbolic/integrals.toml; q is the variable, s the upper end, k not zero.
+q, s = symbols("q s", real=True)
+k = symbols("k", positive=True)
+H = Matrix([q, cosh(q)])
+CHECKS |= {
+    "integral.exponential": lambda: equal(integrate(exp(k * q), (q, 0, s)), (exp(k * s) - 1) / k)
+    and equal(integrate(exp(-k * q), (q, 0, s)), (exp(-k * s) - 1) / -k),
+    "integral.damped": lambda: equal(
+        integrate(exp(-q) * sin(q), (q, 0, s)), (1 - exp(-s) * (sin(s) + cos(s))) / 2),
+    "integral.parts": lambda: equal(integrate(q * exp(-q), (q, 0, s)), 1 - (s + 1) * exp(-s)),
+    "integral.parts.slip": lambda: equal(integrate(q * exp(-q), (q, 0, s)), 1 - s * exp(-s)),
+    "integral.catenary": lambda: equal(square(H.diff(q)), cosh(q) ** 2)
+    and equal(integrate(cosh(q), (q, 0, s)), sinh(s)),
+    "integral.basis": lambda: equal(integrate(sinh(q), (q, 0, s)), cosh(s) - 1)
+    and equal(integrate(cosh(q) - 1, (q, 0, s)), sinh(s) - s),
 }
 
 

@@ -9,7 +9,7 @@ which refutes but does not prove.
 
 import itertools
 
-from sympy import (Matrix, Rational, cos, diff, exp, expand, lambdify, pi, simplify, sin, solve, sqrt, symbols, tan)
+from sympy import (Matrix, Rational, cos, diff, exp, expand, integrate, lambdify, pi, simplify, sin, solve, sqrt, symbols, tan)
 
 from expected import compare
 
@@ -194,6 +194,27 @@ CHECKS = {
             cylinder + h * unit(round_normal), [(r + h) * cos(t), (r + h) * sin(t), v])),
     "helicoid.skew": lambda: equal(det(D1, normal, normal.diff(t)), h),
     "helicoid.skew.slip": lambda: equal(det(D1, normal, normal.diff(t)), 0 * t),
+}
+
+# Integrals, of the functions of derivations/trigonometric/integrals.toml; q is the variable, s the upper end.
+q, s = symbols("q s", real=True)
+ring = Matrix([r * cos(q), r * sin(q)])
+roll = Matrix([r * (q - sin(q)), r * (1 - cos(q))])
+turn = (q, 0, 2 * pi)
+CHECKS |= {
+    "integral.sine": lambda: equal(integrate(sin(q), (q, 0, s)), 1 - cos(s)),
+    "integral.square": lambda: equal(integrate(cos(q) ** 2, (q, 0, s)), s / 2 + sin(2 * s) / 4),
+    "integral.parts": lambda: equal(integrate(q * sin(q), (q, 0, s)), sin(s) - s * cos(s)),
+    "integral.parts.slip": lambda: equal(integrate(q * sin(q), (q, 0, s)), sin(s) + s * cos(s)),
+    "integral.orthogonal": lambda: integrate(sin(2 * q) * cos(3 * q), turn) == 0
+    and integrate(sin(2 * q) * sin(3 * q), turn) == 0,
+    "integral.circle": lambda: same(sqrt(square(ring.diff(q))), r) and equal(integrate(r, turn), 2 * pi * r),
+    "integral.circle.area": lambda: equal(
+        integrate(simplify(Matrix.hstack(ring, ring.diff(q)).det()), turn) / 2, pi * r ** 2),
+    "integral.cycloid.area": lambda: equal(integrate(expand(roll[1] * roll[0].diff(q)), turn), 3 * pi * r ** 2),
+    "integral.cycloid.length": lambda: equal(square(roll.diff(q)), (2 * r * sin(q / 2)) ** 2)
+    and equal(integrate(2 * r * sin(q / 2), turn), 8 * r),
+    "integral.mean.slip": lambda: equal(integrate(sin(q) ** 2, turn) / (2 * pi), 1 + 0 * q),
 }
 
 

@@ -79,6 +79,9 @@ never_wrong! {
     exponentials_and_their_order_are_never_judged_wrongly: Exponentials,
     splines_on_knots_are_never_judged_wrongly: Splines,
     smooth_functions_are_never_judged_wrongly: Functions,
+    integrals_are_never_judged_wrongly: Integrals,
+    numbers_that_there_are_are_never_judged_wrongly: Exists,
+    symbolic_powers_and_products_are_never_judged_wrongly: Powers,
 }
 
 /// The first claims of every kind.

@@ -7,7 +7,8 @@ use clap::{Args, ValueEnum};
 use torse_language::derivation::Paper;
 use torse_language::derivation::declarations::Declarations;
 use torse_verdicts::derive::{
-    Derivation, DeriveError, Geometric, Language, continuity, end_derivatives, geometric, print,
+    Derivation, DeriveError, Geometric, Language, Shape, continuity, end_derivatives, geometric,
+    print,
 };
 
 /// Derive formulas of a basis family for every degree at once.
@@ -27,6 +28,12 @@ pub struct Derive {
     /// The highest derivative; with `--join c` the order of continuity
     #[arg(long, value_name = "N", default_value_t = 3)]
     order: u8,
+    /// The degree, for a basis whose step depends on the index, or for short formulas; a symbol if left out
+    #[arg(long, value_name = "K")]
+    degree: Option<u8>,
+    /// Curves with a weight for every point
+    #[arg(long)]
+    rational: bool,
     /// Solve for the next control points of a join instead
     #[arg(long, value_enum, value_name = "CONDITION")]
     join: Option<Join>,
@@ -42,7 +49,9 @@ Examples:
   torse derive gbt-developable g --order 2
   torse derive gbt-surfaces f --join c --order 3
   torse derive gbt-developable g --join beta --language latex
-  torse derive bezier B --join c --language sympy > join.py";
+  torse derive bezier B --join c --language sympy > join.py
+  torse derive splines U --degree 3 --join c --order 2
+  torse derive bezier B --rational --order 2";
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Join {
@@ -94,12 +103,18 @@ impl Derive {
             basis: self.basis.clone(),
             known: bases(paper),
         })?;
+        let shape = Shape {
+            degree: self.degree,
+            rational: self.rational,
+        };
         let derived = match self.join {
-            None => end_derivatives(declarations, &self.basis, self.order),
-            Some(Join::C) => continuity(declarations, &self.basis, self.order),
-            Some(Join::G1) => geometric(declarations, &self.basis, Geometric::G1),
-            Some(Join::FarinBoehm) => geometric(declarations, &self.basis, Geometric::FarinBoehm),
-            Some(Join::Beta) => geometric(declarations, &self.basis, Geometric::Beta),
+            None => end_derivatives(declarations, &self.basis, self.order, shape),
+            Some(Join::C) => continuity(declarations, &self.basis, self.order, shape),
+            Some(Join::G1) => geometric(declarations, &self.basis, Geometric::G1, shape),
+            Some(Join::FarinBoehm) => {
+                geometric(declarations, &self.basis, Geometric::FarinBoehm, shape)
+            }
+            Some(Join::Beta) => geometric(declarations, &self.basis, Geometric::Beta, shape),
         };
         derived.map_err(|error: DeriveError| Failure::Derive(Box::new(error)))
     }

@@ -256,7 +256,11 @@ impl Failure {
             | Failure::UnknownBasis { .. }
             | Failure::Ambiguous { .. } => Exit::Usage,
             Failure::Derive(error) => match **error {
-                DeriveError::UnknownBasis { .. } | DeriveError::Order { .. } => Exit::Usage,
+                DeriveError::UnknownBasis { .. }
+                | DeriveError::Order { .. }
+                | DeriveError::Degree { .. }
+                | DeriveError::OneDegree { .. }
+                | DeriveError::NeedsDegree { .. } => Exit::Usage,
                 _ => Exit::BadData,
             },
             Failure::Load(_) | Failure::Derivation(_) | Failure::Slug { .. } => Exit::BadData,

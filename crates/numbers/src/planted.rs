@@ -49,6 +49,10 @@ pub enum Planted {
     CoefficientUnlooked,
     /// The root of a square is that of which it is the square, whatever its sign.
     RootSignIgnored,
+    /// An integral is what its antiderivative is at the upper end.
+    LowerEndForgotten,
+    /// A product that telescopes ends one factor early.
+    LastFactorForgotten,
     /// The checker of proofs reads a difference as a sum.
     DifferenceReadAsSum,
 }

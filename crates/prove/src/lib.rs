@@ -15,6 +15,7 @@ pub mod formula;
 pub mod ideal;
 pub mod roots;
 pub mod sample;
+pub mod sought;
 pub mod statement;
 
 pub use evidence::{Evidence, Witness};

@@ -16,6 +16,8 @@
 
 mod base64;
 pub mod corrections;
+#[cfg(test)]
+mod derived;
 pub mod digest;
 mod erratum;
 mod error;

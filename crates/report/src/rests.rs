@@ -24,13 +24,15 @@ pub fn rests(outcome: &Outcome) -> Vec<Rests> {
     let bases = table.bases.iter().map(|family| {
         let seeds: Vec<&str> = family.seeds.iter().map(|s| s.text.as_str()).collect();
         let [a, b] = &family.step;
+        let step = match family.is_list() {
+            true => String::new(),
+            false => format!(" and the step factors {} and {}", a.text, b.text),
+        };
         format!(
-            "{} with {} in degree {} and the step factors {} and {}",
+            "{} with {} in degree {}{step}",
             family.head.text,
             seeds.join(", "),
-            family.degree,
-            a.text,
-            b.text
+            family.degree
         )
     });
     let groups = [

@@ -449,7 +449,11 @@ fn free<'t>(terms: impl Iterator<Item = &'t Term>, bound: &[Variable]) -> BTreeS
             Node::Variable(variable) => {
                 used.insert(variable.clone());
             }
-            Node::Sum { index, .. } => {
+            Node::Sum { index, .. }
+            | Node::Product { index, .. }
+            | Node::Integral {
+                variable: index, ..
+            } => {
                 bound.insert(index.clone());
             }
             Node::Let { variable, .. } | Node::Derivative { variable, .. } => {

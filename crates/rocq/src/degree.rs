@@ -63,6 +63,7 @@ impl Degrees<'_> {
                 self.without(indices)?;
                 self.of(of)
             }
+            Node::Product { .. } | Node::Integral { .. } => None,
             Node::Sum {
                 index,
                 low,

@@ -100,6 +100,8 @@ impl Context<'_> {
                 high,
                 term,
             } => self.sum(index, low, high, term),
+            Node::Product { .. } => Err(Gap::Construct("a product over an index")),
+            Node::Integral { .. } => Err(Gap::Construct("an integral")),
             Node::Let {
                 variable,
                 value,

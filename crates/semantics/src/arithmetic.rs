@@ -90,6 +90,16 @@ pub trait Arithmetic {
         Err(Unknown::NotCovered { what }.into())
     }
 
+    /// Some number between two, of which nothing else is known; `None` for arithmetics that know no order.
+    fn between(&self, _low: &Rational, _high: &Rational) -> Option<Self::Number> {
+        None
+    }
+
+    /// Whether it makes no difference to what is told of numbers if this one is added.
+    fn is_negligible(&self, a: &Self::Number) -> bool {
+        self.is_zero(a) == Some(true)
+    }
+
     /// `a - b`.
     ///
     /// # Errors

@@ -165,6 +165,18 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                 high,
                 term,
             } => self.sum(index.number(), low, high, term, scope),
+            Node::Product {
+                index,
+                low,
+                high,
+                term,
+            } => self.product(index.number(), low, high, term, scope),
+            Node::Integral {
+                variable,
+                low,
+                high,
+                body,
+            } => self.integral(variable.number(), low, high, body, scope),
             Node::Let {
                 variable,
                 value,
@@ -555,6 +567,26 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         (low..=high).try_fold(self.integer_value(0), |total, i| {
             let inner = scope.with(index, self.integer_value(i));
             total.plus(&self.term(term, &inner)?, self.arithmetic)
+        })
+    }
+
+    /// Factor by factor, from the left; an empty product is 1.
+    fn product(
+        &self,
+        index: u32,
+        low: &Term,
+        high: &Term,
+        term: &Term,
+        scope: &Sc<'_, A>,
+    ) -> Outcome<A> {
+        let low = self.integer(low, "a bound of a product", scope)?;
+        let high = self.integer(high, "a bound of a product", scope)?;
+        if high.saturating_sub(low) > MAX_TERMS {
+            return Err(Unknown::Large { what: "a product" }.into());
+        }
+        (low..=high).try_fold(self.integer_value(1), |product, i| {
+            let inner = scope.with(index, self.integer_value(i));
+            product.times(&self.term(term, &inner)?, self.arithmetic)
         })
     }
 

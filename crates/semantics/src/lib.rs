@@ -67,6 +67,7 @@ mod functions;
 mod gap;
 mod gradient;
 mod instance;
+mod integral;
 mod judge;
 mod judgement;
 mod known;

@@ -376,6 +376,23 @@ impl Arithmetic for Reals<'_> {
         a.as_rational().cloned()
     }
 
+    fn between(&self, low: &Rational, high: &Rational) -> Option<Real> {
+        Some(Ball::from_bounds(low, high, self.bits).into())
+    }
+
+    /// Far below what numbers are told apart by, see [`judge`](crate::judge()).
+    fn is_negligible(&self, a: &Real) -> bool {
+        let small = Rational::new(1.into(), Integer::from(1) << 136);
+        match a {
+            Real::Rational(rational) => rational.abs() <= small,
+            Real::Turned(_) => false,
+            Real::Enclosed(ball) => {
+                let size = ball.abs();
+                size.upper() <= small
+            }
+        }
+    }
+
     fn bit_length(&self, a: &Real) -> Option<u64> {
         let whole = |q: &Rational| (q.numer().bit_len() + 1).saturating_sub(q.denom().bit_len());
         let bits = match a {

@@ -78,6 +78,14 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         }
     }
 
+    /// Whether all numbers in it are such.
+    pub fn all(&self, such: &dyn Fn(&N) -> bool) -> bool {
+        match self {
+            Self::Number(number) => such(number),
+            Self::Powers { terms, .. } => terms.iter().all(|term| term.all(such)),
+        }
+    }
+
     fn level(&self) -> usize {
         match self {
             Self::Number(_) => 0,

@@ -6,7 +6,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::path::{Path, PathBuf};
 use torse_language::derivation::load;
-use torse_verdicts::derive::continuity;
+use torse_verdicts::derive::{Shape, continuity};
 use torse_verdicts::engine::decide_claim;
 
 fn folder() -> PathBuf {
@@ -25,7 +25,10 @@ fn decisions(c: &mut Criterion) {
         .find(|paper| paper.head.id == "gbt-surfaces")
         .expect("a paper of the repository");
     group.bench_function("derive the C3 join of symbolic degrees", |b| {
-        b.iter(|| continuity(&surfaces.declarations, "f", 3).expect("a basis that collapses"));
+        b.iter(|| {
+            continuity(&surfaces.declarations, "f", 3, Shape::default())
+                .expect("a basis that collapses")
+        });
     });
     for id in [
         "gbt-developable/thm-1.3",

@@ -5,7 +5,7 @@
 //! out of the print, [`repair`] searches proved corrections of what
 //! is refuted, [`consequences`] says what falls with it, [`mod@derive`] derives the conditions of joins anew,
 //! [`net`] judges every verdict by the semantics before it is shown, [`replay`] has its proof ([`grounds`]) checked without
-//! search, [`mutants`] are slips made on purpose, [`recheck`] does both again.
+//! search, [`mutants`] are slips made on purpose, witnesses take the place of numbers that there are, [`recheck`] does both again.
 #![warn(missing_docs)]
 
 pub mod audit;
@@ -25,6 +25,7 @@ pub mod readings;
 pub mod recheck;
 pub mod repair;
 pub mod replay;
+mod sought;
 pub mod stage;
 pub mod table;
 

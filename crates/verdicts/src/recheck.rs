@@ -10,6 +10,7 @@
 
 use crate::net::{self, Effort};
 use crate::outcome::{Net, Outcome};
+use crate::sought;
 use torse_language::derivation::Claim;
 
 /// What a verdict has to pass here.
@@ -20,6 +21,9 @@ pub const THOROUGH: Effort = Effort {
     polynomials: 1_000_000,
     seed: "again ",
 };
+
+/// The work that finding a witness again may take.
+const WITNESS: u64 = 100_000_000;
 
 /// What judging a verdict again gave.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -48,6 +52,9 @@ pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
     let Some(statement) = &claim.statement else {
         return Recheck::Nothing;
     };
+    let witnessed =
+        (!claim.sought.is_empty()).then(|| sought::witnessed(claim, statement, WITNESS));
+    let claim = witnessed.as_ref().unwrap_or(claim);
     match net::judged(outcome, claim, statement, &THOROUGH) {
         None => Recheck::Nothing,
         Some(Ok(net)) if net.netted => Recheck::Netted(net),

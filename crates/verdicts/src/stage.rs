@@ -7,7 +7,7 @@ use crate::concluded::{
     conclude, correct, correction_rests_on, drawn, panicked, rest_on, undecided,
 };
 use crate::outcome::{Outcome, ReadingOutcome};
-use crate::{conjunction, finding, net, provenance, readings};
+use crate::{conjunction, finding, net, provenance, readings, sought};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use torse_algebra::work;
 use torse_language::core::Elaborator;
@@ -159,6 +159,10 @@ fn decided<'c>(
         outcome.verdict = Verdict::Definition;
         return Ok((outcome, Left::Nothing));
     };
+    if !claim.sought.is_empty() {
+        sought::decided(&mut outcome, claim, statement, budget)?;
+        return Ok((outcome, Left::Nothing));
+    }
     match work::within(budget, || decide_statement(claim, statement)) {
         Ok(decision) => {
             let decision =

@@ -63,6 +63,14 @@ pub struct Family {
     pub display: Option<String>,
 }
 
+impl Family {
+    /// Whether there is no step, which is written as one with factors zero: a list of functions of one degree.
+    #[must_use]
+    pub fn is_list(&self) -> bool {
+        self.step.iter().all(|factor| factor.text == "0")
+    }
+}
+
 /// What a claim rests on; nothing where it states nothing, or what makes no sense.
 #[must_use]
 pub fn of(claim: &Claim) -> Table {
@@ -114,7 +122,7 @@ pub fn of(claim: &Claim) -> Table {
 
 /// What a head `F(z, mu)` defines.
 fn name_of(head: &str) -> &str {
-    head.split_once('(').map_or(head, |(name, _)| name).trim()
+    head.split(['(', '[']).next().unwrap_or(head).trim()
 }
 
 /// The walk from a statement through all that it uses.
@@ -132,8 +140,16 @@ impl Walk<'_> {
         match &expr.node {
             Node::Name(name) => self.name(name, bound),
             Node::Call(head, arguments) => {
-                let sum = matches!(&head.node, Node::Name(name) if name == "sum");
-                if let (true, [index, low, high, term]) = (sum, arguments.as_slice())
+                let called = match &head.node {
+                    Node::Name(name) => name.as_str(),
+                    _ => "",
+                };
+                let binder = match (called, arguments.as_slice()) {
+                    ("sum" | "product", [index, low, high, term])
+                    | ("integral", [term, index, low, high]) => Some((index, low, high, term)),
+                    _ => None,
+                };
+                if let Some((index, low, high, term)) = binder
                     && let Node::Name(index) = &index.node
                 {
                     self.formula(low, bound);
@@ -176,7 +192,13 @@ impl Walk<'_> {
 
     fn definition(&mut self, name: &str, definition: &Definition) {
         self.table.definitions.push(Defined {
-            head: notation::formula(&head(Expr::name(name), &definition.parameters)),
+            head: notation::formula(&match definition.indexed {
+                false => head(Expr::name(name), &definition.parameters),
+                true => {
+                    let indices = definition.parameters.iter().map(|name| Expr::name(name));
+                    Expr::made(Node::Index(Expr::name(name).into(), indices.collect()))
+                }
+            }),
             body: notation::formula(&definition.body.expr),
             own: self.own.contains(name),
             display: self.declarations.display(name).map(str::to_owned),

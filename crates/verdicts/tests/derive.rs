@@ -11,7 +11,8 @@ use torse_language::derivation::load;
 use torse_language::syntax::{Expr, parse};
 use torse_prove::evaluate::Evaluator;
 use torse_verdicts::derive::{
-    Derivation, DeriveError, Geometric, Language, continuity, end_derivatives, geometric, print,
+    Derivation, DeriveError, Geometric, Language, Shape, continuity, end_derivatives, geometric,
+    print,
 };
 
 mod c3 {
@@ -70,7 +71,7 @@ fn point(index: Affine) -> Fraction {
 #[test]
 fn end_derivatives_of_bernstein_curves_are_falling_factorials_times_differences() {
     let declarations = declarations();
-    let derivation = end_derivatives(&declarations, "b", 5).unwrap();
+    let derivation = end_derivatives(&declarations, "b", 5, Shape::default()).unwrap();
     let derived = results(&declarations, &derivation);
     let mut expected = vec![];
     for last in [false, true] {
@@ -111,7 +112,7 @@ fn end_derivatives_of_gbt_curves_are_those_of_the_paper() {
     let declarations = declarations();
     let derived = results(
         &declarations,
-        &end_derivatives(&declarations, "g", 2).unwrap(),
+        &end_derivatives(&declarations, "g", 2, Shape::default()).unwrap(),
     );
     let evaluator = Evaluator::new(&declarations);
     let printed: Vec<Fraction> = printed
@@ -124,9 +125,9 @@ fn end_derivatives_of_gbt_curves_are_those_of_the_paper() {
 #[test]
 fn the_code_that_is_compiled_here_is_the_code_that_is_printed() {
     let declarations = declarations();
-    let c3 = continuity(&declarations, "g", 3).unwrap();
-    let beta = geometric(&declarations, "g", Geometric::Beta).unwrap();
-    let ends = end_derivatives(&declarations, "g", 3).unwrap();
+    let c3 = continuity(&declarations, "g", 3, Shape::default()).unwrap();
+    let beta = geometric(&declarations, "g", Geometric::Beta, Shape::default()).unwrap();
+    let ends = end_derivatives(&declarations, "g", 3, Shape::default()).unwrap();
     assert_eq!(print(&c3, Language::Rust), include_str!("derived/c3.rs"));
     assert_eq!(
         print(&beta, Language::Rust),
@@ -247,17 +248,19 @@ fn end_derivatives_in_numbers_are_those_of_the_curve() {
 #[test]
 fn farin_boehm_joins_are_c2_joins_of_the_homogeneous_coordinates() {
     let declarations = declarations();
-    let geometric = geometric(&declarations, "g", Geometric::FarinBoehm).unwrap();
+    let geometric = geometric(&declarations, "g", Geometric::FarinBoehm, Shape::default()).unwrap();
     assert_eq!(
         geometric.lines,
-        continuity(&declarations, "g", 2).unwrap().lines
+        continuity(&declarations, "g", 2, Shape::default())
+            .unwrap()
+            .lines
     );
 }
 
 #[test]
 fn a_join_of_bernstein_curves_is_written_in_five_languages() {
     let declarations = declarations();
-    let c1 = continuity(&declarations, "b", 1).unwrap();
+    let c1 = continuity(&declarations, "b", 1, Shape::default()).unwrap();
     let title = "C1 join of two curves of the family b, degrees m and n";
     assert_eq!(
         print(&c1, Language::Text),
@@ -298,7 +301,7 @@ fn a_join_of_bernstein_curves_is_written_in_five_languages() {
 #[test]
 fn divisors_that_can_vanish_are_conditions() {
     let declarations = declarations();
-    let c1 = continuity(&declarations, "g", 1).unwrap();
+    let c1 = continuity(&declarations, "g", 1, Shape::default()).unwrap();
     assert!(
         print(&c1, Language::Text)
             .ends_with("# where m >= 2, n >= 2, 2*(n - 2) + pi*(1 + mu1) != 0\n")
@@ -309,15 +312,138 @@ fn divisors_that_can_vanish_are_conditions() {
 fn unknown_families_and_orders_are_refused() {
     let declarations = declarations();
     assert!(matches!(
-        end_derivatives(&declarations, "h", 2),
+        end_derivatives(&declarations, "h", 2, Shape::default()),
         Err(DeriveError::UnknownBasis { .. })
     ));
     assert!(matches!(
-        end_derivatives(&declarations, "b", 0),
+        end_derivatives(&declarations, "b", 0, Shape::default()),
         Err(DeriveError::Order { order: 0, .. })
     ));
     assert!(matches!(
-        continuity(&declarations, "b", 4),
+        continuity(&declarations, "b", 4, Shape::default()),
         Err(DeriveError::Order { order: 4, most: 3 })
     ));
+}
+
+/// Of a worked example.
+fn example(name: &str, basis: &str) -> Arc<Declarations> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../derivations");
+    let papers = load(&folder).unwrap();
+    let paper = papers.into_iter().find(|p| p.head.id == name).unwrap();
+    let mut claims = paper.claims.iter();
+    let claim = claims.find(|c| c.declarations.basis(basis).is_some());
+    Arc::clone(&claim.unwrap().declarations)
+}
+
+fn text(derivation: &Derivation) -> Vec<String> {
+    let lines = derivation.lines.iter();
+    lines
+        .map(|line| torse_language::notation::text(&line.formula()))
+        .collect()
+}
+
+#[test]
+fn a_uniform_spline_is_joined_by_taking_its_points_over() {
+    let declarations = example("splines", "U");
+    let cubic = Shape {
+        degree: Some(3),
+        rational: false,
+    };
+    let ends = end_derivatives(&declarations, "U", 2, cubic).unwrap();
+    let ends = text(&ends);
+    assert_eq!(ends[0], "G(0) == 1/6*(R[0] + 4*R[1] + R[2])");
+    assert_eq!(ends[1], "G'(0) == 1/2*(R[2] - R[0])");
+    let join = continuity(&declarations, "U", 2, cubic).unwrap();
+    assert_eq!(
+        text(&join),
+        ["Q1[0] == Q[1]", "Q1[1] == Q[2]", "Q1[2] == Q[3]"]
+    );
+    assert!(join.conditions.is_empty() && join.degrees.is_empty());
+    // Of lower order a point of the second curve is free.
+    let join = continuity(&declarations, "U", 1, cubic).unwrap();
+    assert!(
+        join.points
+            .iter()
+            .any(|p| torse_language::notation::text(p) == "Q1[2]")
+    );
+    let open = continuity(&declarations, "U", 2, Shape::default());
+    assert!(
+        matches!(open, Err(DeriveError::NeedsDegree { .. })),
+        "{open:?}"
+    );
+}
+
+#[test]
+fn a_number_as_degree_gives_what_the_symbol_gives() {
+    let declarations = declarations();
+    let cubic = Shape {
+        degree: Some(3),
+        rational: false,
+    };
+    let join = continuity(&declarations, "b", 2, cubic).unwrap();
+    assert_eq!(
+        text(&join),
+        [
+            "Q1[0] == Q[3]",
+            "Q1[1] == 2*Q[3] - Q[2]",
+            "Q1[2] == Q[1] + 4*(Q[3] - Q[2])",
+        ]
+    );
+    let low = Shape {
+        degree: Some(99),
+        rational: false,
+    };
+    assert!(matches!(
+        continuity(&declarations, "b", 2, low),
+        Err(DeriveError::Degree { .. })
+    ));
+}
+
+#[test]
+fn a_rational_curve_has_the_classical_tangent_at_its_start() {
+    let declarations = declarations();
+    let rational = Shape {
+        degree: None,
+        rational: true,
+    };
+    let ends = end_derivatives(&declarations, "b", 1, rational).unwrap();
+    let lines = text(&ends);
+    assert_eq!(lines[0], "G(0) == R[0]");
+    assert_eq!(lines[1], "G'(0) == -k*w[1]*(R[0] - R[1])/w[0]");
+    let join = continuity(&declarations, "b", 1, rational).unwrap();
+    let lines = text(&join);
+    assert_eq!(lines[0], "Q1[0] == Q[m]");
+    let names: Vec<String> = join
+        .points
+        .iter()
+        .map(torse_language::notation::text)
+        .collect();
+    assert!(
+        names.contains(&"w1[1]".to_owned()) && names.contains(&"w[m-1]".to_owned()),
+        "{names:?}"
+    );
+    assert!(!join.conditions.is_empty());
+}
+
+#[test]
+fn a_list_of_functions_has_its_own_degree() {
+    let declarations = example("bezier", "T");
+    let papers = load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../derivations")).unwrap();
+    let bezier = papers.iter().find(|p| p.head.id == "bezier").unwrap();
+    let mut lists = bezier
+        .claims
+        .iter()
+        .filter(|c| c.declarations.basis("T").is_some_and(|b| b.is_list));
+    let list = &lists.next().unwrap().declarations;
+    let ends = end_derivatives(list, "T", 1, Shape::default()).unwrap();
+    assert_eq!(text(&ends)[1], "G'(0) == (v - 2)*(R[0] - R[1])");
+    let cubic = Shape {
+        degree: Some(3),
+        rational: false,
+    };
+    assert!(matches!(
+        end_derivatives(list, "T", 1, cubic),
+        Err(DeriveError::OneDegree { degree: 2 })
+    ));
+    assert!(end_derivatives(&declarations, "T", 1, Shape::default()).is_ok());
 }

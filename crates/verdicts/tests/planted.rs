@@ -76,6 +76,18 @@ const fn case(fault: Planted, lines: &'static str, right: Verdict, caught: Caugh
 
 const CASES: &[Case] = &[
     case(
+        Planted::LowerEndForgotten,
+        "states = 'integral(2*x + 1, x, 1, b) == b^2 + b'",
+        False,
+        Caught::Net,
+    ),
+    case(
+        Planted::LastFactorForgotten,
+        "states = 'product(i, 1, n, (i + 1)/i) == n'",
+        False,
+        Caught::Net,
+    ),
+    case(
         Planted::RangeForgotten,
         "assume = ['x == a']\nstates = 'a >= 0'",
         Holds,

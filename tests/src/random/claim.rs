@@ -57,6 +57,10 @@ pub struct Claim {
     pub given: Vec<String>,
     /// Their unknowns.
     pub unknowns: Vec<String>,
+    /// Numbers that it seeks, perhaps each with what it is.
+    pub exists: Vec<String>,
+    /// What they are, for the second judge: where there are none, what the claim is false for.
+    pub witnesses: Vec<String>,
     /// Assumptions.
     pub assume: Vec<String>,
     /// The statement.
@@ -80,6 +84,8 @@ impl Claim {
             lets: vec![],
             given: vec![],
             unknowns: vec![],
+            exists: vec![],
+            witnesses: vec![],
             assume: vec![],
             states,
             truth,
@@ -161,6 +167,7 @@ impl Claim {
         for (field, list) in [
             ("given", &self.given),
             ("solve_for", &self.unknowns),
+            ("exists", &self.exists),
             ("assume", &self.assume),
         ] {
             if !list.is_empty() {

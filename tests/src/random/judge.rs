@@ -81,6 +81,11 @@ const BUDGET: u64 = 200_000;
 /// # Errors
 /// The message where the claim makes no sense.
 pub fn semantics(claim: &Claim) -> Result<Points, String> {
+    // Numbers that the claim seeks are what the construction knows.
+    let claim = &Claim {
+        exists: claim.witnesses.clone(),
+        ..claim.clone()
+    };
     let paper = paper_of(&[claim]).map_err(|error| format!("{error:?}"))?;
     let written: &derivation::Claim = paper.claims.first().ok_or("no claim")?;
     let statement = written.statement.as_ref().ok_or("no statement")?;
@@ -97,7 +102,11 @@ pub fn contradiction(claim: &Claim, points: &Points) -> Option<String> {
         (Truth::Holds | Truth::Conditional, Some(point)) => {
             Some(format!("the semantics finds it false at {point}"))
         }
-        (Truth::Holds, None) if points.undefined > 0 => {
+        // Where a premise is false the witness needs no value.
+        (Truth::Holds, None)
+            if points.undefined > 0
+                && (claim.witnesses.is_empty() || !claim.states.text().contains(" implies ")) =>
+        {
             Some("the semantics finds it undefined somewhere".to_owned())
         }
         _ => None,

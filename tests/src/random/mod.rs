@@ -57,11 +57,17 @@ pub enum Kind {
     Splines,
     /// Arbitrary smooth functions and their derivatives.
     Functions,
+    /// Integrals of polynomials and of products with sines, cosines and exponentials.
+    Integrals,
+    /// Numbers that there are, and that there are not.
+    Exists,
+    /// Symbolic powers, sums and products over an index without a basis.
+    Powers,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 19] = [
         Self::Polynomial,
         Self::Inequality,
         Self::Division,
@@ -78,6 +84,9 @@ impl Kind {
         Self::Exponentials,
         Self::Splines,
         Self::Functions,
+        Self::Integrals,
+        Self::Exists,
+        Self::Powers,
     ];
 
     /// Its name.
@@ -100,6 +109,9 @@ impl Kind {
             Self::Exponentials => "exponentials",
             Self::Splines => "splines",
             Self::Functions => "functions",
+            Self::Integrals => "integrals",
+            Self::Exists => "exists",
+            Self::Powers => "powers",
         }
     }
 
@@ -124,6 +136,9 @@ impl Kind {
             Self::Exponentials => kinds::exponentials::claim,
             Self::Splines => kinds::splines::claim,
             Self::Functions => kinds::functions::claim,
+            Self::Integrals => kinds::integrals::claim,
+            Self::Exists => kinds::exists::claim,
+            Self::Powers => kinds::powers::claim,
         };
         let mut claim = make(&mut stream);
         claim.number = number;

@@ -91,7 +91,14 @@ fn rename(claim: &mut Claim) {
         *head = renamed(head);
         *body = renamed(body);
     }
-    for list in [&mut claim.given, &mut claim.unknowns, &mut claim.assume] {
+    let lists = [
+        &mut claim.given,
+        &mut claim.unknowns,
+        &mut claim.exists,
+        &mut claim.witnesses,
+        &mut claim.assume,
+    ];
+    for list in lists {
         for text in list {
             *text = renamed(text);
         }

@@ -58,6 +58,9 @@ fn an_unknown_basis_or_order_is_a_usage_error_that_names_what_there_is() {
     let ran = on(&repository(), &["derive", "bezier", "B", "--order", "0"]);
     assert_eq!(ran.code, Some(2), "{}", ran.err);
     assert!(ran.err.contains("between 1 and"), "{}", ran.err);
+    let ran = on(&repository(), &["derive", "splines", "U"]);
+    assert_eq!(ran.code, Some(2), "{}", ran.err);
+    assert!(ran.err.contains("`--degree`"), "{}", ran.err);
 }
 
 #[test]
@@ -89,6 +92,7 @@ lambda = { in = "[0, 1]" }
 gamma = { in = "[0, 1]" }
 m = { in = "[0, 1]" }
 k = { in = "(0, inf)" }
+w = { in = "(0, 1)" }
 Q = { in = "(0, inf)" }
 n = { integer = ">= 2" }
 
@@ -119,16 +123,45 @@ parameters = ["lambda", "gamma", "m"]
 degree = 2
 seeds = ['(1 - x)^2*(1 + lambda*x)*(1 + gamma*x)', '1 - (1 - x)^2*(1 + lambda*x)*(1 + gamma*x) - x^2*(1 + m*(1 - x))', 'x^2*(1 + m*(1 - x))']
 step = ['1 - x', 'x']
+
+[basis.plain]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['1 - x', 'x']
+
+[basis.uniform]
+variable = "x"
+degree = 0
+seeds = ['1']
+index = "i"
+order = "k"
+step = ['(i + 1 - x)/k', '(x + k - i)/k']
+
+[basis.listed]
+variable = "x"
+parameters = ["w"]
+degree = 2
+seeds = ['(1 - x)^2*(1 + w*x)', '1 - (1 - x)^2*(1 + w*x) - x^2*(1 + w*(1 - x))', 'x^2*(1 + w*(1 - x))']
 "#;
 
 #[test]
 fn what_is_printed_of_other_families_runs_and_agrees() {
     let folder = mini(&(FAMILIES.to_owned() + &claim("one", "x - x == 0", "")));
     let code = TempDir::new().unwrap();
-    for basis in ["trigonometric", "hyperbolic", "rational", "named"] {
+    for (basis, more) in [
+        ("trigonometric", &[][..]),
+        ("hyperbolic", &[]),
+        ("rational", &[]),
+        ("named", &[]),
+        ("plain", &["--rational"]),
+        ("uniform", &["--degree", "3"]),
+        ("listed", &["--rational"]),
+    ] {
         for join in ["", "c", "g1", "farin-boehm", "beta"] {
             // A step of second order at the ends leaves the third derivative without its point.
             let mut command = vec!["derive", "mini", basis];
+            command.extend(more);
             match join {
                 "" => command.extend(["--order", "3"]),
                 "c" => command.extend(["--join", join, "--order", "2"]),
@@ -160,5 +193,5 @@ fn what_is_printed_of_other_families_runs_and_agrees() {
     let said = String::from_utf8_lossy(&run.stdout);
     let errors = String::from_utf8_lossy(&run.stderr);
     assert!(run.status.success(), "{said}{errors}");
-    assert!(said.contains("20 derivations agree"), "{said}");
+    assert!(said.contains("35 derivations agree"), "{said}");
 }

@@ -19,9 +19,9 @@ for path in sorted(folder.glob("*.py")):
     kinds = re.findall(r'symbols\("([^"]*)", (.*)\)', text)
     code = path.with_suffix(".rs").read_text()
     name, numbers, points = re.search(
-        r"pub fn (\w+)\((.*), points: \[f64; (\d+)\]\)", code
+        r"pub fn (\w+)\((?:(.*), )?points: \[f64; (\d+)\]\)", code
     ).groups()
-    count = len(numbers.split(",")), int(points)
+    count = len(numbers.split(",")) if numbers else 0, int(points)
     names = [(name, "integer" in kind) for listed, kind in kinds for name in listed.split()]
     assert len(names) == sum(count), (path, names, count)
     assert len({name for name, _ in names}) == len(names), f"{path}: a name twice"
@@ -32,10 +32,8 @@ for path in sorted(folder.glob("*.py")):
     expected.append([float(e.subs(of)) for e in module["results"].values()])
     given = [f"{float(v)!r}" for v in values.values()]
     modules.append(f"mod p{len(calls)} {{ {code} }}")
-    inputs = ", ".join(given[: count[0]])
-    calls.append(
-        f"println!(\"{{:?}}\", p{len(calls)}::{name}({inputs}, [{', '.join(given[count[0]:])}]));"
-    )
+    inputs = ", ".join(given[: count[0]] + [f"[{', '.join(given[count[0]:])}]"])
+    calls.append(f"println!(\"{{:?}}\", p{len(calls)}::{name}({inputs}));")
 program = folder / "program.rs"
 program.write_text("\n".join(modules) + "\nfn main() {\n" + "\n".join(calls) + "\n}\n")
 binary = folder / "program"

@@ -2,10 +2,10 @@
 //!
 //! The claim says that its statement is true for **all** values in the declared sets that satisfy every hypothesis
 //! and at which every term of the statement is defined. `given` equations are hypotheses like `assume` ones; their
-//! unknowns range over all values that satisfy them.
+//! unknowns range over all values that satisfy them. What a claim says there is (`exists`) has a witness in its place.
 
 use super::elaborate::Elaborator;
-use super::{Set, Statement, Term};
+use super::{Set, Statement, Term, sought};
 use crate::derivation::{self, Origin, Written};
 use crate::fault::Fault;
 use std::collections::{BTreeMap, BTreeSet};
@@ -93,7 +93,16 @@ impl Claim {
             .iter()
             .map(|w| elaborator.term(&w.expr).map_err(|f| f.within(&w.origin)))
             .collect::<Result<Vec<_>, _>>()?;
-        let statement = within(statement)?;
+        let statement = match claim.sought.as_slice() {
+            [] => within(statement)?,
+            sought => {
+                for hypothesis in &hypotheses {
+                    let refused = sought::refuse(sought, &hypothesis.statement.terms());
+                    refused.map_err(|f| f.within(&hypothesis.origin))?;
+                }
+                sought::put_in(elaborator, claim, statement)?
+            }
+        };
         let mut names: Vec<Arc<str>> = vec![];
         let mut add = |name: &Arc<str>| names.push(Arc::clone(name));
         for hypothesis in &hypotheses {
@@ -112,6 +121,8 @@ impl Claim {
         }) {
             for relation in relations {
                 let statement = within(&relation)?;
+                let refused = sought::refuse(&claim.sought, &statement.terms());
+                refused.map_err(|f| f.within(&relation.origin))?;
                 statement.declared_names(&mut |name: &Arc<str>| names.push(Arc::clone(name)));
                 hypotheses.push(Hypothesis {
                     statement,

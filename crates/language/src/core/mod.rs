@@ -2,7 +2,7 @@
 //!
 //! The text of a claim leans on its surroundings: names are declared elsewhere, definitions stand for formulas,
 //! `F'` is a derivative, arguments may be left out. A core term leans on nothing. Every name is resolved, every
-//! definition is opened, and every binder (`sum`, `D`, `at`, the parameters of functions and of basis families) binds a
+//! definition is opened, and every binder (`sum`, `product`, `integral`, `D`, `at`, the parameters of functions and of basis families) binds a
 //! [`Variable`] of its own that no text can write and that occurs nowhere else. So `D` differentiates by a variable that
 //! has no value yet, whatever value the symbol of the same name has: the value is put in afterwards, by the meaning of
 //! [`Node::Derivative`] itself.
@@ -12,6 +12,7 @@
 mod claim;
 mod elaborate;
 mod roots;
+mod sought;
 mod walk;
 
 pub use claim::{Claim, Hypothesis, Source};
@@ -118,6 +119,28 @@ pub enum Node {
         high: Term,
         /// What is added.
         term: Term,
+    },
+    /// The product of `term` for all integers from `low` to `high`, one if there are none.
+    Product {
+        /// Bound in `term`.
+        index: Variable,
+        /// The first value.
+        low: Term,
+        /// The last value.
+        high: Term,
+        /// What is multiplied.
+        term: Term,
+    },
+    /// The integral of `body` by the variable from `low` to `high`.
+    Integral {
+        /// Bound in `body`.
+        variable: Variable,
+        /// Where it begins.
+        low: Term,
+        /// Where it ends.
+        high: Term,
+        /// What is integrated, entry by entry.
+        body: Term,
     },
     /// `body` with the variable standing for the value: an applied function, or `at`.
     Let {

@@ -25,7 +25,13 @@ impl Term {
             Node::Entry(of, indices) => std::iter::once(of).chain(indices).collect(),
             Node::Sum {
                 low, high, term, ..
+            }
+            | Node::Product {
+                low, high, term, ..
             } => vec![low, high, term],
+            Node::Integral {
+                low, high, body, ..
+            } => vec![low, high, body],
             Node::Let { value, body, .. } => vec![value, body],
             Node::Derivative {
                 order, body, at, ..
@@ -86,6 +92,28 @@ impl Term {
                 low: change(low)?,
                 high: change(high)?,
                 term: change(term)?,
+            },
+            Node::Product {
+                index,
+                low,
+                high,
+                term,
+            } => Node::Product {
+                index: index.clone(),
+                low: change(low)?,
+                high: change(high)?,
+                term: change(term)?,
+            },
+            Node::Integral {
+                variable,
+                low,
+                high,
+                body,
+            } => Node::Integral {
+                variable: variable.clone(),
+                low: change(low)?,
+                high: change(high)?,
+                body: change(body)?,
             },
             Node::Let {
                 variable,
@@ -153,10 +181,12 @@ impl Term {
             }
             match &*term.node {
                 Node::Variable(variable) => used.push(variable.number()),
-                Node::Sum { index, .. } => {
+                Node::Sum { index, .. } | Node::Product { index, .. } => {
                     bound.insert(index.number());
                 }
-                Node::Let { variable, .. } | Node::Derivative { variable, .. } => {
+                Node::Let { variable, .. }
+                | Node::Derivative { variable, .. }
+                | Node::Integral { variable, .. } => {
                     bound.insert(variable.number());
                 }
                 Node::Basis { family, .. } if !family.closed => return false,

@@ -9,6 +9,7 @@ use super::folder;
 use super::provenance::{Hypothesis, Provenance, Quote, provenance};
 use super::schema::hypothesis::HypothesisEntry;
 use super::schema::{AnswerEntry, ClaimEntry, ReadingEntry};
+use super::sought::{Sought, sought};
 use super::source::{Origin, Source, whole};
 use super::table::Errors;
 use super::written::{Written, written};
@@ -30,6 +31,8 @@ pub struct Claim {
     pub given: Vec<Hypothesis>,
     /// The unknowns.
     pub unknowns: Vec<Written>,
+    /// The numbers of which it says that there are such.
+    pub sought: Vec<Sought>,
     /// The assumptions.
     pub assumptions: Vec<Hypothesis>,
     /// The statement, if it has one.
@@ -97,7 +100,11 @@ impl Claim {
         let hypotheses = self.given.iter().chain(&self.assumptions);
         let formulas = hypotheses.map(|h| &h.formula).chain(&self.unknowns);
         let holes = self.finding.iter().flat_map(Finding::holes);
-        let formulas = formulas.chain(&self.statement).chain(holes);
+        let witnesses = self.sought.iter().filter_map(|s| s.witness.as_ref());
+        let formulas = formulas
+            .chain(&self.statement)
+            .chain(holes)
+            .chain(witnesses);
         let figure = self.figure.as_ref();
         self.declarations.rest_on_wrong(formulas.map(|w| &w.expr))
             || figure.is_some_and(|figure| figure.declarations.any_wrong())
@@ -196,7 +203,9 @@ fn formulas(
     };
     let statement = all(entry.states.as_slice()).pop();
     let unknowns = all(&entry.solve_for);
+    let sought = sought(source, &declarations, &entry.exists, errors);
     Claim {
+        sought,
         given: hypotheses(source, &entry.given, id, errors),
         assumptions: hypotheses(source, &entry.assume, id, errors),
         unknowns,

@@ -53,6 +53,8 @@ pub struct Range {
 pub struct Definition {
     /// The parameters; none for a plain name.
     pub parameters: Vec<String>,
+    /// Whether the parameters are indices, `Q[i]`: integers, which stand in square brackets.
+    pub indexed: bool,
     /// What it is.
     pub body: Written,
 }
@@ -74,6 +76,8 @@ pub struct Basis {
     pub step: (Written, Written),
     /// The names that stand in the step for i and k, if it depends on them.
     pub counters: Option<(String, String)>,
+    /// Whether there is no step: the functions have one degree, and those of others are refused.
+    pub is_list: bool,
 }
 
 /// Everything that names can mean in a claim.
@@ -430,9 +434,20 @@ fn basis(source: &Arc<Source>, name: &str, entry: &BasisEntry) -> Result<Basis, 
     for name in std::iter::once(&entry.variable).chain(&entry.parameters) {
         check_name(&Origin::of(source, name), name.get_ref())?;
     }
-    let [a, b] = entry.step.as_slice() else {
-        let message = format!("`step` of the basis `{name}` needs two factors, [a, b]");
-        return Err(complaint(&variable, message));
+    let is_list = entry.step.is_empty() && entry.index.is_none() && entry.order.is_none();
+    let zero = || Written {
+        expr: crate::syntax::Expr::number(&torse_numbers::rational::integer(0)),
+        origin: variable.clone(),
+    };
+    let step = match entry.step.as_slice() {
+        [] if is_list => (zero(), zero()),
+        [a, b] => (written(source, a)?, written(source, b)?),
+        _ => {
+            let message = format!(
+                "`step` of the basis `{name}` needs two factors, [a, b]; without one it is a list of functions of one degree"
+            );
+            return Err(complaint(&variable, message));
+        }
     };
     let (degree, found) = (usize::from(*entry.degree.get_ref()), entry.seeds.len());
     if found != degree + 1 {
@@ -467,7 +482,8 @@ fn basis(source: &Arc<Source>, name: &str, entry: &BasisEntry) -> Result<Basis, 
             .collect(),
         degree: *entry.degree.get_ref(),
         seeds: seeds.collect::<Result<_, _>>()?,
-        step: (written(source, a)?, written(source, b)?),
+        step,
+        is_list,
     })
 }
 

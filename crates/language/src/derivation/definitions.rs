@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use toml::Spanned;
 
-/// Parses definitions: the key is a name or a head `F(z, mu)`. Those that are wrong are marked as such.
+/// Parses definitions: the key is a name, a head `F(z, mu)`, or a member `Q[i]` of a family. Those that are wrong are marked as such.
 pub(super) fn add_definitions(
     declarations: &mut Declarations,
     source: &Arc<Source>,
@@ -28,7 +28,7 @@ pub(super) fn add_definitions(
 
 /// What a head `F(z, mu)` defines, even if it is wrong.
 pub(super) fn name_of(head: &str) -> String {
-    let name = head.split_once('(').map_or(head, |(name, _)| name);
+    let name = head.split(['(', '[']).next().unwrap_or(head);
     name.trim().to_owned()
 }
 
@@ -43,14 +43,15 @@ fn definition(
         _ => None,
     };
     let parts = parse(head).ok().and_then(|head| match &head.node {
-        Node::Call(function, arguments) => {
+        Node::Call(function, arguments) | Node::Index(function, arguments) => {
             let parameters: Option<Vec<String>> = arguments.iter().map(name).collect();
-            Some((name(function)?, parameters?))
+            let indexed = matches!(head.node, Node::Index(..));
+            Some((name(function)?, parameters?, indexed))
         }
-        _ => Some((name(&head)?, vec![])),
+        _ => Some((name(&head)?, vec![], false)),
     });
-    let Some((name, parameters)) = parts else {
-        let message = format!("`{head}` is no name and no head such as `F(z, mu)`");
+    let Some((name, parameters, indexed)) = parts else {
+        let message = format!("`{head}` is no name and no head such as `F(z, mu)` or `Q[i]`");
         return Err(wrong(&body.origin, message));
     };
     let distinct: BTreeSet<&String> = parameters.iter().collect();
@@ -58,7 +59,12 @@ fn definition(
         let message = format!("`{head}` has two parameters of the same name");
         return Err(wrong(&body.origin, message));
     }
-    Ok((name, Definition { parameters, body }))
+    let definition = Definition {
+        parameters,
+        indexed,
+        body,
+    };
+    Ok((name, definition))
 }
 
 fn wrong(origin: &Origin, message: String) -> LoadError {

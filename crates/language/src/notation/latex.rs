@@ -101,6 +101,14 @@ impl Typeset for Latex {
         format!("\\sum_{{{variable} = {from}}}^{} {body}", script(to))
     }
 
+    fn product(&self, variable: &str, from: &str, to: &str, body: &str) -> String {
+        format!("\\prod_{{{variable} = {from}}}^{{{to}}} {body}")
+    }
+
+    fn integral(&self, body: &str, variable: &str, from: &str, to: &str) -> String {
+        format!("\\int_{{{from}}}^{{{to}}} {body} \\, d {variable}")
+    }
+
     fn restricted(&self, derivative: &str, variable: &str, value: &str) -> String {
         format!("\\left. {derivative} \\right|_{{{variable} = {value}}}")
     }

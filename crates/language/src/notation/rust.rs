@@ -157,8 +157,8 @@ impl Notation for Doubles<'_> {
                 Integers.write(n).text,
                 Integers.write(k).text
             )),
-            ("sum", [variable, from, to, body]) => Piece::atom(format!(
-                "({}..={}).map(|{}| {}).sum::<f64>()",
+            ("sum" | "product", [variable, from, to, body]) => Piece::atom(format!(
+                "({}..={}).map(|{}| {}).{name}::<f64>()",
                 Integers.operand(from, Level::Sum),
                 Integers.operand(to, Level::Sum),
                 Integers.write(variable).text,
@@ -227,7 +227,7 @@ fn integers(expr: &Expr) -> BTreeSet<&str> {
         let counting: Vec<&Expr> = match &next.node {
             Node::Index(_, indices) => indices.iter().collect(),
             _ => match named_call(next) {
-                Some(("sum", [variable, from, to, _])) => vec![variable, from, to],
+                Some(("sum" | "product", [variable, from, to, _])) => vec![variable, from, to],
                 Some(("binom", [n, k])) => vec![n, k],
                 _ => vec![],
             },

@@ -103,6 +103,14 @@ impl Notation for Sympy {
                 let range = self.apply("", &[variable, from, to]).text;
                 Piece::atom(format!("Sum({}, {range})", self.write(body).text))
             }
+            ("product", [variable, from, to, body]) => {
+                let range = self.apply("", &[variable, from, to]).text;
+                Piece::atom(format!("Product({}, {range})", self.write(body).text))
+            }
+            ("integral", [body, variable, from, to]) => {
+                let range = self.apply("", &[variable, from, to]).text;
+                Piece::atom(format!("Integral({}, {range})", self.write(body).text))
+            }
             ("dot" | "cross", [a, b]) => method(a, &format!("{name}({})", self.write(b).text)),
             ("det", [m]) => method(m, "det()"),
             ("norm", [v]) => method(v, "norm()"),

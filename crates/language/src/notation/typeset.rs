@@ -38,6 +38,8 @@ pub(super) trait Typeset {
     fn round(&self, inner: &str) -> String;
     fn matrix(&self, rows: &[Vec<String>], fence: Fence) -> String;
     fn sigma(&self, variable: &str, from: &str, to: &str, body: &str) -> String;
+    fn product(&self, variable: &str, from: &str, to: &str, body: &str) -> String;
+    fn integral(&self, body: &str, variable: &str, from: &str, to: &str) -> String;
     /// `derivative` at `variable = value`, with a bar.
     fn restricted(&self, derivative: &str, variable: &str, value: &str) -> String;
     /// A product without a sign.
@@ -216,6 +218,16 @@ fn special<T: Typeset>(t: &T, name: &str, arguments: &[Expr]) -> Option<Piece> {
         ("sum", [variable, from, to, body]) => {
             let body = t.operand(body, Level::Open);
             let text = t.sigma(&inner(variable), &inner(from), &inner(to), &body);
+            Piece::new(Level::Open, text)
+        }
+        ("product", [variable, from, to, body]) => {
+            let body = t.operand(body, Level::Product);
+            let text = t.product(&inner(variable), &inner(from), &inner(to), &body);
+            Piece::new(Level::Open, text)
+        }
+        ("integral", [body, variable, from, to]) => {
+            let body = t.operand(body, Level::Term);
+            let text = t.integral(&body, &inner(variable), &inner(from), &inner(to));
             Piece::new(Level::Open, text)
         }
         ("dot" | "cross", [a, b]) => {

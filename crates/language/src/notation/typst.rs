@@ -88,6 +88,14 @@ impl Typeset for Typst {
         format!("sum_({variable} = {from})^{} {body}", script(to))
     }
 
+    fn product(&self, variable: &str, from: &str, to: &str, body: &str) -> String {
+        format!("product_({variable} = {from})^({to}) {body}")
+    }
+
+    fn integral(&self, body: &str, variable: &str, from: &str, to: &str) -> String {
+        format!("integral_({from})^({to}) {body} thin d {variable}")
+    }
+
     fn restricted(&self, derivative: &str, variable: &str, value: &str) -> String {
         format!("lr({derivative} |)_({variable} = {value})")
     }

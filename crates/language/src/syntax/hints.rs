@@ -28,6 +28,8 @@ pub fn character(found: char) -> Option<&'static str> {
             "a symbol without a bound is declared with the end `inf`; formulas have no infinity"
         }
         '\u{2211}' => "a sum is written `sum(i, 0, k, ...)`",
+        '\u{220f}' => "a product over an index is written `product(i, 1, k, ...)`",
+        '\u{222b}' => "an integral is written `integral(f, x, a, b)`",
         '\u{2202}' => "a derivative is written `D(F, x)`",
         '\u{2227}' | '&' => "write `and`",
         '\u{2228}' => "write `or`",
@@ -115,13 +117,14 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         "csc" => "`csc` is not in the language: write `1/sin(x)`",
         "coth" => "`coth` is not in the language: write `cosh(x)/sinh(x)`",
         "ln" | "log" | "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan" | "atan2"
-        | "min" | "max" | "floor" | "ceil" | "gamma" | "lim" | "int" | "integral" => {
+        | "min" | "max" | "floor" | "ceil" | "gamma" | "lim" => {
             "this function is not in the language: its functions are rational, sqrt, abs, sin, cos, tan, exp, sinh, cosh and tanh"
         }
         "e" => "the base of natural logarithms is written `exp(1)`",
         "inf" | "infinity" => "formulas have no infinity; `inf` is an end of an interval",
         "diff" | "d" => "a derivative is written `D(F, x)`",
-        "prod" | "product" => "products over an index are not in the language",
+        "prod" => "a product over an index is written `product(i, 1, k, ...)`",
+        "int" => "an integral is written `integral(f, x, a, b)`",
         "binomial" | "C" => "a binomial coefficient is written `binom(n, j)`",
         _ => return None,
     })

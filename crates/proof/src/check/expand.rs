@@ -1,6 +1,7 @@
 //! Core terms multiplied out, as `derivations/SEMANTICS.md` gives their meaning.
 
 use super::gap::{Beyond, Work};
+use super::integral;
 use super::quotient::Quotient;
 use super::value::Value;
 use crate::polynomial::Polynomial;
@@ -194,6 +195,37 @@ impl<'a> Expander<'a> {
                     let part = self.term(term, &scope.with(index.number(), &i))?;
                     total.plus(&part, self.work)
                 })
+            }
+            Node::Product {
+                index,
+                low,
+                high,
+                term,
+            } => {
+                let low = self.integer(low, "the bound of a product", scope)?;
+                let high = self.integer(high, "the bound of a product", scope)?;
+                if high.saturating_sub(low) > MOST {
+                    return Err(Beyond::Large);
+                }
+                let one = Value::Number(Quotient::number(integer(1)));
+                (low..=high).try_fold(one, |product, i| {
+                    let i = Value::Number(Quotient::number(integer(i)));
+                    let factor = self.term(term, &scope.with(index.number(), &i))?;
+                    product.times(&factor, self.work)
+                })
+            }
+            Node::Integral {
+                variable,
+                low,
+                high,
+                body,
+            } => {
+                // No text can write the sign.
+                let own = Symbol::named(&format!("\u{222b}{}", variable.number()));
+                let symbol = Value::Number(Polynomial::symbol(own.clone()).into());
+                let body = self.term(body, &scope.with(variable.number(), &symbol))?;
+                let ends = [self.number(low, scope)?, self.number(high, scope)?];
+                body.each(&|f| integral::between(f, &own, &ends, self.work))
             }
             Node::Let {
                 variable,

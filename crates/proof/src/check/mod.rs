@@ -11,6 +11,7 @@ mod expand;
 mod functions;
 mod gap;
 mod ground;
+mod integral;
 mod point;
 mod printed;
 mod quotient;

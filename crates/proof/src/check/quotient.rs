@@ -271,7 +271,7 @@ fn replaced(
 }
 
 /// What the variable of an angle is multiplied with.
-fn rate(angle: crate::symbol::Angle) -> Quotient {
+pub(super) fn rate(angle: crate::symbol::Angle) -> Quotient {
     let part = |n: i64| ratio(1, n).unwrap_or_else(Rational::zero);
     let parts = i64::from(angle.parts.max(1));
     match angle.unit {

@@ -112,10 +112,9 @@ impl Evaluator<'_> {
         };
         let exponent = self.index(b, bound)?;
         let Some(n) = exponent.as_number() else {
-            return Err(Fault::limit(
-                b.place,
-                format!("the symbolic power {exponent}"),
-            ));
+            let base = quantity.as_fraction();
+            let base = base.ok_or_else(|| symbolic_degree(a.place))?;
+            return self.symbolic_power(base, &exponent, b.place);
         };
         if n.unsigned_abs() > MAX_POWER {
             return Err(Fault::limit(
@@ -123,9 +122,14 @@ impl Evaluator<'_> {
                 format!("the power {n} is larger than {MAX_POWER}"),
             ));
         }
-        let base = quantity
-            .as_fraction()
-            .ok_or_else(|| symbolic_degree(a.place))?;
+        let Some(base) = quantity.as_fraction() else {
+            // A power of a series is a product of few.
+            let factors = u32::try_from(n).map_err(|_| symbolic_degree(a.place))?;
+            let one = Quantity::from(Fraction::integer(1));
+            let power =
+                (0..factors).try_fold(one, |power, _| multiplied(&power, quantity, a.place));
+            return power.map(Value::Scalar);
+        };
         let mut result = Fraction::integer(1);
         for _ in 0..n.unsigned_abs() {
             result = bounded_product(&result, base, a.place)?;

@@ -119,7 +119,7 @@ impl Evaluator<'_> {
     }
 
     /// A plain scalar.
-    fn number(&self, expr: &Term, bound: &Environment) -> Result<Fraction, Fault> {
+    pub(super) fn number(&self, expr: &Term, bound: &Environment) -> Result<Fraction, Fault> {
         match self.value(expr, bound)? {
             Value::Scalar(q) => q
                 .as_fraction()

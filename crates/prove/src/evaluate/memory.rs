@@ -57,6 +57,18 @@ impl Memory {
                 low,
                 high,
                 term,
+            }
+            | Node::Product {
+                index,
+                low,
+                high,
+                term,
+            }
+            | Node::Integral {
+                variable: index,
+                low,
+                high,
+                body: term,
             } => {
                 inside(&mut all, low, &[]);
                 inside(&mut all, high, &[]);

@@ -8,14 +8,19 @@ mod angles;
 mod arithmetic;
 pub mod basis;
 mod counted;
+mod each;
 mod functions;
 mod index;
+mod integral;
 pub mod linear;
 mod memory;
 mod place;
+mod power_sum;
+mod product;
 pub mod quantity;
 pub mod series;
 mod sum;
+mod symbolic_power;
 pub mod value;
 
 use memory::Memory;
@@ -331,6 +336,20 @@ impl<'a> Evaluator<'a> {
                 high,
                 term,
             } => self.sum(index, low, high, term, place, bound),
+            Node::Product {
+                index,
+                low,
+                high,
+                term,
+            } => self.index_product(index, low, high, term, place, bound),
+            Node::Integral {
+                variable,
+                low,
+                high,
+                body,
+            } => self.remembered(term, bound, || {
+                self.symbolically(|| self.integral(variable, [low, high], body, place, bound))
+            }),
             Node::Let {
                 variable,
                 value,

@@ -104,11 +104,18 @@ impl Evaluator<'_> {
         place: Place,
     ) -> Result<Quantity, Fault> {
         let refused = || Fault::limit(place, "this sum of symbolic length has no closed form here");
-        if !term.plain.is_zero() {
-            return Err(refused());
-        }
-        let mut result = Quantity::from(Fraction::zero());
+        let mut result = match term.plain.is_zero() {
+            true => Fraction::zero().into(),
+            false => {
+                let each = self.each(&term.plain, index, low, high);
+                each.ok_or_else(refused)?
+            }
+        };
         for series in &term.series {
+            if let Some(swapped) = self.swapped(series, index, low, high) {
+                result = result.plus(&swapped);
+                continue;
+            }
             for part in self.summed_series(series, index, low, high, place)? {
                 result = result.plus(&self.settled(Quantity::from(part), place)?);
             }
@@ -271,7 +278,7 @@ fn flatten<'e>(term: &'e Term, into: &mut Vec<&'e Term>) {
 fn bearer(axes: &[Axis], index: &str) -> Option<(usize, Axis)> {
     let multiple = |axis: &Axis| match &axis.target {
         Target::Entry(entry) => entry.multiple_of(index),
-        Target::Sum => 0,
+        Target::Sum | Target::Each(..) => 0,
     };
     let mut bearers = axes.iter().enumerate().filter(|(_, a)| multiple(a) != 0);
     let (position, axis) = bearers.next().filter(|_| bearers.next().is_none())?;

@@ -313,6 +313,24 @@ impl Writer<'_> {
                 let nodes = [sum, self.operand(body, Level::Open)];
                 Piece::new(Level::Open, Shown::row(nodes))
             }
+            ("product", [variable, from, to, body]) => {
+                let below = [self.inner(variable), Shown::Sign('='), self.inner(from)];
+                let sign = Shown::Sign('∏');
+                let sign = sign.scripted(0, Some(Shown::row(below)), Some(self.inner(to)));
+                let nodes = [sign, self.operand(body, Level::Product)];
+                Piece::new(Level::Open, Shown::row(nodes))
+            }
+            ("integral", [body, variable, from, to]) => {
+                let sign = Shown::Sign('∫');
+                let sign = sign.scripted(0, Some(self.inner(from)), Some(self.inner(to)));
+                let nodes = [
+                    sign,
+                    self.operand(body, Level::Term),
+                    Shown::italic("d"),
+                    self.inner(variable),
+                ];
+                Piece::new(Level::Open, Shown::row(nodes))
+            }
             ("dot" | "cross", [a, b]) => {
                 let sign = if name == "dot" { '·' } else { '×' };
                 let nodes = [

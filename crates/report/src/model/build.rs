@@ -357,13 +357,17 @@ fn notation(claims: &[Outcome]) -> Vec<Prose> {
                 .map(|seed| format!("`{}`", seed.text))
                 .collect();
             let [a, b] = &family.step;
+            let functions = seeds.join(", ");
+            let step = match family.is_list() {
+                true => String::new(),
+                false => format!(
+                    ", and from each degree to the next the factors `{}` and `{}`",
+                    a.text, b.text
+                ),
+            };
             let text = format!(
-                "`{}`: in degree {} the functions {}, and from each degree to the next the factors `{}` and `{}`",
-                family.head.text,
-                family.degree,
-                seeds.join(", "),
-                a.text,
-                b.text
+                "`{}`: in degree {} the functions {functions}{step}",
+                family.head.text, family.degree
             );
             if seen.insert((family.head.text.clone(), text.clone())) {
                 list.push(spans(&visible(&text), &names));

@@ -304,3 +304,63 @@ fn large_terms_are_refused_and_long_ones_are_not() {
     let long = format!("{} == 600", vec!["y"; 600].join(" + "));
     holds(&long, &[("y", "1")]);
 }
+
+#[test]
+fn products_have_all_their_factors_and_one_without_any() {
+    holds("product(k, 1, 4, k) == 24", &[]);
+    holds("product(k, 2, 1, a/0) == 1", &[]);
+    holds(
+        "product(k, m, n, a + k) == (a + 2)*(a + 3)",
+        &[("m", "2"), ("n", "3"), ("a", "1/3")],
+    );
+    fails("product(k, 1, 3, k) == 5", &[]);
+    is_undefined("product(k, 0, 2, 1/k) == 0", &[]);
+    is_undefined("product(k, 1, a, k) == 0", &[("a", "1/2")]);
+}
+
+#[test]
+fn integrals_are_enclosed_without_antiderivatives() {
+    holds("integral(x^2, x, 0, 1) == 1/3", &[]);
+    holds("integral(x^30, x, 0, 1) == 1/31", &[]);
+    holds(
+        "integral(x*y, x, a, b) == y*(b^2 - a^2)/2",
+        &[("y", "3"), ("a", "2"), ("b", "-1")],
+    );
+    holds("integral(sin(y), y, 0, pi) == 2", &[]);
+    holds(
+        "integral(exp(a*y), y, 0, 1) == (exp(a) - 1)/a",
+        &[("a", "-7/3")],
+    );
+    holds("integral(cos(9*y)*sin(y), y, 0, 2*pi) == 0", &[]);
+    holds("integral([y, 1], y, 0, a) == [a^2/2, a]", &[("a", "5/7")]);
+    fails("integral(sin(y), y, 0, pi) == 1.9999", &[]);
+    fails("integral(x^2, x, 0, 1) == 1/4", &[]);
+}
+
+#[test]
+fn the_variable_of_an_integral_is_another_one_than_the_symbol() {
+    holds("integral(y, y, 0, y) == y^2/2", &[("y", "3")]);
+    holds(
+        "integral(integral(a*y, a, 0, y), y, 0, a) == a^4/8",
+        &[("a", "2"), ("y", "9")],
+    );
+}
+
+#[test]
+fn integrals_have_derivatives_by_their_ends_and_parameters() {
+    holds("D(integral(y^2, y, 0, a), a) == a^2", &[("a", "5/7")]);
+    holds(
+        "D(integral(sin(a*y), y, 0, 1), a) == integral(y*cos(a*y), y, 0, 1)",
+        &[("a", "5/7")],
+    );
+}
+
+#[test]
+fn an_integral_over_a_pole_is_not_known_to_have_a_value() {
+    for ends in ["-1, 2", "-1, 1", "0, 1"] {
+        let judged = says(&format!("integral(1/y, y, {ends}) == 0"), &[]);
+        let told = matches!(judged, Judgement::True | Judgement::False);
+        assert!(!told, "{judged:?}");
+    }
+    holds("integral(1/y, y, 1, 2) - integral(1/y, y, 2, 4) == 0", &[]);
+}

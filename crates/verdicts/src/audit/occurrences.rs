@@ -177,9 +177,9 @@ fn free_names<'e>(expr: &'e Expr, declarations: &Declarations, found: &mut BTree
                 .is_some_and(|d| !d.parameters.is_empty());
             let skipped = |(i, argument): &(usize, &Expr)| {
                 let bound = match name {
-                    "D" => *i == 1,
+                    "D" | "integral" => *i == 1,
                     "at" => *i == usize::from(arguments.len() > 1),
-                    "sum" => *i == 0,
+                    "sum" | "product" => *i == 0,
                     _ => {
                         function
                             || declarations.basis(name).is_some()

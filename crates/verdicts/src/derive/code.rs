@@ -91,6 +91,7 @@ pub(super) fn rust(derivation: &Derivation) -> String {
     let names = |items: &[(Expr, Expr)]| listed(items.iter().map(|(_, v)| notation::rust(v)));
     let numbers = derivation.degrees.iter().chain(&derivation.parameters);
     let numbers = numbers.map(|n| format!("{}: f64", notation::rust(&Expr::name(n))));
+    let points = format!("points: [f64; {}]", code.points.len());
     let mut text = format!(
         "/// {}.\n///\n/// One coordinate of the points {} in, one coordinate of {} out.\n",
         derivation.title,
@@ -105,10 +106,9 @@ pub(super) fn rust(derivation: &Derivation) -> String {
     text.push_str("#[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]\n");
     let _ = writeln!(
         text,
-        "pub fn {}({}, points: [f64; {}]) -> [f64; {}] {{",
+        "pub fn {}({}) -> [f64; {}] {{",
         function(derivation),
-        listed(numbers),
-        code.points.len(),
+        listed(numbers.chain([points])),
         code.results.len()
     );
     let _ = writeln!(text, "    let [{}] = points;", names(&code.points));

@@ -19,6 +19,9 @@ use torse_prove::formula;
 /// A derivative is written out up to this many nodes.
 const MAX_WRITTEN_OUT: usize = 80;
 
+/// The highest degree that is a number.
+const MAX_DEGREE: u8 = 12;
+
 /// Degrees above this are not looked at for zeros of divisors.
 const MAX_ROOT: usize = 10_000;
 
@@ -38,13 +41,34 @@ pub(super) struct Curve {
     variable: String,
     /// The two ends of the interval.
     interval: [Fraction; 2],
-    /// The name of the degree.
-    pub degree: String,
+    /// The degree.
+    pub degree: Affine,
     /// The name of the control points.
     pub points: String,
+    /// The name of the weights of a rational curve.
+    pub weights: Option<String>,
     /// The degree of the seeds, the least that there is.
     pub least_degree: u8,
-    series: Series,
+    /// The curve without its points.
+    of: Functions,
+}
+
+/// What the points of a curve are multiplied with.
+#[derive(Debug, Clone)]
+enum Functions {
+    /// Those of a symbolic degree.
+    Operator(Box<Axis>),
+    /// Those of a number as degree.
+    Listed(Vec<Fraction>),
+}
+
+/// What a curve is to be: its degree, and whether it is rational.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Shape {
+    /// The degree, where it is a number.
+    pub degree: Option<u8>,
+    /// Whether every point has a weight, and the curve is divided by the sum of the weights times the functions.
+    pub rational: bool,
 }
 
 /// A derivative at an end in differences: `parts[0] R_0 + sum of parts[i] (R_i - R_(i-1))`, indices counted
@@ -57,11 +81,16 @@ pub(super) struct Family<'a> {
     pub name: String,
     pub basis: Arc<Basis>,
     interval: [Fraction; 2],
+    shape: Shape,
 }
 
 impl<'a> Family<'a> {
     /// Looks a basis up.
-    pub fn new(declarations: &'a Declarations, name: &str) -> Result<Self, DeriveError> {
+    pub fn new(
+        declarations: &'a Declarations,
+        name: &str,
+        shape: Shape,
+    ) -> Result<Self, DeriveError> {
         let unknown = || DeriveError::UnknownBasis {
             name: name.to_owned(),
         };
@@ -75,12 +104,88 @@ impl<'a> Family<'a> {
         let (lower, upper) = interval.ok_or_else(|| DeriveError::Interval {
             variable: basis.variable.clone(),
         })?;
+        // A list of functions has its own degree, and no other.
+        let own = basis.is_list.then_some(basis.degree);
+        let degree = match (own, shape.degree) {
+            (Some(own), Some(degree)) if own != degree => {
+                return Err(DeriveError::OneDegree { degree: own });
+            }
+            (own, degree) => own.or(degree),
+        };
+        if degree.is_none() && basis.counters.is_some() {
+            return Err(DeriveError::NeedsDegree {
+                name: name.to_owned(),
+            });
+        }
+        if degree.is_some_and(|degree| degree < basis.degree || degree > MAX_DEGREE) {
+            return Err(DeriveError::Degree {
+                least: basis.degree,
+                most: MAX_DEGREE,
+            });
+        }
         Ok(Self {
+            shape: Shape { degree, ..shape },
             evaluator: Evaluator::new(declarations),
             name: name.to_owned(),
             interval: [exact(&lower.value), exact(&upper.value)],
             basis,
         })
+    }
+
+    /// The functions of a degree with these names for the shape parameters.
+    fn functions(&self, degree: u8, parameters: &[String]) -> Result<Vec<Fraction>, DeriveError> {
+        let number = |n: u8| Expr::number(&rational::integer(i64::from(n)));
+        let faulty = |fault| DeriveError::Basis {
+            name: self.name.clone(),
+            fault: Box::new(fault),
+        };
+        let renamed = |mut function: Fraction| {
+            // Through names of their own, so that no parameter takes the place of another one.
+            for (own, _) in self.basis.parameters.iter().zip(parameters) {
+                let between = Fraction::named(&format!("{own}\u{b0}"));
+                function = function.at(own, &between)?;
+            }
+            for (own, name) in self.basis.parameters.iter().zip(parameters) {
+                function = function.at(&format!("{own}\u{b0}"), &Fraction::named(name))?;
+            }
+            Ok(function)
+        };
+        let mut all = vec![];
+        for index in 0..=degree {
+            let indices = vec![number(index), number(degree)];
+            let member = Node::Index(Arc::new(Expr::name(&self.name)), indices);
+            let value = self.evaluator.evaluate(&Expr::made(member));
+            let value = value.map_err(faulty)?;
+            let value = value
+                .entries()
+                .first()
+                .and_then(|q| q.as_fraction().cloned());
+            let function = value.unwrap_or_else(Fraction::zero);
+            let function = renamed(function).map_err(|source| DeriveError::End {
+                name: self.name.clone(),
+                source,
+            });
+            all.push(function?);
+        }
+        Ok(all)
+    }
+
+    /// The name of the degree, if it is none of its own.
+    pub fn degree(&self, name: &str, names: &mut Names) -> Affine {
+        match self.shape.degree {
+            Some(degree) => Affine::number(i64::from(degree)),
+            None => Affine::symbol(&names.fresh(name)),
+        }
+    }
+
+    /// Whether curves are rational.
+    pub fn is_rational(&self) -> bool {
+        self.shape.rational
+    }
+
+    /// Whether its conditions are solved step by step: of other families as linear equations.
+    pub fn is_triangular(&self) -> bool {
+        self.shape.degree.is_none() && !self.shape.rational
     }
 
     /// Step factors and seeds with these names for the shape parameters.
@@ -105,8 +210,14 @@ impl<'a> Family<'a> {
     /// The real symbols that the family depends on: its shape parameters, then all others.
     pub fn symbols(&self) -> Result<Vec<String>, DeriveError> {
         let mut all = self.basis.parameters.clone();
-        let ((a, b), seeds) = self.formulas(&self.basis.parameters)?;
-        for symbol in [a, b].iter().chain(&seeds).flat_map(Fraction::symbols) {
+        let parts = match self.shape.degree {
+            Some(degree) => self.functions(degree, &self.basis.parameters)?,
+            None => {
+                let ((a, b), seeds) = self.formulas(&self.basis.parameters)?;
+                [vec![a, b], seeds].concat()
+            }
+        };
+        for symbol in parts.iter().flat_map(Fraction::symbols) {
             for name in symbol.names() {
                 if **name != *self.basis.variable && !all.contains(&name.to_string()) {
                     all.push(name.to_string());
@@ -125,30 +236,33 @@ impl<'a> Family<'a> {
     /// The curve of this degree over these points, with these names for the shape parameters.
     pub fn curve(
         &self,
-        degree: &str,
+        degree: &Affine,
         points: &str,
+        weights: Option<&str>,
         parameters: &[String],
     ) -> Result<Curve, DeriveError> {
-        let (operator, seeds) = self.formulas(parameters)?;
-        let point = Symbol::indexed(points, vec![Affine::symbol(&here(0))]);
+        let of = match self.shape.degree {
+            Some(degree) => Functions::Listed(self.functions(degree, parameters)?),
+            None => {
+                let (operator, seeds) = self.formulas(parameters)?;
+                Functions::Operator(Box::new(Axis {
+                    operator,
+                    power: degree.clone() - Affine::number(i64::from(self.basis.degree)),
+                    seeds,
+                    lowest: 0,
+                    target: Target::Sum,
+                }))
+            }
+        };
         Ok(Curve {
             basis_name: self.name.clone(),
             variable: self.basis.variable.clone(),
             interval: self.interval.clone(),
-            degree: degree.to_owned(),
+            degree: degree.clone(),
             points: points.to_owned(),
+            weights: weights.map(str::to_owned),
             least_degree: self.basis.degree,
-            series: Series {
-                axes: vec![Axis {
-                    operator,
-                    power: Affine::symbol(degree) - Affine::number(i64::from(self.basis.degree)),
-                    seeds,
-                    lowest: 0,
-                    target: Target::Sum,
-                }],
-                factor: Fraction::integer(1),
-                points: Fraction::symbol(point),
-            },
+            of,
         })
     }
 }
@@ -168,7 +282,7 @@ impl Curve {
         let i = Affine::number(i64::try_from(i).unwrap_or(i64::MAX));
         match end {
             End::Start => i,
-            End::Finish => Affine::symbol(&self.degree) - i,
+            End::Finish => self.degree.clone() - i,
         }
     }
 
@@ -177,13 +291,75 @@ impl Curve {
         Fraction::symbol(Symbol::indexed(&self.points, vec![self.index(end, i)]))
     }
 
+    /// The weight `i` steps from an end.
+    pub fn weight(&self, end: End, i: usize) -> Option<Fraction> {
+        let name = self.weights.as_ref()?;
+        Some(Fraction::symbol(Symbol::indexed(
+            name,
+            vec![self.index(end, i)],
+        )))
+    }
+
     /// The curve and its derivatives up to `order` at an end, as combinations of control points.
+    ///
+    /// Of a rational curve N/W, from `N^(n) = sum of binom(n, j) W^(n-j) R^(j)`.
     pub fn derivatives(&self, end: End, order: u8) -> Result<Vec<Fraction>, DeriveError> {
+        let at = |name: &str, index: Affine| Fraction::symbol(Symbol::indexed(name, vec![index]));
+        let Some(weights) = &self.weights else {
+            return self.combinations(end, order, &|index| at(&self.points, index));
+        };
+        let above = self.combinations(end, order, &|index| {
+            at(weights, index.clone()) * at(&self.points, index)
+        })?;
+        let below = self.combinations(end, order, &|index| at(weights, index))?;
+        let mut all: Vec<Fraction> = vec![];
+        let Some(weight) = below.first() else {
+            return Ok(all);
+        };
+        for (n, above) in above.iter().enumerate() {
+            let mut rest = above.clone();
+            let mut binomial = rational::integer(1);
+            for (j, known) in all.iter().enumerate() {
+                let rate = below.get(n - j).cloned().unwrap_or_else(Fraction::zero);
+                rest = rest - Fraction::from(binomial.clone()) * rate * known.clone();
+                let (up, down) = (
+                    i64::try_from(n - j).unwrap_or(0),
+                    i64::try_from(j + 1).unwrap_or(1),
+                );
+                binomial = binomial * rational::integer(up) / rational::integer(down);
+            }
+            let value = rest.over(weight).map_err(|source| DeriveError::End {
+                name: self.basis_name.clone(),
+                source,
+            });
+            all.push(value?);
+        }
+        Ok(all)
+    }
+
+    /// The sum of the functions times what stands at their indices, and its derivatives, at an end.
+    fn combinations(
+        &self,
+        end: End,
+        order: u8,
+        at: &dyn Fn(Affine) -> Fraction,
+    ) -> Result<Vec<Fraction>, DeriveError> {
         let exact = |source| DeriveError::End {
             name: self.basis_name.clone(),
             source,
         };
-        let mut derivative = Quantity::from(self.series.clone());
+        let mut derivative = match &self.of {
+            Functions::Operator(axis) => Quantity::from(Series {
+                axes: vec![(**axis).clone()],
+                factor: Fraction::integer(1),
+                points: at(Affine::symbol(&here(0))),
+            }),
+            Functions::Listed(functions) => {
+                let terms = functions.iter().zip(0..);
+                let terms = terms.map(|(function, i)| function.clone() * at(Affine::number(i)));
+                terms.fold(Fraction::zero(), |sum, term| sum + term).into()
+            }
+        };
         let mut all = vec![];
         for _ in 0..=order {
             let at_end = derivative
@@ -212,9 +388,12 @@ impl Curve {
         let below = Fraction::from(combination.denominator());
         let mut weights: BTreeMap<usize, Fraction> = BTreeMap::new();
         for symbol in combination.symbols() {
-            let Symbol::Indexed(_, index) = &symbol else {
+            let Symbol::Indexed(name, index) = &symbol else {
                 continue;
             };
+            if **name != *self.points {
+                continue;
+            }
             let steps = index.first().and_then(|index| {
                 let from = self.index(end, 0);
                 let steps = match end {
@@ -303,7 +482,11 @@ impl Curve {
         if divisor.as_constant().is_some() {
             return divisor.is_zero();
         }
-        let degree = Symbol::named(&self.degree);
+        let mut names = self.degree.multiples();
+        let Some((degree, _)) = names.next() else {
+            return true;
+        };
+        let degree = Symbol::named(degree);
         if divisor.symbols() != std::slice::from_ref(&degree) {
             return true;
         }
@@ -329,10 +512,11 @@ impl Curve {
             })
     }
 
-    /// `degree >= least`.
-    pub fn degree_at_least(&self, least: usize) -> Expr {
+    /// `degree >= least`, unless it is a number.
+    pub fn degree_at_least(&self, least: usize) -> Option<Expr> {
         let least = least.max(usize::from(self.least_degree));
-        compared(&self.degree, Relation::AtLeast, least)
+        let (name, _) = self.degree.multiples().next()?;
+        Some(compared(name, Relation::AtLeast, least))
     }
 }
 
@@ -376,14 +560,17 @@ pub fn end_derivatives(
     declarations: &Declarations,
     basis: &str,
     order: u8,
+    shape: Shape,
 ) -> Result<Derivation, DeriveError> {
     let order = checked(order, MAX_ORDER)?;
-    let family = Family::new(declarations, basis)?;
+    let family = Family::new(declarations, basis, shape)?;
     let mut names = family.names()?;
-    let degree = names.fresh("k");
+    let degree = family.degree("k", &mut names);
     let points = names.fresh("R");
     let head = names.fresh("G");
-    let curve = family.curve(&degree, &points, &family.basis.parameters)?;
+    let weights = family.is_rational().then(|| names.fresh("w"));
+    let parameters = &family.basis.parameters;
+    let curve = family.curve(&degree, &points, weights.as_deref(), parameters)?;
     let (mut lines, mut used, mut conditions, mut reach) = (vec![], vec![], vec![], 0);
     for (end, word) in [(End::Start, "start"), (End::Finish, "end")] {
         let derivatives = curve.derivatives(end, order)?;
@@ -393,7 +580,8 @@ pub fn end_derivatives(
             .max()
             .unwrap_or(0);
         reach = reach.max(count.saturating_sub(1));
-        used.extend((0..count).map(|i| formula::expression(&curve.point(end, i))));
+        used.extend((0..count).map(|i| curve.point(end, i)));
+        used.extend((0..count).filter_map(|i| curve.weight(end, i)));
         for (n, derivative) in derivatives.iter().enumerate() {
             conditions.extend(derivative.conditions().iter().cloned());
             let label = match n {
@@ -414,14 +602,28 @@ pub fn end_derivatives(
         }
     }
     let conditions = separated(&conditions);
-    let bound = std::iter::once(curve.degree_at_least(reach));
+    let bound = curve.degree_at_least(reach).into_iter();
+    let mut points: Vec<Expr> = vec![];
+    for point in used.iter().map(formula::expression) {
+        // At a number as degree both ends may use the same.
+        if !points.contains(&point) {
+            points.push(point);
+        }
+    }
+    let kind = match family.is_rational() {
+        true => "a rational curve",
+        false => "a curve",
+    };
     Ok(Derivation {
         title: format!(
-            "Derivatives up to order {order} at the ends of a curve of the family {basis}, degree {degree}"
+            "Derivatives up to order {order} at the ends of {kind} of the family {basis}, degree {degree}"
         ),
-        degrees: vec![degree],
+        degrees: degree
+            .multiples()
+            .map(|(name, _)| name.to_owned())
+            .collect(),
         parameters: family.symbols()?,
-        points: used,
+        points,
         lines,
         conditions: bound.chain(conditions.iter().map(nonzero)).collect(),
     })

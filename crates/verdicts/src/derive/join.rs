@@ -13,14 +13,16 @@
 //! Small solutions are written out. Larger ones keep a, b and c as names, so that the conditions of
 //! order three stay a page of short lines.
 
-use super::end::{Curve, Differences, End, Family, checked, different_from_zero, nonzero};
+use super::end::{Curve, Differences, End, Family, Shape, checked, different_from_zero, nonzero};
 use super::names::Names;
 use super::{Derivation, DeriveError, Line};
 use std::sync::Arc;
-use torse_algebra::{Fraction, Polynomial};
+use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
 use torse_language::derivation::declarations::Declarations;
 use torse_language::syntax::{Expr, Operator};
 use torse_prove::decide::conditions::separated;
+use torse_prove::evaluate::linear::solve_for;
+use torse_prove::evaluate::value::NOWHERE;
 use torse_prove::formula;
 
 /// A solution is written out if no point takes more nodes than this.
@@ -49,12 +51,17 @@ pub fn continuity(
     declarations: &Declarations,
     basis: &str,
     order: u8,
+    shape: Shape,
 ) -> Result<Derivation, DeriveError> {
     let order = checked(order, MAX_JOIN)?;
     let one = Fraction::integer(1);
     let rows = (0..=usize::from(order)).map(|j| vec![(j, one.clone())]);
-    let title = format!("C{order} join of two curves of the family {basis}");
-    let family = Family::new(declarations, basis)?;
+    let kind = match shape.rational {
+        true => "rational curves",
+        false => "curves",
+    };
+    let title = format!("C{order} join of two {kind} of the family {basis}");
+    let family = Family::new(declarations, basis, shape)?;
     let names = family.names()?;
     solved(&family, names, &title, &rows.collect::<Vec<_>>())
 }
@@ -67,9 +74,10 @@ pub fn geometric(
     declarations: &Declarations,
     basis: &str,
     condition: Geometric,
+    shape: Shape,
 ) -> Result<Derivation, DeriveError> {
     let one = Fraction::integer(1);
-    let family = Family::new(declarations, basis)?;
+    let family = Family::new(declarations, basis, shape)?;
     // The factors of the condition come after the names of the family, and give way to them.
     let mut names = family.names()?;
     let (gamma, lambda) = match condition {
@@ -91,7 +99,10 @@ pub fn geometric(
             ("G2-beta join", vec![point, tangent, curvature])
         }
     };
-    let title = format!("{title} of two plane families over the basis {basis}");
+    let title = match shape.rational {
+        true => format!("{title} of two rational curves of the family {basis}"),
+        false => format!("{title} of two plane families over the basis {basis}"),
+    };
     solved(&family, names, &title, &rows)
 }
 
@@ -114,10 +125,33 @@ fn solved(
         renamed.map(|p| names.fresh(&format!("{p}1"))).collect()
     };
     let second_parameters = own(&mut names);
-    let (m, n) = (names.fresh("m"), names.fresh("n"));
+    let (m, n) = (
+        family.degree("m", &mut names),
+        family.degree("n", &mut names),
+    );
     let (q, q1) = (names.fresh("Q"), names.fresh("Q1"));
-    let first = family.curve(&m, &q, &family.basis.parameters)?;
-    let second = family.curve(&n, &q1, &second_parameters)?;
+    let weights = family
+        .is_rational()
+        .then(|| [names.fresh("w"), names.fresh("w1")]);
+    let [w, w1] = match &weights {
+        Some([w, w1]) => [Some(w.as_str()), Some(w1.as_str())],
+        None => [None, None],
+    };
+    let first = family.curve(&m, &q, w, &family.basis.parameters)?;
+    let second = family.curve(&n, &q1, w1, &second_parameters)?;
+    let title = format!("{title}, degrees {m} and {n}");
+    let named = |degree: &Affine| -> Vec<String> {
+        degree
+            .multiples()
+            .map(|(name, _)| name.to_owned())
+            .collect()
+    };
+    let symbols = [named(&m), named(&n)].concat();
+    parameters.extend(second_parameters);
+    parameters.extend(chosen);
+    if !family.is_triangular() {
+        return linear(&first, &second, rows, (title, symbols, parameters));
+    }
     let join = Join::new(&first, &second, rows)?;
     let written_out = join.written_out()?;
     let small = |line: &Line| line.right.size() <= MAX_WRITTEN_OUT;
@@ -130,17 +164,81 @@ fn solved(
         first.degree_at_least(reach),
         second.degree_at_least(rows.len() - 1),
     ];
-    parameters.extend(second_parameters);
-    parameters.extend(chosen);
-    let conditions = degrees.into_iter().chain(divisors).collect();
+    let conditions = degrees.into_iter().flatten().chain(divisors).collect();
     let points = (0..=reach).map(|i| formula::expression(&first.point(End::Finish, i)));
     Ok(Derivation {
-        title: format!("{title}, degrees {m} and {n}"),
+        title,
         points: points.collect(),
-        degrees: vec![m, n],
+        degrees: symbols,
         parameters,
         lines,
         conditions,
+    })
+}
+
+/// A join of which the conditions are linear equations for the next points: of families whose ends involve more points than
+/// the order, and of rational curves. Points of the second curve that they leave free are given.
+fn linear(
+    first: &Curve,
+    second: &Curve,
+    rows: &[Row],
+    (title, degrees, parameters): (String, Vec<String>, Vec<String>),
+) -> Result<Derivation, DeriveError> {
+    let order = u8::try_from(rows.len() - 1).unwrap_or(MAX_JOIN);
+    let starts = second.derivatives(End::Start, order)?;
+    let ends = first.derivatives(End::Finish, order)?;
+    let forms: Vec<Fraction> = starts
+        .iter()
+        .zip(rows)
+        .map(|(start, row)| {
+            row.iter().fold(start.clone(), |form, (l, factor)| {
+                let end = ends.get(*l).cloned().unwrap_or_else(Fraction::zero);
+                form - factor.clone() * end
+            })
+        })
+        .collect();
+    let unknown = |j: usize| second.point(End::Start, j).symbols();
+    let unknowns: Vec<Symbol> = (0..rows.len()).flat_map(unknown).collect();
+    let solution = solve_for(&forms, &unknowns, NOWHERE).map_err(|fault| DeriveError::Open {
+        reason: fault.problem.to_string(),
+    })?;
+    let (mut lines, mut divisors, mut points) = (vec![], vec![], vec![]);
+    for (j, symbol) in unknowns.iter().enumerate() {
+        let value = solution.values.get(symbol).cloned();
+        let value = value.unwrap_or_else(Fraction::zero);
+        divisors.extend(value.conditions().iter().cloned());
+        points.extend(
+            value
+                .symbols()
+                .into_iter()
+                .filter(|s| matches!(s, Symbol::Indexed(..))),
+        );
+        lines.push(Line {
+            label: format!("next point {j}"),
+            left: formula::expression(&Fraction::symbol(symbol.clone())),
+            right: formula::expression(&value),
+        });
+    }
+    points.sort();
+    points.dedup();
+    let reach = rows.len() - 1;
+    let degree = [first.degree_at_least(reach), second.degree_at_least(reach)];
+    let divisors = separated(&divisors);
+    let divisors = divisors.iter().filter(|p| second.can_vanish(p, reach));
+    let points = points
+        .into_iter()
+        .map(|s| formula::expression(&Fraction::symbol(s)));
+    Ok(Derivation {
+        title,
+        points: points.collect(),
+        degrees,
+        parameters,
+        lines,
+        conditions: degree
+            .into_iter()
+            .flatten()
+            .chain(divisors.map(nonzero))
+            .collect(),
     })
 }
 

@@ -19,7 +19,7 @@ pub mod join;
 mod names;
 mod print;
 
-pub use end::end_derivatives;
+pub use end::{Shape, end_derivatives};
 pub use join::{Geometric, continuity, geometric};
 pub use print::{Language, print};
 
@@ -100,6 +100,32 @@ pub enum DeriveError {
         name: String,
         /// What went wrong, and where.
         fault: Box<Fault>,
+    },
+    /// The degree is too low or too high.
+    #[error("the degree is not between {least} and {most}")]
+    Degree {
+        /// That of the seeds.
+        least: u8,
+        /// The highest one.
+        most: u8,
+    },
+    /// The basis is a list of functions of another degree.
+    #[error("the functions are listed for degree {degree} alone")]
+    OneDegree {
+        /// This degree.
+        degree: u8,
+    },
+    /// The step depends on the index, so there is no formula for every degree.
+    #[error("the step of `{name}` depends on the index: name a degree with `--degree`")]
+    NeedsDegree {
+        /// The basis.
+        name: String,
+    },
+    /// The conditions of a join do not determine the next points.
+    #[error("the conditions do not determine the next points of this family: {reason}")]
+    Open {
+        /// Why.
+        reason: String,
     },
     /// A value at an end of the interval does not exist.
     #[error("the basis `{name}` has no value at the end of its interval: {source}")]

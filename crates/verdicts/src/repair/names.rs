@@ -8,7 +8,7 @@ use torse_language::syntax::{Expr, Node};
 /// The most names of a formula that are exchanged or replaced.
 const MAX_NAMES: usize = 14;
 /// Names with a meaning of their own.
-const RESERVED: [&str; 16] = [
+const RESERVED: [&str; 18] = [
     "pi",
     "sin",
     "cos",
@@ -18,6 +18,8 @@ const RESERVED: [&str; 16] = [
     "tanh",
     "sqrt",
     "sum",
+    "product",
+    "integral",
     "binom",
     "D",
     "at",
@@ -93,11 +95,24 @@ fn scopes(expr: &Expr) -> Vec<(Vec<usize>, &Expr)> {
     std::iter::once((vec![], expr)).chain(inner).collect()
 }
 
-/// The names that sums in a formula bind.
+/// The names that sums, products and integrals in a formula bind.
 fn bound(expr: &Expr) -> Vec<&str> {
-    let indices = parts(expr).into_iter();
-    let indices = indices.filter_map(|(_, part)| sum(part)?.first());
-    indices.flat_map(Expr::names).collect()
+    let binder = |part: &'_ Expr| match &part.node {
+        Node::Call(head, _) => match &head.node {
+            Node::Name(name) if name == "sum" || name == "product" => Some(0),
+            Node::Name(name) if name == "integral" => Some(1),
+            _ => None,
+        },
+        _ => None,
+    };
+    let bound = parts(expr).into_iter().filter_map(|(_, part)| {
+        let place = binder(part)?;
+        match &part.node {
+            Node::Call(_, arguments) => arguments.get(place),
+            _ => None,
+        }
+    });
+    bound.flat_map(Expr::names).collect()
 }
 
 /// The arguments of a sum.

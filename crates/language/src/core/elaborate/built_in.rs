@@ -5,14 +5,17 @@ use super::{Elaborator, Lambda, Meaning, Outcome, wrong};
 use crate::core::{
     BuiltIn, Degrees, Family, FamilyProperty, Node, Printed, Statement, Term, Variable,
 };
+use crate::derivation::declarations::Basis;
 use crate::fault::{Fault, Problem};
 use crate::syntax::{self, Expr, Operator, Place};
 use std::sync::Arc;
 use torse_numbers::{Rational, rational};
 
 /// The names of the built-in functions.
-pub(super) const NAMES: [&str; 27] = [
+pub(super) const NAMES: [&str; 29] = [
     "sum",
+    "product",
+    "integral",
     "D",
     "at",
     "binom",
@@ -49,6 +52,18 @@ impl Elaborator<'_> {
         }
     }
 
+    /// The list of functions of this name, if it is one.
+    fn list<'e>(&self, name: &'e Expr) -> Option<(&'e str, &Basis)> {
+        let syntax::Node::Name(name) = &name.node else {
+            return None;
+        };
+        let basis = self
+            .declarations
+            .basis(name)
+            .filter(|basis| basis.is_list)?;
+        Some((name, basis))
+    }
+
     pub(super) fn built_in(
         &self,
         name: &str,
@@ -66,22 +81,46 @@ impl Elaborator<'_> {
                 },
             )
         };
+        let name_of_fold = name;
         let function = match (name, arguments) {
-            ("sum", [index, low, high, term]) => {
+            ("sum" | "product", [index, low, high, term]) => {
                 let syntax::Node::Name(name) = &index.node else {
                     return Err(wrong(index.place, "a formula", "the name of an index"));
                 };
                 let variable = self.fresh(name);
                 let inside = scope.with_local(name, &variable, Local::Index);
-                let node = Node::Sum {
-                    index: variable,
-                    low: self.term_in(low, scope)?,
-                    high: self.term_in(high, scope)?,
-                    term: self.term_in(term, &inside)?,
+                let (low, high) = (self.term_in(low, scope)?, self.term_in(high, scope)?);
+                let (index, term) = (variable, self.term_in(term, &inside)?);
+                let node = match name_of_fold {
+                    "sum" => Node::Sum {
+                        index,
+                        low,
+                        high,
+                        term,
+                    },
+                    _ => Node::Product {
+                        index,
+                        low,
+                        high,
+                        term,
+                    },
                 };
                 return Ok(Meaning::Term(self.made(node, place)));
             }
             ("sum", _) => return Err(count("sum(index, low, high, term)")),
+            ("product", _) => return Err(count("product(index, low, high, factor)")),
+            ("integral", [body, variable, low, high]) => {
+                let (low, high) = (self.term_in(low, scope)?, self.term_in(high, scope)?);
+                let bound = self.bound(variable, scope, Use::Derivative)?;
+                let node = Node::Integral {
+                    low,
+                    high,
+                    body: self.term_in(body, &bound.scope)?,
+                    variable: bound.variable,
+                };
+                return Ok(Meaning::Term(self.made(node, place)));
+            }
+            ("integral", _) => return Err(count("integral(formula, variable, from, to)")),
             ("D", [inner, rest @ ..]) if rest.len() <= 2 => {
                 return self.derivative(inner, rest, place, scope);
             }
@@ -117,6 +156,16 @@ impl Elaborator<'_> {
                     printed: printed_numbers(printed)?,
                     place: printed.place,
                 }));
+            }
+            ("nonnegative" | "independent" | "variation_diminishing", [family, ..])
+                if let Some((list, basis)) = self.list(family) =>
+            {
+                if name != "nonnegative" {
+                    let wanted = "a basis with a step: of a list only `nonnegative` is decided";
+                    return Err(wrong(family.place, "a list of functions", wanted));
+                }
+                let all = self.all_nonnegative(list, basis, family.place)?;
+                return Ok(Meaning::Statement(all));
             }
             ("nonnegative" | "independent" | "variation_diminishing", [family]) => {
                 let property = match name {

@@ -2,11 +2,12 @@
 
 use super::binders::{Local, Scope};
 use super::{Elaborator, Meaning, Outcome, counted, wrong};
-use crate::core::{Family, Node, Points, Variable};
+use crate::core::{Family, Node, Points, Statement, Variable};
 use crate::derivation::declarations::{Basis, SymbolKind};
 use crate::fault::{Fault, Problem};
-use crate::syntax::{self, Expr, Place};
+use crate::syntax::{self, Connective, Expr, Place, Relation};
 use std::sync::Arc;
+use torse_numbers::rational;
 
 impl Elaborator<'_> {
     pub(super) fn indexed(
@@ -16,6 +17,16 @@ impl Elaborator<'_> {
         place: Place,
         scope: &Scope,
     ) -> Outcome<Meaning> {
+        if let syntax::Node::Name(name) = &head.node
+            && let Some(definition) = self.indexed_definition(name, scope)
+        {
+            let meaning = self.definition(name, definition, place, &scope.outside())?;
+            let Meaning::Function(function) = meaning else {
+                return Err(wrong(place, meaning.kind(), "a member of a family"));
+            };
+            let values = self.terms_in(indices, scope)?;
+            return self.applied(&function, values, place).map(Meaning::Term);
+        }
         if let syntax::Node::Name(name) = &head.node
             && !scope.locals.contains_key(name)
             && self.declarations.definition(name).is_none()
@@ -93,6 +104,13 @@ impl Elaborator<'_> {
                 },
             ));
         };
+        if basis.is_list && !is_number(degree, basis.degree) {
+            return Err(wrong(
+                degree.place,
+                "another degree",
+                "the degree of the functions that are listed: the basis has no `step`",
+            ));
+        }
         if arguments.len() > basis.parameters.len() + 1 {
             let parameters = counted(basis.parameters.len(), "shape parameter");
             return Err(Fault::at(
@@ -128,6 +146,39 @@ impl Elaborator<'_> {
             arguments: all,
         };
         Ok(Meaning::Term(self.made(node, place)))
+    }
+
+    /// That all functions of a list are nonnegative.
+    pub(super) fn all_nonnegative(
+        &self,
+        name: &str,
+        basis: &Basis,
+        place: Place,
+    ) -> Outcome<Statement> {
+        let number = |n: i64| Expr {
+            place,
+            ..Expr::number(&rational::integer(n))
+        };
+        let degree = number(i64::from(basis.degree));
+        let mut all: Option<Statement> = None;
+        for i in 0..=i64::from(basis.degree) {
+            let indices = [number(i), degree.clone()];
+            let scope = Scope::default();
+            let Meaning::Term(left) = self.member(name, basis, &indices, &[], place, &scope)?
+            else {
+                continue;
+            };
+            let one = Statement::Compare {
+                relation: Relation::AtLeast,
+                left,
+                right: self.made(Node::Number(rational::integer(0)), place),
+            };
+            all = Some(match all {
+                None => one,
+                Some(before) => Statement::Join(Connective::And, Box::new(before), Box::new(one)),
+            });
+        }
+        all.ok_or_else(|| wrong(place, "a list without functions", "a list of functions"))
     }
 
     /// The family in a scope of globals: where none is bound it is opened once.
@@ -196,4 +247,10 @@ impl Elaborator<'_> {
         }
         Ok(family)
     }
+}
+
+/// Whether a formula is this number.
+fn is_number(expr: &Expr, number: u8) -> bool {
+    let wanted = rational::integer(i64::from(number));
+    matches!(&expr.node, syntax::Node::Number { value, .. } if *value == wanted)
 }

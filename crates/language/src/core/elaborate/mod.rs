@@ -132,6 +132,34 @@ impl<'a> Elaborator<'a> {
         self.statement_in_jets(self.statement_in(expr, &Scope::default())?)
     }
 
+    /// The core of a statement in which closed terms stand for declared symbols, wherever these occur: as `at` puts values in.
+    ///
+    /// # Errors
+    /// As [`Elaborator::meaning`].
+    pub fn statement_where(&self, expr: &Expr, values: &[(&str, Term)]) -> Outcome<Statement> {
+        self.nodes.set(0);
+        let mut scope = Scope::default();
+        let mut bound = vec![];
+        for (name, value) in values {
+            let variable = self.fresh(name);
+            scope = scope.with_global(name, &variable);
+            bound.push((variable, value));
+        }
+        let statement = self.statement_in(expr, &scope)?;
+        let put = |term: &Term| {
+            bound.iter().fold(term.clone(), |body, (variable, value)| {
+                let place = body.place;
+                let node = Node::Let {
+                    variable: variable.clone(),
+                    value: (*value).clone(),
+                    body,
+                };
+                self.made(node, place)
+            })
+        };
+        self.statement_in_jets(statement.mapped(&put))
+    }
+
     /// The basis family of this name.
     ///
     /// # Errors
@@ -346,13 +374,16 @@ impl<'a> Elaborator<'a> {
             .iter()
             .map(|p| self.fresh(p))
             .collect();
-        let inside = definition
-            .parameters
-            .iter()
-            .zip(&parameters)
-            .fold(scope.clone(), |scope, (name, variable)| {
-                scope.with_local(name, variable, Local::Continuous)
-            });
+        let inside = definition.parameters.iter().zip(&parameters).fold(
+            scope.clone(),
+            |scope, (name, variable)| {
+                let local = match definition.indexed {
+                    true => Local::Index,
+                    false => Local::Continuous,
+                };
+                scope.with_local(name, variable, local)
+            },
+        );
         let origin = &definition.body.origin;
         let body = self
             .open(&definition.body.expr, &inside)
@@ -418,6 +449,15 @@ impl<'a> Elaborator<'a> {
         {
             return self.built_in(name, arguments, place, scope);
         }
+        if let syntax::Node::Name(name) = &head.node
+            && self.indexed_definition(name, scope).is_some()
+        {
+            return Err(wrong(
+                place,
+                "a family at arguments in round brackets",
+                "its member, `Q[i]`",
+            ));
+        }
         match self.open(head, scope)? {
             Meaning::Function(function) => {
                 let values = self.terms_in(arguments, scope)?;
@@ -425,6 +465,13 @@ impl<'a> Elaborator<'a> {
             }
             other => Err(wrong(head.place, other.kind(), "a function")),
         }
+    }
+
+    /// The family that a formula in its index defines, by its name.
+    fn indexed_definition(&self, name: &str, scope: &Scope) -> Option<&'a Definition> {
+        let hidden = scope.locals.contains_key(name) || scope.globals.contains_key(name);
+        let definition = self.declarations.definition(name).filter(|_| !hidden)?;
+        definition.indexed.then_some(definition)
     }
 
     fn applied(&self, function: &Lambda, values: Vec<Term>, place: Place) -> Outcome<Term> {

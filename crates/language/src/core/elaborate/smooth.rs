@@ -229,9 +229,13 @@ impl Lowering<'_, '_> {
                 };
                 Ok(self.made(node, place))
             }
-            Node::Sum { index, .. } => {
+            Node::Sum { index: bound, .. }
+            | Node::Product { index: bound, .. }
+            | Node::Integral {
+                variable: bound, ..
+            } => {
                 let mut inside = scope.clone();
-                inside.insert(index.number(), None);
+                inside.insert(bound.number(), None);
                 term.with_parts(&mut |part| self.term(part, &inside))
             }
             Node::Basis { family, .. } => {

@@ -140,8 +140,10 @@ enum Binder {
     Name(Term),
     /// The variable of a derivative.
     Differential,
-    /// The index of a sum.
+    /// The index of a sum or of a product.
     Index,
+    /// The variable of an integral.
+    Integration,
 }
 
 /// The enclosing binders by the numbers of their variables.
@@ -227,6 +229,16 @@ impl Work {
                 };
                 Ok(made(node, term.place))
             }
+            Node::Product { index, .. } => {
+                let mut inside = scope.clone();
+                inside.insert(index.number(), Binder::Index);
+                term.with_parts(&mut |part| self.term(part, &inside))
+            }
+            Node::Integral { variable, .. } => {
+                let mut inside = scope.clone();
+                inside.insert(variable.number(), Binder::Integration);
+                term.with_parts(&mut |part| self.term(part, &inside))
+            }
             Node::Derivative {
                 variable,
                 order,
@@ -284,6 +296,10 @@ impl Work {
         };
         if bound(|binder| matches!(binder, Binder::Index)) {
             let what = "a root that changes with the index of a sum";
+            return Err(Fault::limit(place, what));
+        }
+        if bound(|binder| matches!(binder, Binder::Integration)) {
+            let what = "a root that changes with the variable of an integral: state what it is, and integrate that";
             return Err(Fault::limit(place, what));
         }
         let moves = bound(|binder| matches!(binder, Binder::Differential));

@@ -106,7 +106,10 @@ impl Writer {
                 let order = self.written(order, names)?;
                 return Some(call("D", vec![body, symbol, order]));
             }
-            Node::Basis { .. } | Node::Sum { .. } => return None,
+            Node::Basis { .. }
+            | Node::Sum { .. }
+            | Node::Product { .. }
+            | Node::Integral { .. } => return None,
         };
         Some(Expr::made(node))
     }

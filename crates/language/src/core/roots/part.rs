@@ -126,6 +126,12 @@ fn write(term: &Term, variables: &mut BTreeMap<u32, usize>, text: &mut String) -
         Node::List(_) => write!(text, "list"),
         Node::Entry(..) => write!(text, "entry"),
         Node::Sum { index, .. } => write!(text, "sum v{}", bound(index.number(), variables)),
+        Node::Product { index, .. } => {
+            write!(text, "product v{}", bound(index.number(), variables))
+        }
+        Node::Integral { variable, .. } => {
+            write!(text, "integral v{}", bound(variable.number(), variables))
+        }
         Node::Let { variable, .. } => write!(text, "let v{}", bound(variable.number(), variables)),
         Node::Derivative { variable, .. } => {
             write!(text, "d v{}", bound(variable.number(), variables))

@@ -102,7 +102,8 @@ pub struct BasisEntry {
     pub degree: Spanned<u8>,
     /// The functions of the lowest degree.
     pub seeds: Vec<Text>,
-    /// The two factors of the step `g[i,k] = a*g[i,k-1] + b*g[i-1,k-1]`.
+    /// The two factors of the step `g[i,k] = a*g[i,k-1] + b*g[i-1,k-1]`; left out for a list of functions of one degree.
+    #[serde(default)]
     pub step: Vec<Text>,
     /// The name that stands in the step for the index i of the function that is made.
     pub index: Option<Text>,
@@ -141,6 +142,9 @@ pub struct ClaimEntry {
     /// The unknowns of the given equations.
     #[serde(default)]
     pub solve_for: Vec<Text>,
+    /// Numbers of which the statement says that there are such, each perhaps with what it is.
+    #[serde(default)]
+    pub exists: Vec<Text>,
     /// Assumptions of the statement.
     #[serde(default)]
     pub assume: Vec<HypothesisEntry>,

@@ -12,6 +12,8 @@ pub enum Target {
     /// The sum over all powers i of the coefficient times the points with the index
     /// [`here`](super::here) = i.
     Sum,
+    /// No operator at all: the sum over the points with the index [`here`](super::here) from the first to the second form.
+    Each(Affine, Affine),
 }
 
 /// `(a + b E)^power (seeds[0] + seeds[1] E + ...) E^lowest`, applied to a target.
@@ -106,6 +108,8 @@ impl Axis {
             || inside(&self.operator.1)
             || self.seeds.iter().any(inside)
             || self.power.multiple_of(index) != 0
+            || matches!(&self.target, Target::Each(low, high)
+                if low.multiple_of(index) != 0 || high.multiple_of(index) != 0)
     }
 
     /// Whether this is zero.
@@ -147,7 +151,7 @@ impl Axis {
             lowest: 0,
             target: match &self.target {
                 Target::Entry(index) => Target::Entry(self.top() - index.clone()),
-                Target::Sum => Target::Sum,
+                other => other.clone(),
             },
         }
     }
@@ -172,6 +176,32 @@ impl Axis {
         (step - Fraction::integer(1))
             .is_zero()
             .then(|| self.seeds.iter().fold(zero, |sum, s| sum + s.clone()))
+    }
+
+    /// What this is at E = 1: a formula, of which the power of the step is taken, and a factor.
+    pub(super) fn at_one(&self) -> (Fraction, Fraction) {
+        let zero = Fraction::zero();
+        let seed = self.seeds.iter().fold(zero, |sum, s| sum + s.clone());
+        let base = self.operator.0.clone() + self.operator.1.clone();
+        (base, seed)
+    }
+
+    /// What the first or the last coefficient is, where one of these is taken: a formula, of which the power of the step is taken,
+    /// and a factor.
+    pub(super) fn outermost(&self) -> Option<(Fraction, Fraction)> {
+        let Target::Entry(index) = &self.target else {
+            return None;
+        };
+        if self.is_pure() {
+            return None;
+        }
+        let first = *index == Affine::number(self.lowest);
+        let (base, seed) = match first {
+            true => (&self.operator.0, self.seeds.first()?),
+            false if *index == self.top() => (&self.operator.1, self.seeds.last()?),
+            false => return None,
+        };
+        Some((base.clone(), seed.clone()))
     }
 
     /// The powers of E that remain when the step has become 1 or a bare shift, or when the power is a

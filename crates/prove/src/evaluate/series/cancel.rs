@@ -90,6 +90,7 @@ fn canonical(series: &Series) -> Result<Vec<Series>, ExactError> {
         for part in parts {
             match &axis.target {
                 Target::Sum => next.push(aligned(&part, position, axis)?),
+                Target::Each(..) => next.push(part.clone()),
                 Target::Entry(_) => next.extend(absorbed(&part, position, &from_zero(axis))),
             }
         }
@@ -184,7 +185,7 @@ fn in_order(series: Series) -> Result<Series, ExactError> {
             let step = [parts(&axis.operator.0), parts(&axis.operator.1)].concat();
             let power = axis.power.clone() - Affine::number(axis.power.constant());
             let entry = match &axis.target {
-                Target::Entry(index) => Some(index.clone()),
+                Target::Entry(index) | Target::Each(_, index) => Some(index.clone()),
                 Target::Sum => None,
             };
             (step, power, entry)

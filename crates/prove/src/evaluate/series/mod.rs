@@ -141,6 +141,25 @@ impl Series {
         if count + other.axes.len() > MAX_AXES {
             return Ok(None);
         }
+        if let Some(merged) = self.merged(other) {
+            return Ok(Some(merged));
+        }
+        match (self.is_power(), other.is_power(), other.axes.as_slice()) {
+            (true, false, _) => return other.product(self),
+            // One power after the other, so that each finds its own.
+            (_, true, [first, rest @ ..]) if !rest.is_empty() => {
+                let first = Self::entry(first.clone());
+                let rest = Self {
+                    axes: rest.to_vec(),
+                    ..other.clone()
+                };
+                return match self.product(&first)? {
+                    Some(product) => product.product(&rest),
+                    None => Ok(None),
+                };
+            }
+            _ => {}
+        }
         let behind = (0..other.axes.len())
             .map(|axis| (here(axis), Affine::symbol(&here(axis + count))))
             .collect();
@@ -149,6 +168,31 @@ impl Series {
             factor: self.factor.clone() * other.factor.clone(),
             points: self.points.clone() * with_indices(&other.points, &behind)?,
         }))
+    }
+
+    /// Whether it is a product of powers of formulas, with a factor.
+    fn is_power(&self) -> bool {
+        self.points == Fraction::integer(1) && self.axes.iter().all(Axis::is_pure)
+    }
+
+    /// The product with the power of a formula of which this series has one already: the exponents are added.
+    fn merged(&self, other: &Self) -> Option<Self> {
+        let ([own], true) = (other.axes.as_slice(), other.points == Fraction::integer(1)) else {
+            return None;
+        };
+        let same = |axis: &Axis| axis.is_pure() && own.is_pure() && axis.operator == own.operator;
+        let position = self.axes.iter().position(same)?;
+        let axis = self.axes.get(position)?;
+        let seeds = axis.seeds.iter().zip(&own.seeds);
+        let merged = Axis {
+            power: axis.power.clone() + own.power.clone(),
+            seeds: seeds.map(|(a, b)| a.clone() * b.clone()).collect(),
+            ..axis.clone()
+        };
+        Some(Self {
+            factor: self.factor.clone() * other.factor.clone(),
+            ..self.with_axis(position, merged)
+        })
     }
 
     /// Whether a factor or the points are zero.
@@ -226,14 +270,24 @@ impl Series {
                 if let Some(total) = axis.total() {
                     return Ok(Some(vec![self.cut(position, total, &Affine::default())?]));
                 }
+                // Over constant points it is the power at E = 1.
+                return self.with_power(position, axis.at_one());
             }
             Target::Entry(index) if axis.is_outside(index, least, greatest) => {
                 return Ok(Some(vec![]));
             }
+            Target::Each(..) => return Ok(None),
             _ => {}
         }
+        if axis.is_pure() && axis.operator.0.is_zero() && least(&axis.power).is_some_and(|n| n > 0)
+        {
+            return Ok(Some(vec![]));
+        }
         let Some((start, seeds)) = axis.collapsed() else {
-            return Ok(None);
+            return match axis.outermost() {
+                Some(power) => self.with_power(position, power),
+                None => Ok(None),
+            };
         };
         let Target::Entry(index) = &axis.target else {
             let terms = seeds.into_iter().zip(0..);
@@ -255,6 +309,28 @@ impl Series {
         };
         let entry = entry.map(|entry| self.cut(position, entry, &Affine::default()));
         Ok(Some(entry.transpose()?.into_iter().collect()))
+    }
+
+    /// The axis replaced by its power of a formula and a factor; nothing if that has too many factors.
+    fn with_power(
+        &self,
+        position: usize,
+        (base, factor): (Fraction, Fraction),
+    ) -> Result<Option<Vec<Self>>, ExactError> {
+        let Some(axis) = self.axes.get(position) else {
+            return Ok(None);
+        };
+        let mut series = self.cut(position, factor, &Affine::default())?;
+        if base.is_zero() {
+            return Ok(None);
+        }
+        for own in Axis::powers(&base, &axis.power)? {
+            match series.product(&Self::entry(own))? {
+                Some(product) => series = product,
+                None => return Ok(None),
+            }
+        }
+        Ok(Some(vec![series]))
     }
 
     /// The axis replaced by a factor, its index by a form.

@@ -1,0 +1,153 @@
+//! Witnesses for what a claim says there is, where it gives none.
+//!
+//! The numbers that a claim seeks are taken for unknowns of the equations among what it states, and these are solved where they are
+//! linear. What the equations leave free is zero, or the point of its interval that is easiest to name. Nothing is believed of a
+//! witness: the claim is decided with it in its place ([`torse_language::core`]).
+
+use crate::case::Case;
+use crate::evaluate::linear::{linear_form, solve_for};
+use crate::evaluate::value::Statement;
+use crate::formula;
+use std::collections::BTreeMap;
+use torse_algebra::Rational;
+use torse_algebra::rational::integer;
+use torse_algebra::{Fraction, Symbol};
+use torse_language::derivation::declarations::SymbolKind;
+use torse_language::derivation::{Claim, Sought, Written};
+use torse_language::fault::Fault;
+use torse_language::notation;
+use torse_language::syntax::{Connective, Place, Relation};
+
+/// A claim with a witness for everything that it seeks, and what was found for it, in words.
+#[derive(Debug)]
+pub struct Found {
+    /// The claim.
+    pub claim: Claim,
+    /// What there is.
+    pub steps: Vec<String>,
+}
+
+/// The claim with the witnesses that it gives and those that are found; `None` if it seeks nothing without one.
+///
+/// # Errors
+/// [`Fault`] when a formula makes no sense, and a limit where no witness is found.
+pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fault> {
+    let open: Vec<&Sought> = claim
+        .sought
+        .iter()
+        .filter(|s| s.witness.is_none())
+        .collect();
+    let Some(first) = open.first() else {
+        return Ok(None);
+    };
+    let mut free = claim.clone();
+    free.sought.retain(|sought| sought.witness.is_some());
+    let symbols: Vec<Symbol> = open.iter().map(|s| Symbol::named(&s.name)).collect();
+    let case = Case::new(&free, statement, BTreeMap::new())?;
+    let mut forms = vec![];
+    equations(&case.statement, &symbols, &mut forms);
+    let mut values: BTreeMap<Symbol, Fraction> = BTreeMap::new();
+    let mut unknowns = symbols.clone();
+    while !unknowns.is_empty() {
+        match solve_for(&forms, &unknowns, Place::default()) {
+            Ok(solution) => {
+                values.extend(solution.values);
+                break;
+            }
+            Err(_) => {
+                // What the equations do not determine is chosen, the last first.
+                let Some(last) = unknowns.pop() else { break };
+                let chosen = chosen(claim, &last);
+                let put = |form: &Fraction| {
+                    let put = form.substituted(|s| (*s == last).then(|| chosen.clone()));
+                    put.unwrap_or_else(|_| form.clone())
+                };
+                forms = forms.iter().map(put).collect();
+                values.insert(last, chosen);
+            }
+        }
+    }
+    let mut found = claim.clone();
+    let mut steps = vec![];
+    for sought in &mut found.sought {
+        if sought.witness.is_some() {
+            continue;
+        }
+        let Some(value) = values.get(&Symbol::named(&sought.name)) else {
+            let what = format!("no witness was found for `{}`", first.name);
+            return Err(Fault::limit(Place::default(), what).within(&sought.origin));
+        };
+        let expr = formula::expression(value);
+        steps.push(format!(
+            "there is {} = {}",
+            sought.name,
+            notation::text(&expr)
+        ));
+        sought.witness = Some(Written {
+            expr,
+            origin: sought.origin.clone(),
+        });
+    }
+    Ok(Some(Found {
+        claim: found,
+        steps,
+    }))
+}
+
+/// The equations among what is stated that are linear in what is sought.
+fn equations(statement: &Statement, symbols: &[Symbol], forms: &mut Vec<Fraction>) {
+    match statement {
+        Statement::Compare {
+            relation: Relation::Equal,
+            left,
+            right,
+        } => {
+            let pairs = left.entries().into_iter().zip(right.entries());
+            let differences = pairs.filter_map(|(x, y)| x.minus(y).as_fraction().cloned());
+            // Where the number itself is no fraction of one symbol its equation is one in the symbol all the same.
+            forms.extend(differences.filter(|form| {
+                let mentions = form.symbols().iter().any(|s| symbols.contains(s));
+                mentions && linear_form(form, symbols).is_some()
+            }));
+        }
+        Statement::Join(Connective::And, a, b) => {
+            equations(a, symbols, forms);
+            equations(b, symbols, forms);
+        }
+        Statement::Join(Connective::Implies, _, conclusion) => {
+            equations(conclusion, symbols, forms);
+        }
+        _ => {}
+    }
+}
+
+/// A number of the interval of a symbol: zero, an end, a middle.
+fn chosen(claim: &Claim, symbol: &Symbol) -> Fraction {
+    let zero = integer(0);
+    let Symbol::Named(name) = symbol else {
+        return Fraction::zero();
+    };
+    let Some(SymbolKind::Real(interval)) = claim.declarations.symbol(name) else {
+        return Fraction::zero();
+    };
+    let end = |bound: &Option<torse_language::derivation::declarations::Bound>| {
+        let bound = bound.as_ref()?;
+        Some((bound.value.as_rational()?.clone(), bound.closed))
+    };
+    let number: Rational = match (end(&interval.lower), end(&interval.upper)) {
+        (None, None) => zero,
+        (Some((low, closed)), None) if low < zero || (low == zero && closed) => zero,
+        (Some((low, closed)), None) => match closed {
+            true => low,
+            false => low + integer(1),
+        },
+        (None, Some((high, closed))) if high > zero || (high == zero && closed) => zero,
+        (None, Some((high, closed))) => match closed {
+            true => high,
+            false => high - integer(1),
+        },
+        (Some((low, _)), Some((high, _))) if low < zero && zero < high => zero,
+        (Some((low, _)), Some((high, _))) => (low + high) / integer(2),
+    };
+    Fraction::from(number)
+}
