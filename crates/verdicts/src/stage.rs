@@ -78,8 +78,7 @@ impl<'c> Stage<'c> {
     /// # Errors
     /// A [`DerivationError`] when a formula of the finding does not make sense.
     pub fn complete(self) -> Result<Outcome, Box<DerivationError>> {
-        let (claim, budget) = (self.claim, self.budget);
-        let unread = undecided(&self.paper, claim);
+        let (claim, budget, paper) = (self.claim, self.budget, self.paper);
         let told = catch_unwind(AssertUnwindSafe(|| {
             let mut outcome = self.outcome;
             match self.left {
@@ -107,7 +106,7 @@ impl<'c> Stage<'c> {
             }
             Ok(outcome)
         }));
-        told.unwrap_or_else(|panic| Ok(panicked(unread, &*panic)))
+        told.unwrap_or_else(|panic| Ok(panicked(undecided(&paper, claim), &*panic)))
     }
 }
 

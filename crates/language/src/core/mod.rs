@@ -12,6 +12,7 @@
 mod claim;
 mod elaborate;
 mod roots;
+mod visited;
 mod walk;
 
 pub use claim::{Claim, Hypothesis, Source};

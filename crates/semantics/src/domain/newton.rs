@@ -34,31 +34,42 @@ pub(crate) fn expanded<A: Arithmetic>(
             false => Gradient::constant(value),
         })
     };
-    let at = Evaluator::new(&gradients, &values);
     let slope = |gap: &Gradient<A::Number>| Slope {
         value: gap.value.clone(),
         rates: gradients.rates(gap),
         curved: gradients.curved(gap),
     };
+    let gaps = differences(terms, &gradients, &values)?;
+    let discrete = gradients.discrete();
+    Ok(Expanded {
+        gaps: gaps.iter().map(slope).collect(),
+        discrete,
+    })
+}
+
+/// The values of terms, or of the differences of two: what [`expanded`] finds where nothing moves, for less.
+///
+/// # Errors
+/// Where a term has no value, or none that is known.
+pub(crate) fn differences<A: Arithmetic>(
+    terms: &[(&Term, Option<&Term>)],
+    a: &A,
+    value: &dyn Fn(&Name) -> Option<A::Number>,
+) -> Result<Vec<A::Number>, Gap> {
+    let at = Evaluator::new(a, value);
     let mut gaps = vec![];
     for (left, right) in terms {
         let left = at.value(left)?;
         match right {
-            None => gaps.extend(
-                left.numbers()
-                    .iter()
-                    .filter_map(|x| x.as_number())
-                    .map(slope),
-            ),
+            None => gaps.extend(left.numbers().iter().filter_map(|x| x.as_number()).cloned()),
             Some(right) => {
-                for (x, y) in left.pairs(&at.value(right)?, &gradients)? {
-                    gaps.extend(x.minus(&y, &gradients)?.as_number().map(slope));
+                for (x, y) in left.pairs(&at.value(right)?, a)? {
+                    gaps.extend(x.minus(&y, a)?.as_number().cloned());
                 }
             }
         }
     }
-    let discrete = gradients.discrete();
-    Ok(Expanded { gaps, discrete })
+    Ok(gaps)
 }
 
 /// A number that may be changed, with the first derivatives of all gaps by it.
