@@ -11,7 +11,6 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use torse_numbers::Rational;
-use torse_numbers::rational::integer;
 
 type Outcome<A> = Result<Gradient<<A as Arithmetic>::Number>, Gap>;
 
@@ -109,14 +108,10 @@ impl<A: Arithmetic> Gradients<A> {
         Gradient {
             value,
             change: Some(Rc::new(Change {
-                rates: vec![(variable, self.integer(1))],
+                rates: vec![(variable, self.base.integer(1))],
                 curved: vec![],
             })),
         }
-    }
-
-    fn integer(&self, n: i64) -> A::Number {
-        self.base.rational(&integer(n))
     }
 
     fn named(&self, variable: Variable) -> Option<Name> {
@@ -248,7 +243,7 @@ impl<A: Arithmetic> Gradients<A> {
 
     /// A function with this value and this rate, at x.
     fn chain(&self, value: A::Number, rate: &A::Number, x: &Gradient<A::Number>) -> Outcome<A> {
-        let none = self.integer(0);
+        let none = self.base.integer(0);
         let constant = Gradient::constant(none.clone());
         self.combined(value, (rate, x), (&none, &constant), x.variables())
     }
@@ -263,6 +258,10 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
 
     fn rational(&self, value: &Rational) -> Self::Number {
         Gradient::constant(self.base.rational(value))
+    }
+
+    fn integer(&self, n: i64) -> Self::Number {
+        Gradient::constant(self.base.integer(n))
     }
 
     fn pi(&self) -> Self::Number {
@@ -317,7 +316,7 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
             return Ok(Gradient::constant(value));
         }
         // a/b changes by 1/b with a and by -(a/b)/b with b.
-        let one = self.integer(1);
+        let one = self.base.integer(1);
         let with_a = self.base.over(&one, &b.value)?;
         let with_b = self.base.negated(&self.base.over(&value, &b.value)?);
         let curved = union(a.curved(), &b.variables());
@@ -330,7 +329,7 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
             return Ok(Gradient::constant(root));
         }
         let twice = self.base.plus(&root, &root)?;
-        let one = self.integer(1);
+        let one = self.base.integer(1);
         let rate = self.base.over(&one, &twice)?;
         self.chain(root, &rate, a)
     }

@@ -9,7 +9,6 @@ use crate::arithmetic::Arithmetic;
 use crate::gap::{Gap, Undefined, Unknown};
 use std::rc::Rc;
 use torse_numbers::Rational;
-use torse_numbers::rational::integer;
 
 /// A number, or a series in the infinitesimal of its level. A copy shares the coefficients.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +37,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
 
     /// The integer n.
     pub fn integer<A: Arithmetic<Number = N>>(n: i64, a: &A) -> Self {
-        Self::rational(&integer(n), a)
+        Self::Number(a.integer(n))
     }
 
     /// `self + e` with the infinitesimal of a level above all of `self`, cut off after `e^order`.

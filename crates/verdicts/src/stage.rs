@@ -117,8 +117,7 @@ fn corrected(outcome: &mut Outcome, claim: &Claim, statement: &Written, budget: 
     // A correction that is not found within the budget is none; the verdict stands.
     let _ = work::within(budget / 5, || correct(outcome, claim, statement));
     correction_rests_on(outcome, claim, budget / 5);
-    net::cast(outcome, claim, statement);
-    net::replay(outcome, claim, statement, budget / 5);
+    net::secure(outcome, claim, statement, budget / 5);
 }
 
 /// The verdict of a claim, netted unless it is refuted, and what is left to do.
@@ -172,8 +171,7 @@ fn decided<'c>(
         }
         Err(out) => outcome.steps = vec![out.to_string()],
     }
-    net::cast(&mut outcome, claim, statement);
-    net::replay(&mut outcome, claim, statement, budget / 5);
+    net::secure(&mut outcome, claim, statement, budget / 5);
     Ok((outcome, Left::Nothing))
 }
 

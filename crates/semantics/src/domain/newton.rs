@@ -9,6 +9,7 @@ use crate::gap::Gap;
 use crate::gradient::{Gradient, Gradients};
 use crate::name::Name;
 use num_traits::Zero;
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_language::core::{Claim, Set, Term};
 use torse_numbers::Rational;
@@ -27,12 +28,18 @@ pub(crate) fn expanded<A: Arithmetic>(
     moves: &dyn Fn(&Name) -> bool,
 ) -> Result<Expanded<A::Number>, Gap> {
     let gradients = Gradients::new(base);
+    let known = RefCell::new(BTreeMap::new());
     let values = |name: &Name| {
+        if let Some(gradient) = known.borrow().get(name) {
+            return Some(Gradient::clone(gradient));
+        }
         let value = value(name)?;
-        Some(match moves(name) {
+        let gradient = match moves(name) {
             true => gradients.variable(name, value),
             false => Gradient::constant(value),
-        })
+        };
+        known.borrow_mut().insert(name.clone(), gradient.clone());
+        Some(gradient)
     };
     let slope = |gap: &Gradient<A::Number>| Slope {
         value: gap.value.clone(),

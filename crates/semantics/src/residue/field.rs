@@ -68,15 +68,19 @@ pub(super) fn inverse(a: u64) -> Option<u64> {
     (rest == 1).then_some(size)
 }
 
+/// The residue of a machine integer.
+pub(super) fn integer(n: i64) -> u64 {
+    let size = n.unsigned_abs() % PRIME;
+    if n < 0 { negative(size) } else { size }
+}
+
 /// The residue of an integer.
 fn whole(n: &Integer) -> u64 {
     // The remainder of the truncated division has the sign of n.
-    let remainder = match i64::try_from(n) {
-        Ok(short) if short.unsigned_abs() < PRIME => short,
-        _ => i64::try_from(&(n % Integer::from(PRIME))).unwrap_or_default(),
-    };
-    let size = remainder.unsigned_abs();
-    if remainder < 0 { negative(size) } else { size }
+    let short = i64::try_from(n);
+    integer(
+        short.unwrap_or_else(|_| i64::try_from(&(n % Integer::from(PRIME))).unwrap_or_default()),
+    )
 }
 
 /// The residue of a rational number; `None` if the prime divides its denominator.
