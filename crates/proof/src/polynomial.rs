@@ -11,15 +11,16 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::fmt;
+use std::sync::Arc;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
 /// Symbols with their exponents, all positive, in ascending order of the symbols.
 pub type Monomial = Vec<(Symbol, u32)>;
 
-/// A polynomial: each monomial with its coefficient, which is not zero.
+/// A polynomial: each monomial with its coefficient, which is not zero. Copies share them until one is changed.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Default, Hash)]
-pub struct Polynomial(BTreeMap<Monomial, Rational>);
+pub struct Polynomial(Arc<BTreeMap<Monomial, Rational>>);
 
 impl Polynomial {
     /// Zero.
@@ -111,7 +112,7 @@ impl Polynomial {
             *exponent >= 2 && matches!(symbol, Symbol::Sine(..) | Symbol::Root(_))
         };
         let Some(place) = monomial.iter().position(reducible) else {
-            match self.0.entry(monomial) {
+            match Arc::make_mut(&mut self.0).entry(monomial) {
                 Entry::Vacant(place) => {
                     place.insert(coefficient);
                 }
@@ -146,8 +147,13 @@ impl Polynomial {
     /// The sum.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
-        let mut sum = self.clone();
-        sum.add(other);
+        let (longer, shorter) = if self.len() < other.len() {
+            (other, self)
+        } else {
+            (self, other)
+        };
+        let mut sum = longer.clone();
+        sum.add(shorter);
         sum
     }
 
@@ -168,7 +174,7 @@ impl Polynomial {
             return self.clone();
         }
         let term = |(monomial, value): (&Monomial, &Rational)| (monomial.clone(), value * factor);
-        Self(self.terms().map(term).collect())
+        Self(Arc::new(self.terms().map(term).collect()))
     }
 
     /// The negative.

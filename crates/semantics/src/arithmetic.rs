@@ -10,6 +10,7 @@ use crate::name::Name;
 use std::fmt::Debug;
 use torse_language::core::Term;
 use torse_numbers::Rational;
+use torse_numbers::rational::integer;
 
 /// Arithmetic with numbers of one kind.
 ///
@@ -24,6 +25,11 @@ pub trait Arithmetic {
 
     /// A rational number.
     fn rational(&self, value: &Rational) -> Self::Number;
+
+    /// An integer.
+    fn integer(&self, n: i64) -> Self::Number {
+        self.rational(&integer(n))
+    }
 
     /// The circle number.
     fn pi(&self) -> Self::Number;

@@ -24,6 +24,8 @@ const MAX_TERMS: i64 = 4000;
 const MAX_EXPONENT: i64 = 2000;
 const MAX_DEGREE: i64 = 60;
 const MAX_ORDER: i64 = 40;
+/// The largest integer that needs no arithmetic to be read.
+const SMALL: i64 = 1 << 14;
 /// The largest power, in bits.
 const MAX_POWER_BITS: u64 = 20_000;
 
@@ -104,7 +106,17 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         what: &'static str,
         scope: &Sc<'_, A>,
     ) -> Result<i64, Gap> {
-        let value = self.number(term, scope)?;
+        if let Some(small) = self.small(term) {
+            return Ok(small);
+        }
+        let evaluated;
+        let value = match self.counted_by(term, scope) {
+            Some(value) => value,
+            None => {
+                evaluated = self.number(term, scope)?;
+                &evaluated
+            }
+        };
         // What varies with the variable of a derivative is no integer near the point.
         let Some(number) = value.as_number() else {
             return Err(Undefined::NotDifferentiable.into());
@@ -116,6 +128,27 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             return Err(Undefined::NoInteger { what }.into());
         }
         i64::try_from(&rational.to_integer()).map_err(|_| Unknown::Large { what }.into())
+    }
+
+    /// The integer that is written here, if it is so small that every arithmetic has it.
+    fn small(&self, term: &Term) -> Option<i64> {
+        let Node::Number(value) = &*term.node else {
+            return None;
+        };
+        let number = value.is_integer().then(|| i64::try_from(value.numer()))?;
+        let known = self.depth.get() < MAX_DEPTH;
+        number.ok().filter(|n| known && n.abs() <= SMALL)
+    }
+
+    /// The value of the variable of a binder, where it stands alone.
+    fn counted_by<'s>(&self, term: &Term, scope: &'s Sc<'_, A>) -> Option<&'s Series<A::Number>> {
+        let Node::Variable(variable) = &*term.node else {
+            return None;
+        };
+        match scope.variable(variable.number()) {
+            Some(Value::Number(number)) if self.depth.get() < MAX_DEPTH => Some(number),
+            _ => None,
+        }
     }
 
     pub(crate) fn term(&self, term: &Term, scope: &Sc<'_, A>) -> Outcome<A> {
@@ -424,14 +457,15 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             self.number(&family.step.0, scope)?,
             self.number(&family.step.1, scope)?,
         );
+        let zero = Series::integer(0, a);
         for _ in 0..steps {
-            let zero = Series::integer(0, a);
             let same = row.iter().chain(std::iter::once(&zero));
             let before = std::iter::once(&zero).chain(&row);
-            row = same
-                .zip(before)
-                .map(|(same, before)| keep.times(same, a)?.plus(&shift.times(before, a)?, a))
-                .collect::<Result<_, Gap>>()?;
+            let mut next = Vec::with_capacity(row.len() + 1);
+            for (same, before) in same.zip(before) {
+                next.push(keep.times(same, a)?.plus(&shift.times(before, a)?, a)?);
+            }
+            row = next;
         }
         Ok(row)
     }
@@ -468,6 +502,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
     fn chain(&self, term: &Term, scope: &Sc<'_, A>) -> Outcome<A> {
         let mut rights = vec![];
         let mut left = term;
+        if let Node::Binary(operator, a, b) = &*term.node
+            && !matches!(&*a.node, Node::Binary(..))
+        {
+            return self.binary(*operator, &self.term(a, scope)?, b, scope);
+        }
         while let Node::Binary(operator, a, b) = &*left.node {
             rights.push((*operator, b));
             left = a;

@@ -11,7 +11,6 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use torse_numbers::Rational;
-use torse_numbers::rational::integer;
 
 type Outcome<A> = Result<Gradient<<A as Arithmetic>::Number>, Gap>;
 
@@ -58,12 +57,6 @@ impl<N> Gradient<N> {
         self.rates().iter().map(|(variable, _)| *variable).collect()
     }
 
-    fn rate(&self, variable: Variable) -> Option<&N> {
-        let rates = self.rates();
-        let found = rates.binary_search_by_key(&variable, |(own, _)| *own);
-        rates.get(found.ok()?).map(|(_, rate)| rate)
-    }
-
     /// Every number that occurs, in order.
     fn variables(&self) -> Vec<Variable> {
         union(&self.moving(), self.curved())
@@ -74,6 +67,9 @@ impl<N> Gradient<N> {
 fn union(xs: &[Variable], ys: &[Variable]) -> Vec<Variable> {
     if ys.is_empty() {
         return xs.to_vec();
+    }
+    if xs.is_empty() {
+        return ys.to_vec();
     }
     let mut all = [xs, ys].concat();
     all.sort_unstable();
@@ -112,14 +108,10 @@ impl<A: Arithmetic> Gradients<A> {
         Gradient {
             value,
             change: Some(Rc::new(Change {
-                rates: vec![(variable, self.integer(1))],
+                rates: vec![(variable, self.base.integer(1))],
                 curved: vec![],
             })),
         }
-    }
-
-    fn integer(&self, n: i64) -> A::Number {
-        self.base.rational(&integer(n))
     }
 
     fn named(&self, variable: Variable) -> Option<Name> {
@@ -162,19 +154,36 @@ impl<A: Arithmetic> Gradients<A> {
         (q, y): (&A::Number, &Gradient<A::Number>),
         curved: Vec<Variable>,
     ) -> Outcome<A> {
-        let scaled = |factor: &A::Number, of: &Gradient<A::Number>, variable: Variable| {
-            let rate = of.rate(variable)?;
-            (self.base.is_zero(factor) != Some(true)).then(|| self.base.times(factor, rate))
+        // A factor of zero leaves no rates.
+        let counted = |factor: &A::Number, of: &'_ Gradient<A::Number>| {
+            let none = self.base.is_zero(factor) == Some(true);
+            if none { 0 } else { of.rates().len() }
         };
-        let mut rates = vec![];
-        for variable in union(&x.moving(), &y.moving()) {
-            let (with_x, with_y) = (scaled(p, x, variable), scaled(q, y, variable));
-            let rate = match (with_x.transpose()?, with_y.transpose()?) {
-                (Some(with_x), Some(with_y)) => self.base.plus(&with_x, &with_y)?,
-                (Some(rate), None) | (None, Some(rate)) => rate,
-                (None, None) => continue,
+        let mut xs = x.rates().iter().take(counted(p, x)).peekable();
+        let mut ys = y.rates().iter().take(counted(q, y)).peekable();
+        let mut rates = Vec::with_capacity(xs.len().max(ys.len()));
+        loop {
+            let next = match (xs.peek(), ys.peek()) {
+                (Some((x, _)), Some((y, _))) => x.cmp(y),
+                (Some(_), None) => Ordering::Less,
+                (None, Some(_)) => Ordering::Greater,
+                (None, None) => break,
             };
-            rates.push((variable, rate));
+            let with_x = xs.next_if(|_| next.is_le());
+            let with_y = ys.next_if(|_| next.is_ge());
+            match (with_x, with_y) {
+                (Some((variable, with_x)), Some((_, with_y))) => {
+                    let (with_x, with_y) = (self.base.times(p, with_x), self.base.times(q, with_y));
+                    rates.push((*variable, self.base.plus(&with_x?, &with_y?)?));
+                }
+                (Some((variable, rate)), None) => {
+                    rates.push((*variable, self.base.times(p, rate)?));
+                }
+                (None, Some((variable, rate))) => {
+                    rates.push((*variable, self.base.times(q, rate)?));
+                }
+                (None, None) => {}
+            }
         }
         Ok(Gradient {
             value,
@@ -219,10 +228,11 @@ impl<A: Arithmetic> Gradients<A> {
         let rates = if self.base.is_zero(factor) == Some(true) {
             vec![]
         } else {
-            let rates = change.rates.iter();
-            let rates =
-                rates.map(|(variable, rate)| Ok((*variable, self.base.times(factor, rate)?)));
-            rates.collect::<Result<_, Gap>>()?
+            let mut rates = Vec::with_capacity(change.rates.len());
+            for (variable, rate) in &change.rates {
+                rates.push((*variable, self.base.times(factor, rate)?));
+            }
+            rates
         };
         let curved = change.curved.clone();
         Ok(Gradient {
@@ -233,7 +243,7 @@ impl<A: Arithmetic> Gradients<A> {
 
     /// A function with this value and this rate, at x.
     fn chain(&self, value: A::Number, rate: &A::Number, x: &Gradient<A::Number>) -> Outcome<A> {
-        let none = self.integer(0);
+        let none = self.base.integer(0);
         let constant = Gradient::constant(none.clone());
         self.combined(value, (rate, x), (&none, &constant), x.variables())
     }
@@ -248,6 +258,10 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
 
     fn rational(&self, value: &Rational) -> Self::Number {
         Gradient::constant(self.base.rational(value))
+    }
+
+    fn integer(&self, n: i64) -> Self::Number {
+        Gradient::constant(self.base.integer(n))
     }
 
     fn pi(&self) -> Self::Number {
@@ -302,7 +316,7 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
             return Ok(Gradient::constant(value));
         }
         // a/b changes by 1/b with a and by -(a/b)/b with b.
-        let one = self.integer(1);
+        let one = self.base.integer(1);
         let with_a = self.base.over(&one, &b.value)?;
         let with_b = self.base.negated(&self.base.over(&value, &b.value)?);
         let curved = union(a.curved(), &b.variables());
@@ -315,7 +329,7 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
             return Ok(Gradient::constant(root));
         }
         let twice = self.base.plus(&root, &root)?;
-        let one = self.integer(1);
+        let one = self.base.integer(1);
         let rate = self.base.over(&one, &twice)?;
         self.chain(root, &rate, a)
     }

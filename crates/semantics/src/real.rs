@@ -241,6 +241,10 @@ impl Arithmetic for Reals<'_> {
         self.bounded(value.clone().into())
     }
 
+    fn integer(&self, n: i64) -> Real {
+        integer(n).into()
+    }
+
     fn pi(&self) -> Real {
         Real::exact(Rational::zero(), Rational::one())
     }

@@ -21,8 +21,9 @@ pub(crate) struct Scope<'s, N> {
 enum Binding<N> {
     Nothing,
     Variable(u32, Value<N>),
-    /// A declared symbol as a variable: its own value plus an infinitesimal, and what is known under it.
-    Symbol(Name, Series<N>, Memory<N>),
+    /// A declared symbol as a variable: its own value plus an infinitesimal, and what is known under it. Boxed, for most
+    /// bindings are of variables.
+    Symbol(Box<(Name, Series<N>, Memory<N>)>),
 }
 
 impl<N: Clone> Scope<'_, N> {
@@ -50,7 +51,8 @@ impl<N: Clone> Scope<'_, N> {
 
     /// A declared symbol has another value, one infinitesimal further in.
     pub(crate) fn changed<'t>(&'t self, name: Name, value: Series<N>) -> Scope<'t, N> {
-        let mut inner = self.inner(Binding::Symbol(name, value, Memory::default()));
+        let symbol = Box::new((name, value, Memory::default()));
+        let mut inner = self.inner(Binding::Symbol(symbol));
         inner.level = self.level + 1;
         inner
     }
@@ -64,7 +66,7 @@ impl<N: Clone> Scope<'_, N> {
 
     pub(crate) fn innermost_symbol(&self) -> Option<&Scope<'_, N>> {
         match &self.binding {
-            Binding::Symbol(..) => Some(self),
+            Binding::Symbol(_) => Some(self),
             _ => self.symbols,
         }
     }
@@ -73,7 +75,10 @@ impl<N: Clone> Scope<'_, N> {
     fn symbols(&self) -> impl Iterator<Item = (&Name, &Series<N>, &Memory<N>)> {
         let scopes = std::iter::successors(self.innermost_symbol(), |scope| scope.symbols);
         scopes.filter_map(|scope| match &scope.binding {
-            Binding::Symbol(name, value, memory) => Some((name, value, memory)),
+            Binding::Symbol(symbol) => {
+                let (name, value, memory) = &**symbol;
+                Some((name, value, memory))
+            }
             _ => None,
         })
     }

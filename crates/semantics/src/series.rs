@@ -9,7 +9,6 @@ use crate::arithmetic::Arithmetic;
 use crate::gap::{Gap, Undefined, Unknown};
 use std::rc::Rc;
 use torse_numbers::Rational;
-use torse_numbers::rational::integer;
 
 /// A number, or a series in the infinitesimal of its level. A copy shares the coefficients.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +37,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
 
     /// The integer n.
     pub fn integer<A: Arithmetic<Number = N>>(n: i64, a: &A) -> Self {
-        Self::rational(&integer(n), a)
+        Self::Number(a.integer(n))
     }
 
     /// `self + e` with the infinitesimal of a level above all of `self`, cut off after `e^order`.
@@ -121,9 +120,11 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         } else {
             (xs, ys)
         };
-        let sums = longer.iter().zip(shorter).map(|(x, y)| x.plus(y, a));
-        let rest = longer.iter().skip(shorter.len()).cloned().map(Ok);
-        let terms = sums.chain(rest).collect::<Result<_, Gap>>()?;
+        let mut terms = Vec::with_capacity(longer.len());
+        for (x, y) in longer.iter().zip(shorter) {
+            terms.push(x.plus(y, a)?);
+        }
+        terms.extend(longer.iter().skip(shorter.len()).cloned());
         Ok(Self::powers(level, terms))
     }
 
@@ -148,8 +149,11 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
             return Ok(Self::Number(a.times(x, y)?));
         }
         let (level, xs, ys) = Self::aligned(self, other);
-        let terms = (0..xs.len().max(ys.len())).map(|k| Self::convolution(xs, ys, 0, k, a));
-        let terms = terms.collect::<Result<_, _>>()?;
+        let length = xs.len().max(ys.len());
+        let mut terms = Vec::with_capacity(length);
+        for k in 0..length {
+            terms.push(Self::convolution(xs, ys, 0, k, a)?);
+        }
         Ok(Self::powers(level, terms))
     }
 
@@ -184,8 +188,9 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         }
         let (level, xs, ys) = Self::aligned(self, other);
         let (leading, none) = (ys.first().ok_or(Unknown::Precision)?, Self::integer(0, a));
-        let mut quotient: Vec<Self> = vec![];
-        for k in 0..xs.len().max(ys.len()) {
+        let length = xs.len().max(ys.len());
+        let mut quotient: Vec<Self> = Vec::with_capacity(length);
+        for k in 0..length {
             let x = xs.get(k).unwrap_or(&none);
             let known = Self::convolution(ys, &quotient, 1, k, a)?;
             quotient.push(x.minus(&known, a)?.over(leading, a)?);
@@ -311,14 +316,15 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         match self {
             Self::Number(x) => a.is_zero(x),
             Self::Powers { terms, .. } => {
-                let found: Vec<Option<bool>> = terms.iter().map(|t| t.is_zero(a)).collect();
-                if found.contains(&Some(false)) {
-                    Some(false)
-                } else if found.contains(&None) {
-                    None
-                } else {
-                    Some(true)
+                let mut all = Some(true);
+                for term in terms.iter() {
+                    match term.is_zero(a) {
+                        Some(false) => return Some(false),
+                        Some(true) => {}
+                        None => all = None,
+                    }
                 }
+                all
             }
         }
     }

@@ -293,6 +293,6 @@ fn undefined_hypothesis(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option
             _ => return None,
         }
     }
-    check_sets(claim, &draft.values()).ok()?;
+    draft.look(|values| check_sets(claim, values)).ok()?;
     undefined
 }

@@ -17,6 +17,7 @@ pub mod derive;
 pub mod engine;
 mod finding;
 pub mod grounds;
+mod meant;
 pub mod mutants;
 pub mod net;
 pub mod outcome;

@@ -13,6 +13,7 @@
 //!
 //! **Corrections** are proofs, with conditions of their own, and judged like proofs.
 
+use crate::meant::Meant;
 use crate::outcome::{BEYOND, Net, Outcome, Sides};
 use crate::{condition, provenance, replay};
 use torse_language::core;
@@ -49,9 +50,18 @@ pub const ALWAYS: Effort = Effort {
     seed: "",
 };
 
-/// Judges the verdict of a claim that has a statement. A contradiction makes it undecided.
-pub fn cast(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
-    match judged(outcome, claim, statement, &ALWAYS) {
+/// Judges the verdict of a claim that has a statement, and has its proof gone through by the checker. What contradicts it
+/// makes the claim undecided.
+pub fn secure(outcome: &mut Outcome, claim: &Claim, statement: &Written, budget: u64) {
+    if let Some(meant) = Meant::new(outcome, claim, statement) {
+        cast(outcome, &meant);
+        replay(outcome, &meant, budget);
+    }
+}
+
+/// Judges the verdict. A contradiction makes it undecided.
+fn cast(outcome: &mut Outcome, meant: &Meant<'_>) {
+    match verdict(outcome, meant, &ALWAYS) {
         None => {}
         Some(Ok(net)) => {
             let correction = net.correction.iter().flat_map(|net| &net.conditions);
@@ -70,11 +80,11 @@ pub fn cast(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
 }
 
 /// Has the proof of a verdict gone through by the checker of proofs. One that it rejects makes the claim undecided.
-pub fn replay(outcome: &mut Outcome, claim: &Claim, statement: &Written, budget: u64) {
+fn replay(outcome: &mut Outcome, meant: &Meant<'_>, budget: u64) {
     if outcome.contradiction.is_some() {
         return;
     }
-    match replay::replayed(outcome, claim, statement, budget) {
+    match replay::replayed(outcome, meant, budget) {
         None => {}
         Some(Ok(replay)) => outcome.replay = Some(replay),
         Some(Err(found)) => contradicted(outcome, found),
@@ -106,13 +116,15 @@ pub fn judged(
     statement: &Written,
     effort: &Effort,
 ) -> Option<Result<Net, String>> {
-    // The proof does without what it was found not to need.
-    let claim = &provenance::without(claim, &provenance::unneeded(claim, outcome));
-    let core = core::Claim::new(claim, statement).ok()?;
+    verdict(outcome, &Meant::new(outcome, claim, statement)?, effort)
+}
+
+/// The same of what a verdict is about.
+fn verdict(outcome: &Outcome, meant: &Meant<'_>, effort: &Effort) -> Option<Result<Net, String>> {
     let case = Case {
-        claim,
-        statement,
-        core: &core,
+        claim: &meant.claim,
+        statement: meant.statement,
+        core: &meant.core,
         seed: format!("{}{}", effort.seed, outcome.id),
         effort,
     };

@@ -4,13 +4,14 @@
 //! rejects is a contradiction: the claim is undecided then. What it cannot follow is not replayed, and says why. A
 //! correction is a proof of its own.
 
+use crate::condition;
 use crate::grounds::Grounds;
+use crate::meant::Meant;
 use crate::outcome::{Outcome, Replay};
-use crate::{condition, provenance};
 use std::sync::Arc;
 use torse_algebra::work;
 use torse_language::core;
-use torse_language::derivation::{Claim, Written};
+use torse_language::derivation::Origin;
 use torse_language::words::Verdict;
 use torse_proof::check::{self, Unchecked, Work};
 use torse_prove::decide::Decision;
@@ -21,16 +22,14 @@ use torse_prove::decide_statement;
 ///
 /// # Errors
 /// What the checker finds wrong.
-pub fn replayed(
+pub(crate) fn replayed(
     outcome: &Outcome,
-    claim: &Claim,
-    statement: &Written,
+    meant: &Meant<'_>,
     budget: u64,
 ) -> Option<Result<Replay, String>> {
     let grounds = outcome.grounds.as_ref()?;
-    // The proof does without what it was found not to need.
-    let claim = &provenance::without(claim, &provenance::unneeded(claim, outcome));
-    let mut replay = match checked(claim, statement, grounds)? {
+    let claim = &meant.claim;
+    let mut replay = match checked(&meant.core, &meant.statement.origin, grounds) {
         Ok(replay) => replay,
         Err(wrong) => return Some(Err(wrong)),
     };
@@ -40,7 +39,8 @@ pub fn replayed(
             let written = condition::written(&correction.statement, &outcome.id)?;
             let decided = work::within(budget, || decide_statement(claim, &written));
             let grounds = Grounds::of(&decided.ok()?.ok()?)?;
-            checked(claim, &written, &grounds)
+            let core = core::Claim::new(claim, &written).ok()?;
+            Some(checked(&core, &written.origin, &grounds))
         };
         let none = || Ok(Replay::beyond("the correction was not proved again"));
         match own().unwrap_or_else(none) {
@@ -51,24 +51,18 @@ pub fn replayed(
     Some(Ok(replay))
 }
 
-/// What the checker says; nothing for a claim that makes no sense.
-fn checked(
-    claim: &Claim,
-    statement: &Written,
-    grounds: &Grounds,
-) -> Option<Result<Replay, String>> {
-    let core = core::Claim::new(claim, statement).ok()?;
+/// What the checker says.
+fn checked(core: &core::Claim, origin: &Origin, grounds: &Grounds) -> Result<Replay, String> {
     let work = Work::new(check::WORK);
-    let origin = &statement.origin;
     let found = match grounds.plain() {
-        Grounds::Proof { conditions, of } => check::proves(&core, origin, &conditions, &of, &work),
-        Grounds::Refutation(refuted) => check::refutes(&core, origin, &refuted, &work),
+        Grounds::Proof { conditions, of } => check::proves(core, origin, &conditions, &of, &work),
+        Grounds::Refutation(refuted) => check::refutes(core, origin, &refuted, &work),
     };
-    Some(match found {
+    match found {
         Ok(()) => Ok(Replay::done()),
         Err(Unchecked::Beyond(why)) => Ok(Replay::beyond(&why.to_string())),
         Err(wrong @ Unchecked::Wrong(_)) => Err(wrong.to_string()),
-    })
+    }
 }
 
 /// Keeps what a decision rests on.

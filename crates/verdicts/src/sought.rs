@@ -70,14 +70,13 @@ pub(crate) fn decided(
     rest_on(outcome, provenance::conditions(own, &weighed.needed));
     if outcome.verdict == Verdict::False {
         without_witness(outcome, claim, statement, budget / 5);
-        if outcome.verdict == Verdict::False {
-            net::cast(outcome, own, statement);
+        if outcome.verdict != Verdict::False {
+            return Ok(());
         }
-        return Ok(());
+    } else {
+        outcome.steps.splice(0..0, steps);
     }
-    outcome.steps.splice(0..0, steps);
-    net::cast(outcome, own, statement);
-    net::replay(outcome, own, statement, budget / 5);
+    net::secure(outcome, own, statement, budget / 5);
     Ok(())
 }
 

@@ -78,8 +78,7 @@ impl<'c> Stage<'c> {
     /// # Errors
     /// A [`DerivationError`] when a formula of the finding does not make sense.
     pub fn complete(self) -> Result<Outcome, Box<DerivationError>> {
-        let (claim, budget) = (self.claim, self.budget);
-        let unread = undecided(&self.paper, claim);
+        let (claim, budget, paper) = (self.claim, self.budget, self.paper);
         let told = catch_unwind(AssertUnwindSafe(|| {
             let mut outcome = self.outcome;
             match self.left {
@@ -107,7 +106,7 @@ impl<'c> Stage<'c> {
             }
             Ok(outcome)
         }));
-        told.unwrap_or_else(|panic| Ok(panicked(unread, &*panic)))
+        told.unwrap_or_else(|panic| Ok(panicked(undecided(&paper, claim), &*panic)))
     }
 }
 
@@ -118,8 +117,7 @@ fn corrected(outcome: &mut Outcome, claim: &Claim, statement: &Written, budget: 
     // A correction that is not found within the budget is none; the verdict stands.
     let _ = work::within(budget / 5, || correct(outcome, claim, statement));
     correction_rests_on(outcome, claim, budget / 5);
-    net::cast(outcome, claim, statement);
-    net::replay(outcome, claim, statement, budget / 5);
+    net::secure(outcome, claim, statement, budget / 5);
 }
 
 /// The verdict of a claim, netted unless it is refuted, and what is left to do.
@@ -177,8 +175,7 @@ fn decided<'c>(
         }
         Err(out) => outcome.steps = vec![out.to_string()],
     }
-    net::cast(&mut outcome, claim, statement);
-    net::replay(&mut outcome, claim, statement, budget / 5);
+    net::secure(&mut outcome, claim, statement, budget / 5);
     Ok((outcome, Left::Nothing))
 }
 

@@ -58,11 +58,14 @@ fn sum(a: &Polynomial, b: &Polynomial, negated: &Integer) -> Polynomial {
     let symbols = common_symbols(a, b);
     let width = symbols.len();
     let (rows_a, rows_b) = (widened(a, &symbols), widened(b, &symbols));
-    let denominator = a.body.denominator.lcm(&b.body.denominator);
-    let (scale_a, scale_b) = (
-        &denominator / &a.body.denominator,
-        &denominator / &b.body.denominator * negated,
-    );
+    let (denominator, scale_a, scale_b) = if a.body.denominator == b.body.denominator {
+        (a.body.denominator.clone(), Integer::ONE, negated.clone())
+    } else {
+        let denominator = a.body.denominator.lcm(&b.body.denominator);
+        let scale_a = &denominator / &a.body.denominator;
+        let scale_b = &denominator / &b.body.denominator * negated;
+        (denominator, scale_a, scale_b)
+    };
     let scaled = |c: &Integer, scale: &Integer| if scale.is_one() { c.clone() } else { c * scale };
     let row = |rows: &'_ [u16], term: usize| term * width..((term + 1) * width).min(rows.len());
     let mut exponents = Vec::with_capacity((a.len() + b.len()) * width);
@@ -177,6 +180,14 @@ impl Polynomial {
             return self.clone();
         }
         let body = &self.body;
+        if denominator.is_one() && body.denominator.is_one() {
+            return Self::new(
+                Arc::clone(&body.symbols),
+                body.exponents.clone(),
+                body.coefficients.iter().map(|c| c * numerator).collect(),
+                Integer::ONE,
+            );
+        }
         let above = numerator.gcd(&body.denominator);
         let below = body.content_within(denominator);
         let factor = numerator / &above;

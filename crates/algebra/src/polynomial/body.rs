@@ -29,9 +29,28 @@ impl Body {
         })
     }
 
+    /// Whether every symbol is seen to occur, which needs no list where they are few.
+    fn all_occur(&self) -> bool {
+        let width = self.symbols.len();
+        if width > u64::BITS as usize {
+            return false;
+        }
+        let all = u64::MAX >> (u64::BITS as usize - width);
+        let mut seen = 0;
+        self.exponents.chunks_exact(width).any(|row| {
+            for (column, exponent) in row.iter().enumerate() {
+                seen |= u64::from(*exponent > 0) << column;
+            }
+            seen == all
+        })
+    }
+
     /// Drops the columns of symbols that do not occur.
     pub(super) fn drop_absent_symbols(&mut self) {
         let width = self.symbols.len();
+        if width == 0 || self.all_occur() {
+            return;
+        }
         let mut occurs = vec![false; width];
         for row in self.rows() {
             if occurs.iter().all(|seen| *seen) {

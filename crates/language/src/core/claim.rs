@@ -5,6 +5,7 @@
 //! unknowns range over all values that satisfy them. What a claim says there is (`exists`) has a witness in its place.
 
 use super::elaborate::Elaborator;
+use super::visited::Visited;
 use super::{Set, Statement, Term, sought};
 use crate::derivation::{self, Origin, Written};
 use crate::fault::Fault;
@@ -105,11 +106,15 @@ impl Claim {
         };
         let mut names: Vec<Arc<str>> = vec![];
         let mut add = |name: &Arc<str>| names.push(Arc::clone(name));
+        // Statements of one claim share the definitions that they use.
+        let mut seen = Visited::default();
         for hypothesis in &hypotheses {
-            hypothesis.statement.declared_names(&mut add);
+            hypothesis.statement.further_names(&mut seen, &mut add);
         }
-        unknowns.iter().for_each(|t| t.declared_names(&mut add));
-        statement.declared_names(&mut add);
+        for unknown in &unknowns {
+            unknown.further_names(&mut seen, &mut add);
+        }
+        statement.further_names(&mut seen, &mut add);
         let mut symbols = elaborator.symbols_of(names.clone());
         let mut bounded: BTreeSet<Arc<str>> = BTreeSet::new();
         // What the ends of a range say may name symbols whose ranges have such ends again.
@@ -123,7 +128,9 @@ impl Claim {
                 let statement = within(&relation)?;
                 let refused = sought::refuse(&claim.sought, &statement.terms());
                 refused.map_err(|f| f.within(&relation.origin))?;
-                statement.declared_names(&mut |name: &Arc<str>| names.push(Arc::clone(name)));
+                statement.further_names(&mut seen, &mut |name: &Arc<str>| {
+                    names.push(Arc::clone(name));
+                });
                 hypotheses.push(Hypothesis {
                     statement,
                     source: Source::Assume,

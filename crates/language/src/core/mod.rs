@@ -13,6 +13,7 @@ mod claim;
 mod elaborate;
 mod roots;
 mod sought;
+mod visited;
 mod walk;
 
 pub use claim::{Claim, Hypothesis, Source};

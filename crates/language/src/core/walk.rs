@@ -1,5 +1,6 @@
 //! Walks over core terms and statements.
 
+use super::visited::Visited;
 use super::{BuiltIn, Family, Node, Statement, Term, Variable};
 use std::sync::Arc;
 
@@ -7,35 +8,41 @@ impl Term {
     /// The direct parts, in the order of the text.
     #[must_use]
     pub fn parts(&self) -> Vec<&Term> {
+        let mut parts = vec![];
+        self.each_part(&mut |part| parts.push(part));
+        parts
+    }
+
+    /// Calls `visit` with each direct part, in the order of the text.
+    fn each_part<'t>(&'t self, visit: &mut impl FnMut(&'t Term)) {
         match &*self.node {
             Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Variable(_) | Node::Vector(..) => {
-                vec![]
             }
             Node::Member(_, items) | Node::List(items) | Node::Apply(_, items) => {
-                items.iter().collect()
+                items.iter().for_each(visit);
             }
             Node::Basis {
                 index,
                 degree,
                 arguments,
                 ..
-            } => [index, degree].into_iter().chain(arguments).collect(),
-            Node::Negative(inner) | Node::Opened { body: inner, .. } => vec![inner],
-            Node::Binary(_, a, b) => vec![a, b],
-            Node::Entry(of, indices) => std::iter::once(of).chain(indices).collect(),
+            } => [index, degree].into_iter().chain(arguments).for_each(visit),
+            Node::Negative(inner) | Node::Opened { body: inner, .. } => visit(inner),
+            Node::Binary(_, a, b) => [a, b].into_iter().for_each(visit),
+            Node::Entry(of, indices) => std::iter::once(of).chain(indices).for_each(visit),
             Node::Sum {
                 low, high, term, ..
             }
             | Node::Product {
                 low, high, term, ..
-            } => vec![low, high, term],
+            } => [low, high, term].into_iter().for_each(visit),
             Node::Integral {
                 low, high, body, ..
-            } => vec![low, high, body],
-            Node::Let { value, body, .. } => vec![value, body],
+            } => [low, high, body].into_iter().for_each(visit),
+            Node::Let { value, body, .. } => [value, body].into_iter().for_each(visit),
             Node::Derivative {
                 order, body, at, ..
-            } => vec![order, body, at],
+            } => [order, body, at].into_iter().for_each(visit),
         }
     }
 
@@ -147,14 +154,14 @@ impl Term {
     /// Whether a built-in function is applied anywhere in the term. Shared parts are visited once.
     #[must_use]
     pub fn applies(&self, function: BuiltIn) -> bool {
-        let mut seen = std::collections::BTreeSet::new();
+        let mut seen = Visited::default();
         let mut pending = vec![self];
         while let Some(term) = pending.pop() {
             if matches!(&*term.node, Node::Apply(applied, _) if *applied == function) {
                 return true;
             }
-            if seen.insert(Arc::as_ptr(&term.node).addr()) {
-                pending.extend(term.parts());
+            if seen.is_new(term) {
+                term.each_part(&mut |part| pending.push(part));
             }
         }
         false
@@ -172,11 +179,11 @@ impl Term {
     }
 
     fn is_bound(&self, mut bound: std::collections::BTreeSet<u32>) -> bool {
-        let mut seen = std::collections::BTreeSet::new();
+        let mut seen = Visited::default();
         let mut used = vec![];
         let mut pending = vec![self];
         while let Some(term) = pending.pop() {
-            if !seen.insert(Arc::as_ptr(&term.node).addr()) {
+            if !seen.is_new(term) {
                 continue;
             }
             match &*term.node {
@@ -192,7 +199,7 @@ impl Term {
                 Node::Basis { family, .. } if !family.closed => return false,
                 _ => {}
             }
-            pending.extend(term.parts());
+            term.each_part(&mut |part| pending.push(part));
         }
         // No two binders have the same variable.
         used.iter().all(|variable| bound.contains(variable))
@@ -201,22 +208,25 @@ impl Term {
     /// Calls `found` with the name of every declared symbol that occurs, those of the seeds and steps of basis families
     /// included. Shared parts are visited once.
     pub fn declared_names(&self, found: &mut impl FnMut(&Arc<str>)) {
-        let mut seen = std::collections::BTreeSet::new();
-        let mut pending = vec![self.clone()];
+        self.further_names(&mut Visited::default(), found);
+    }
+
+    /// The same of the parts that were not visited before.
+    pub(super) fn further_names(&self, seen: &mut Visited, found: &mut impl FnMut(&Arc<str>)) {
+        let mut pending = vec![self];
         while let Some(term) = pending.pop() {
-            if !seen.insert(Arc::as_ptr(&term.node).addr()) {
+            if !seen.is_new(term) {
                 continue;
             }
             match &*term.node {
                 Node::Symbol(name) | Node::Vector(name, _) => found(name),
                 Node::Member(points, _) => found(&points.name),
                 Node::Basis { family, .. } => {
-                    pending.extend(family.seeds.iter().cloned());
-                    pending.extend([family.step.0.clone(), family.step.1.clone()]);
+                    pending.extend(family.seeds.iter().chain([&family.step.0, &family.step.1]));
                 }
                 _ => {}
             }
-            pending.extend(term.parts().into_iter().cloned());
+            term.each_part(&mut |part| pending.push(part));
         }
     }
 }
@@ -303,24 +313,29 @@ impl Statement {
     /// Calls `found` with the name of every declared symbol that occurs; for a property of a basis, with those of the
     /// names of its variables, whose declared sets it is about.
     pub fn declared_names(&self, found: &mut impl FnMut(&Arc<str>)) {
+        self.further_names(&mut Visited::default(), found);
+    }
+
+    /// The same of the terms that were not visited before.
+    pub(super) fn further_names(&self, seen: &mut Visited, found: &mut impl FnMut(&Arc<str>)) {
         match self {
             Self::Family(_, family) => {
                 for variable in &family.variables {
                     found(&variable.name);
                 }
                 let parts = family.seeds.iter().chain([&family.step.0, &family.step.1]);
-                parts.for_each(|part| part.declared_names(found));
+                parts.for_each(|part| part.further_names(seen, found));
             }
             Self::Join(_, a, b) => {
-                a.declared_names(found);
-                b.declared_names(found);
+                a.further_names(seen, found);
+                b.further_names(seen, found);
             }
-            Self::Not(inner) => inner.declared_names(found),
-            Self::Compare { .. } | Self::Agrees { .. } => {
-                self.terms()
-                    .into_iter()
-                    .for_each(|t| t.declared_names(found));
+            Self::Not(inner) => inner.further_names(seen, found),
+            Self::Compare { left, right, .. } => {
+                left.further_names(seen, found);
+                right.further_names(seen, found);
             }
+            Self::Agrees { value, .. } => value.further_names(seen, found),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Order, equality and hash.
 
-use super::Rational;
+use super::{Rational, words};
 use num_traits::Signed;
 use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
@@ -24,6 +24,9 @@ impl Hash for Rational {
 
 impl Ord for Rational {
     fn cmp(&self, other: &Self) -> Ordering {
+        if let Some(order) = words::cmp(self, other) {
+            return order;
+        }
         // Denominators are positive: the signs are those of the numerators.
         if self.denom() == other.denom() || self.is_negative() != other.is_negative() {
             return self.numer().cmp(other.numer());

@@ -6,6 +6,7 @@
 
 use super::{Integer, Rational};
 use num_integer::Integer as _;
+use std::cmp::Ordering;
 
 /// Numerator and denominator; the smallest numerator, which has no negative, is left to the general operations.
 fn words(q: &Rational) -> Option<(i64, i64)> {
@@ -83,6 +84,12 @@ pub(super) fn div(x: &Rational, y: &Rational) -> Option<Rational> {
     Some(product(words(x)?, inverse))
 }
 
+/// How they compare, if both numbers are short: denominators are positive.
+pub(super) fn cmp(x: &Rational, y: &Rational) -> Option<Ordering> {
+    let ((a, b), (c, d)) = (words(x)?, words(y)?);
+    Some((i128::from(a) * i128::from(d)).cmp(&(i128::from(c) * i128::from(b))))
+}
+
 /// Remainders are left to the inner type.
 pub(super) fn rem(_: &Rational, _: &Rational) -> Option<Rational> {
     None
@@ -122,6 +129,8 @@ mod tests {
             prop_assert!(same(add(&x, &y), inner(&x.0 + &y.0)));
             prop_assert!(same(sub(&x, &y), inner(&x.0 - &y.0)));
             prop_assert!(same(mul(&x, &y), inner(&x.0 * &y.0)));
+            let across = (x.numer() * y.denom()).cmp(&(y.numer() * x.denom()));
+            prop_assert_eq!(x.cmp(&y), across);
             if *y.numer() != Integer::ZERO {
                 prop_assert!(same(div(&x, &y), inner(&x.0 / &y.0)));
             }

@@ -25,6 +25,8 @@ type Part = (Value, u64);
 /// Free variables by the address of a term, values by that and by whether it stands in an angle.
 #[derive(Default)]
 pub(super) struct Memory {
+    /// The free variables of what has none.
+    none: Rc<BTreeSet<u32>>,
     free: RefCell<BTreeMap<usize, Free>>,
     values: RefCell<BTreeMap<(usize, bool), Vec<Remembered>>>,
     parts: RefCell<BTreeMap<(usize, bool), Part>>,
@@ -39,6 +41,9 @@ impl Memory {
 
     /// The numbers of the variables that a term takes from outside.
     fn free(&self, term: &Term) -> Rc<BTreeSet<u32>> {
+        if let Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Vector(..) = &*term.node {
+            return Rc::clone(&self.none);
+        }
         let address = Arc::as_ptr(&term.node).addr();
         if let Some((_, known)) = self.free.borrow().get(&address) {
             return Rc::clone(known);

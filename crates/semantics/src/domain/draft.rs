@@ -134,6 +134,11 @@ impl<'a> Draft<'a> {
             .all(|name| determined.contains(name))
     }
 
+    /// What is seen of all numbers drawn so far, while none is drawn.
+    pub fn look<T>(&self, at: impl FnOnce(&BTreeMap<Name, Real>) -> T) -> T {
+        at(&self.values.borrow())
+    }
+
     /// All numbers drawn so far.
     pub fn values(&self) -> BTreeMap<Name, Real> {
         self.values.borrow().clone()

@@ -9,6 +9,7 @@ use crate::gap::Gap;
 use crate::gradient::{Gradient, Gradients};
 use crate::name::Name;
 use num_traits::Zero;
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_language::core::{Claim, Set, Term};
 use torse_numbers::Rational;
@@ -27,38 +28,55 @@ pub(crate) fn expanded<A: Arithmetic>(
     moves: &dyn Fn(&Name) -> bool,
 ) -> Result<Expanded<A::Number>, Gap> {
     let gradients = Gradients::new(base);
+    let known = RefCell::new(BTreeMap::new());
     let values = |name: &Name| {
+        if let Some(gradient) = known.borrow().get(name) {
+            return Some(Gradient::clone(gradient));
+        }
         let value = value(name)?;
-        Some(match moves(name) {
+        let gradient = match moves(name) {
             true => gradients.variable(name, value),
             false => Gradient::constant(value),
-        })
+        };
+        known.borrow_mut().insert(name.clone(), gradient.clone());
+        Some(gradient)
     };
-    let at = Evaluator::new(&gradients, &values);
     let slope = |gap: &Gradient<A::Number>| Slope {
         value: gap.value.clone(),
         rates: gradients.rates(gap),
         curved: gradients.curved(gap),
     };
+    let gaps = differences(terms, &gradients, &values)?;
+    let discrete = gradients.discrete();
+    Ok(Expanded {
+        gaps: gaps.iter().map(slope).collect(),
+        discrete,
+    })
+}
+
+/// The values of terms, or of the differences of two: what [`expanded`] finds where nothing moves, for less.
+///
+/// # Errors
+/// Where a term has no value, or none that is known.
+pub(crate) fn differences<A: Arithmetic>(
+    terms: &[(&Term, Option<&Term>)],
+    a: &A,
+    value: &dyn Fn(&Name) -> Option<A::Number>,
+) -> Result<Vec<A::Number>, Gap> {
+    let at = Evaluator::new(a, value);
     let mut gaps = vec![];
     for (left, right) in terms {
         let left = at.value(left)?;
         match right {
-            None => gaps.extend(
-                left.numbers()
-                    .iter()
-                    .filter_map(|x| x.as_number())
-                    .map(slope),
-            ),
+            None => gaps.extend(left.numbers().iter().filter_map(|x| x.as_number()).cloned()),
             Some(right) => {
-                for (x, y) in left.pairs(&at.value(right)?, &gradients)? {
-                    gaps.extend(x.minus(&y, &gradients)?.as_number().map(slope));
+                for (x, y) in left.pairs(&at.value(right)?, a)? {
+                    gaps.extend(x.minus(&y, a)?.as_number().cloned());
                 }
             }
         }
     }
-    let discrete = gradients.discrete();
-    Ok(Expanded { gaps, discrete })
+    Ok(gaps)
 }
 
 /// A number that may be changed, with the first derivatives of all gaps by it.

@@ -128,8 +128,8 @@ pub(crate) fn completed(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option
         work,
     };
     // The sets first: they cost nothing.
-    check_sets(claim, &draft.values()).ok()?;
+    draft.look(|values| check_sets(claim, values)).ok()?;
     check_hypotheses(&judge, |h| !near && is_equations(h)).ok()?;
-    check_sets(claim, &draft.values()).ok()?;
+    draft.look(|values| check_sets(claim, values)).ok()?;
     (!draft.empty.get()).then_some(near)
 }

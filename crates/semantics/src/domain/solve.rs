@@ -6,10 +6,9 @@
 //! solved after the other. Else the numbers are rounded to many digits and the point satisfies the equations nearly.
 
 use super::draft::Draft;
-use super::newton::{changes, expanded};
+use super::newton::{changes, differences, expanded};
 use crate::arithmetic::Arithmetic;
 use crate::evaluate::Evaluator;
-use crate::expansion::Slope;
 use crate::gap::Work;
 use crate::name::Name;
 use crate::real::{Real, Reals, length};
@@ -105,11 +104,12 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
     let expanded = |moves: &dyn Fn(&Name) -> bool| {
         expanded(&equations, Reals { bits: BITS, work }, &value, moves).ok()
     };
+    let values = || differences(&equations, &Reals { bits: BITS, work }, &value).ok();
     let mut rounded = false;
     // What one step determined, where all equations are linear.
     let mut determined: Option<Vec<Name>> = None;
     for round in 0..ROUNDS {
-        let found = |gaps: &[Slope<Real>]| {
+        let found = |gaps: &[&Real]| {
             solved(gaps, rounded).map(|solved| match solved {
                 Solved::Exactly => solved,
                 Solved::Nearly => snapped(&equations, draft, work).unwrap_or(solved),
@@ -118,7 +118,7 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         // The values alone cost a fraction of the rates, which are not needed where the equations hold. Numbers that
         // were drawn by chance do not satisfy them.
         if round > 0
-            && let Some(solved) = found(&expanded(&|_| false)?.gaps)
+            && let Some(solved) = found(&values()?.iter().collect::<Vec<_>>())
         {
             if round == 1 && solved == Solved::Exactly {
                 draft.determine(determined.into_iter().flatten());
@@ -127,7 +127,8 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         }
         // The unknowns alone mostly suffice.
         let some = expanded(&|name| unknowns.contains(name))?;
-        if let Some(solved) = found(&some.gaps) {
+        let gaps: Vec<&Real> = some.gaps.iter().map(|gap| &gap.value).collect();
+        if let Some(solved) = found(&gaps) {
             return Some(solved);
         }
         let reals = Reals { bits: BITS, work };
@@ -180,8 +181,8 @@ pub(crate) fn unknowns(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<
 }
 
 /// How the equations hold, if they do.
-fn solved(gaps: &[Slope<Real>], rounded: bool) -> Option<Solved> {
-    if gaps.iter().all(|g| g.value.sign() == Some(Ordering::Equal)) {
+fn solved(gaps: &[&Real], rounded: bool) -> Option<Solved> {
+    if gaps.iter().all(|g| g.sign() == Some(Ordering::Equal)) {
         return Some(if rounded {
             Solved::Nearly
         } else {
@@ -189,7 +190,7 @@ fn solved(gaps: &[Slope<Real>], rounded: bool) -> Option<Solved> {
         });
     }
     gaps.iter()
-        .all(|gap| is_near(&gap.value))
+        .all(|gap| is_near(gap))
         .then_some(Solved::Nearly)
 }
 
@@ -206,10 +207,10 @@ fn snapped(equations: &[(&Term, Option<&Term>)], draft: &Draft<'_>, work: &Work)
         }
     }
     let value = |name: &Name| draft.value(name);
-    let found = expanded(equations, Reals { bits: BITS, work }, &value, &|_| false);
-    let exact = found.is_ok_and(|found| {
-        let mut gaps = found.gaps.iter();
-        gaps.all(|gap| gap.value.sign() == Some(Ordering::Equal))
+    let found = differences(equations, &Reals { bits: BITS, work }, &value);
+    let exact = found.is_ok_and(|gaps| {
+        let mut gaps = gaps.iter();
+        gaps.all(|gap| gap.sign() == Some(Ordering::Equal))
     });
     if exact {
         return Some(Solved::Exactly);

@@ -34,7 +34,8 @@ pub(crate) fn drawn<'d, 'a>(claim: &Claim, draft: &'d Draft<'a>, work: &Work) ->
         return not_covered();
     }
     // The sets first: they cost nothing.
-    if check_sets(claim, &draft.values()).is_err() {
+    let outside = || draft.look(|values| check_sets(claim, values)).is_err();
+    if outside() {
         return Drawn::Outside;
     }
     let judge = Judge {
@@ -52,7 +53,7 @@ pub(crate) fn drawn<'d, 'a>(claim: &Claim, draft: &'d Draft<'a>, work: &Work) ->
             Judgement::Unknown(why) => return Drawn::Unknown(why),
         }
     }
-    if check_sets(claim, &draft.values()).is_err() || draft.empty.get() {
+    if outside() || draft.empty.get() {
         return Drawn::Outside;
     }
     Drawn::Inside(point)

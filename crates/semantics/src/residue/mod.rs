@@ -98,6 +98,10 @@ impl Arithmetic for Residues<'_> {
         field::residue(value).map_or(Residue::Missing, Residue::Class)
     }
 
+    fn integer(&self, n: i64) -> Residue {
+        Residue::Class(field::integer(n))
+    }
+
     fn pi(&self) -> Residue {
         Residue::Class(PI)
     }

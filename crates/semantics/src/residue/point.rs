@@ -2,7 +2,7 @@
 
 use super::{Residue, Residues};
 use crate::domain::draft::Draft;
-use crate::domain::newton::{changes, expanded};
+use crate::domain::newton::{changes, differences, expanded};
 use crate::domain::solve::{equations, unknowns};
 use crate::gap::Work;
 use crate::name::Name;
@@ -65,8 +65,8 @@ impl<'d, 'a> Point<'d, 'a> {
         for round in 0..ROUNDS {
             // The values alone cost a fraction of the rates; numbers that were drawn by chance do not satisfy equations.
             if round > 0 {
-                let values = expanded(&|_| false)?;
-                if values.gaps.iter().all(|gap| holds(&gap.value)) {
+                let values = differences(&equations, &a, &value).ok()?;
+                if values.iter().all(&holds) {
                     return Some(());
                 }
             }
