@@ -24,6 +24,8 @@ fn least_seconded(kind: Kind) -> u64 {
     match kind {
         Kind::Logic => 60,
         Kind::Properties => 75,
+        // Integrals of products take more work than a point may.
+        Kind::Integrals => 60,
         _ => 92,
     }
 }
