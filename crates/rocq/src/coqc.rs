@@ -1,6 +1,7 @@
 //! Running `coqc`, with limits of time and memory, on a scratch copy of a folder of proofs.
 
 use crate::check::{self, PROOFS};
+use crate::closed::CLOSED;
 use crate::digest::Digest;
 use crate::folder::{ACCEPTED, CHECK, Folder, Theorem};
 use crate::library::LIBRARY;
@@ -268,7 +269,11 @@ impl Coqc {
                 .map(|t| (t.name(), reason.clone()))
                 .collect());
         }
-        let path = format!("{section}_proofs.v");
+        if let Err(reason) = self.closed_forms(folder, section, scratch, limits)? {
+            let rejected = |t: &&Theorem| (t.name(), Answer::Rejected(reason.clone()));
+            return Ok(theorems.iter().map(rejected).collect());
+        }
+        let path = format!("{section}{PROOFS}");
         let proofs = self.run(scratch, &path, limits)?;
         if proofs.status.success() {
             return Ok(theorems
@@ -294,6 +299,25 @@ impl Coqc {
             answers.push((theorem.name(), answer));
         }
         Ok(answers)
+    }
+
+    /// Compiles the closed forms of the definitions of a section, where there are any; what is wrong with them.
+    pub(crate) fn closed_forms(
+        &self,
+        folder: &Folder,
+        section: &str,
+        scratch: &Path,
+        limits: Limits,
+    ) -> Result<Result<(), String>, CheckError> {
+        let path = format!("{section}{CLOSED}");
+        if !folder.files.contains_key(&path) {
+            return Ok(Ok(()));
+        }
+        let run = self.run(scratch, &path, limits)?;
+        Ok(match run.status.success() {
+            true => Ok(()),
+            false => Err(first_lines(&run.text)),
+        })
     }
 
     /// Runs the program on one file of the scratch folder.

@@ -16,6 +16,7 @@
 //!
 //! Every theorem with premises has a second one, `met`: values at which all premises are true.
 
+use crate::by_hand;
 use crate::point::{Choice, first_values, point, solved_point, value_at};
 use crate::solved::{Known, bound, known, value};
 use crate::task::{Evidence, Goal, Role};
@@ -41,7 +42,13 @@ pub const OTHERS: [&str; 3] = ["combined", "determined", "at_points"];
 #[must_use]
 pub fn scripts(goal: &Goal, which: usize) -> Option<Vec<Script>> {
     let Some(place) = which.checked_sub(1) else {
-        return Some(first_scripts(goal));
+        let mut scripts = first_scripts(goal);
+        for script in &mut scripts {
+            if let Some(tactics) = by_hand::tactics(goal, script.name) {
+                script.tactics = tactics.to_owned();
+            }
+        }
+        return Some(scripts);
     };
     let other = OTHERS.get(place)?;
     let mut scripts = first_scripts(goal);
