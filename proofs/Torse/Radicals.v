@@ -20,3 +20,35 @@ Lemma less_square a b : 0 <= b -> a * a <= b * b -> a <= b.
 Proof. intros; nra. Qed.
 Lemma below_square a b : 0 <= b -> a * a < b * b -> a < b.
 Proof. intros; nra. Qed.
+
+(* ---- lengths in space ---- *)
+Ltac squares := repeat apply Rplus_le_le_0_compat; first [apply Rle_0_sqr | lra].
+Lemma unit_root a b c : sqrt (a * a + (b * b + (c * c + 0))) <> 0 ->
+  sqrt (a / sqrt (a * a + (b * b + (c * c + 0))) * (a / sqrt (a * a + (b * b + (c * c + 0)))) +
+    (b / sqrt (a * a + (b * b + (c * c + 0))) * (b / sqrt (a * a + (b * b + (c * c + 0)))) +
+    (c / sqrt (a * a + (b * b + (c * c + 0))) * (c / sqrt (a * a + (b * b + (c * c + 0)))) + 0))) = 1.
+Proof.
+  assert (E : sqrt (a * a + (b * b + (c * c + 0))) * sqrt (a * a + (b * b + (c * c + 0))) = a * a + (b * b + (c * c + 0)))
+    by (apply sqrt_sqrt; squares).
+  revert E. generalize (sqrt (a * a + (b * b + (c * c + 0)))). intros w E N.
+  replace (a / w * (a / w) + (b / w * (b / w) + (c / w * (c / w) + 0)))
+    with ((a * a + (b * b + (c * c + 0))) / (w * w)) by (field; exact N).
+  rewrite <- E. replace (w * w / (w * w)) with 1 by (field; exact N). apply sqrt_1.
+Qed.
+Lemma triangle a b c d e f :
+  sqrt ((a + d) * (a + d) + ((b + e) * (b + e) + ((c + f) * (c + f) + 0))) <=
+  sqrt (a * a + (b * b + (c * c + 0))) + sqrt (d * d + (e * e + (f * f + 0))).
+Proof.
+  assert (E : sqrt (a * a + (b * b + (c * c + 0))) * sqrt (a * a + (b * b + (c * c + 0))) = a * a + (b * b + (c * c + 0)))
+    by (apply sqrt_sqrt; squares).
+  assert (F : sqrt (d * d + (e * e + (f * f + 0))) * sqrt (d * d + (e * e + (f * f + 0))) = d * d + (e * e + (f * f + 0)))
+    by (apply sqrt_sqrt; squares).
+  assert (P := sqrt_pos (a * a + (b * b + (c * c + 0)))). assert (Q := sqrt_pos (d * d + (e * e + (f * f + 0)))).
+  apply less_square; [lra|]. rewrite sqrt_sqrt by squares. revert E F P Q.
+  generalize (sqrt (a * a + (b * b + (c * c + 0)))) (sqrt (d * d + (e * e + (f * f + 0)))). intros v w E F P Q.
+  assert (C : a * d + b * e + c * f <= v * w).
+  { apply less_square; [nra|]. replace (v * w * (v * w)) with ((v * v) * (w * w)) by ring. rewrite E, F.
+    pose proof (pow2_ge_0 (a * e - b * d)). pose proof (pow2_ge_0 (a * f - c * d)). pose proof (pow2_ge_0 (b * f - c * e)).
+    lra. }
+  lra.
+Qed.

@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 16] = [
+pub const LIBRARY: [(&str, &str); 17] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -59,5 +59,9 @@ pub const LIBRARY: [(&str, &str); 16] = [
     (
         "Torse/Radicals.v",
         include_str!("../../../proofs/Torse/Radicals.v"),
+    ),
+    (
+        "Torse/Bernstein.v",
+        include_str!("../../../proofs/Torse/Bernstein.v"),
     ),
 ];
