@@ -84,6 +84,8 @@ Ltac closed_at D l := let E := fresh in
 Ltac known_form D E := pose proof (closed (d := D)) as E; cbv beta in E.
 Ltac stage D :=
   let E := fresh "stage" in first [ known_form D E | eassert (E : D = _) by closing D ].
+Ltac stage_at D l :=
+  let E := fresh "stage" in first [ known_form D E | eassert (E : D = _) by (arguments; cases D l) ].
 (* the last definition is unfolded where it stands, and only what is left of it is looked at *)
 Ltac staged_goal D := let E := fresh "stage" in first
   [ known_form D E; staged; cbv beta iota zeta delta [row entry nth pred]

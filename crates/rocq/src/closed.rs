@@ -13,9 +13,9 @@ pub(crate) const CLOSED: &str = "_closed.v";
 pub fn staged<'t>(scripts: impl IntoIterator<Item = &'t str>) -> BTreeSet<&'t str> {
     let mut names = BTreeSet::new();
     for script in scripts {
-        for word in ["stage ", "staged_goal "] {
+        for word in ["stage ", "stage_at ", "staged_goal "] {
             let parts = script.split(word).skip(1);
-            names.extend(parts.filter_map(|part| part.split(';').next()));
+            names.extend(parts.filter_map(|part| part.split([';', ' ']).next()));
         }
     }
     names
@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn the_definitions_of_scripts_are_found() {
-        let names = staged(["cbv; stage p; stage q'; staged_goal r; identity", "ring"]);
+        let names = staged(["cbv; stage p; stage_at q' [0; 1]%Z; staged_goal r; identity", "ring"]);
         assert_eq!(names.into_iter().collect::<Vec<_>>(), ["p", "q'", "r"]);
     }
 }

@@ -138,19 +138,9 @@ impl Shared {
     /// Finds the literal integers that stand as last arguments.
     fn applied(&mut self, goals: &[Goal]) {
         for definition in &mut self.definitions {
-            let head = definition.text.lines().next().unwrap_or("");
-            if !head.contains(" : Z) : ") || !definition.text.contains("Derive") {
-                continue;
-            }
-            let arguments = head.matches(" (").count();
             for goal in goals {
-                let own = goal.proposition.definitions.iter().map(|(_, text)| text);
-                let statement = goal.proposition.universal();
-                for text in own.chain([&statement]) {
-                    definition
-                        .at
-                        .extend(last_arguments(text, &definition.name, arguments));
-                }
+                let at = literals(goal, &definition.name, &definition.text);
+                definition.at.extend(at);
             }
         }
     }
@@ -181,6 +171,23 @@ impl Shared {
             texts.collect::<String>()
         )
     }
+}
+
+/// The literal integers that a definition is applied to in a goal, where its last argument is an integer on which a
+/// derivative may depend.
+#[must_use]
+pub fn literals(goal: &Goal, name: &str, text: &str) -> BTreeSet<u64> {
+    let head = text.lines().next().unwrap_or("");
+    if !head.contains(" : Z) : ") || !text.contains("Derive") {
+        return BTreeSet::new();
+    }
+    let arguments = head.matches(" (").count();
+    let own = goal.proposition.definitions.iter().map(|(_, text)| text);
+    let statement = goal.proposition.universal();
+    let texts = own.chain([&statement]);
+    texts
+        .flat_map(|text| last_arguments(text, name, arguments))
+        .collect()
 }
 
 /// The literal integers that stand behind a name and its other arguments.
