@@ -160,3 +160,13 @@ Proof.
   - intro t. cbv beta iota delta [ev]. apply one_of_one. lia.
   - cbv beta iota delta [ok]. repeat split.
 Qed.
+Theorem binomial_form k x Q : (2 <= k)%Z ->
+  sum 0 (k - 2) (fun i => binom (IZR k - 2) i * powerRZ x i * powerRZ (1 - x) (k - 2 - i) * Q i) =
+  pw (1 - x) x (Z.to_nat (k - 2)) Q.
+Proof.
+  intro H. transitivity (sum 0 (k - 2) (fun i => basis (1 - x) x [1] i (k - 2) * Q i)).
+  - rewrite curve_bernstein. rewrite minus_IZR. reflexivity.
+  - rewrite curve1 by lia. apply pw_ext. intro. unfold seed3. ring.
+Qed.
+Lemma from_one k f : sum 1 (k - 1) f = sum 0 (k - 2) (fun i => f (i + 1)%Z).
+Proof. rewrite <- (sum_shift 0 (k - 2) 1 f). f_equal; lia. Qed.

@@ -34,3 +34,45 @@ Ltac back := repeat match goal with x : _ |- _ => revert x end.
 Ltac alone := back; first
   [ solve [symbolic] | solve [by_form] | solve [ordered] | solve [identity] | solve [combined] | solve [computed; intros; nra] ].
 Ltac mixed := cbv zeta; intros; conjuncts; alone.
+
+(* ---- rational arcs at the parameter of an angle ---- *)
+Lemma half_cos q : cos (PI * q) = cos (PI / 2 * q) ^ 2 - sin (PI / 2 * q) ^ 2.
+Proof. replace (PI * q) with (2 * (PI / 2 * q)) by field. rewrite cos_2a. ring. Qed.
+Lemma half_sin q : sin (PI * q) = 2 * sin (PI / 2 * q) * cos (PI / 2 * q).
+Proof. replace (PI * q) with (2 * (PI / 2 * q)) by field. apply sin_2a. Qed.
+Lemma arc s c : s ^ 2 + c ^ 2 = 1 -> s + c <> 0 ->
+  2 * (s / (s + c)) ^ 2 - 2 * (s / (s + c)) + 1 = 1 / (s + c) ^ 2.
+Proof.
+  intros E N. replace (2 * (s / (s + c)) ^ 2 - 2 * (s / (s + c)) + 1) with ((s ^ 2 + c ^ 2) / (s + c) ^ 2)
+    by (field; exact N). rewrite E. reflexivity.
+Qed.
+Lemma arc_cos s c : s ^ 2 + c ^ 2 = 1 -> s + c <> 0 ->
+  (1 - 2 * (s / (s + c))) / (2 * (s / (s + c)) ^ 2 - 2 * (s / (s + c)) + 1) = c ^ 2 - s ^ 2.
+Proof. intros E N. rewrite (arc s c E N). field. exact N. Qed.
+Lemma arc_sin s c : s ^ 2 + c ^ 2 = 1 -> s + c <> 0 ->
+  (2 * (s / (s + c)) - 2 * (s / (s + c)) ^ 2) / (2 * (s / (s + c)) ^ 2 - 2 * (s / (s + c)) + 1) = 2 * s * c.
+Proof. intros E N. rewrite (arc s c E N). field. exact N. Qed.
+Lemma arc_cos' s c : s ^ 2 + c ^ 2 = 1 -> s + c <> 0 ->
+  (1 - 2 * (s / (s + c))) / (1 / (s + c) ^ 2) = c ^ 2 - s ^ 2.
+Proof. intros E N. field. exact N. Qed.
+Lemma arc_range q : 0 <= q <= 1 -> sin (PI / 2 * q) + cos (PI / 2 * q) <> 0 ->
+  0 <= sin (PI / 2 * q) / (sin (PI / 2 * q) + cos (PI / 2 * q)) /\
+  sin (PI / 2 * q) / (sin (PI / 2 * q) + cos (PI / 2 * q)) <= 1.
+Proof.
+  intros Q N. pose proof (quarter_sine q Q) as S. pose proof (quarter_cosine q Q) as C.
+  assert (P : 0 < sin (PI / 2 * q) + cos (PI / 2 * q)) by lra. split.
+  - apply Rmult_le_pos; [lra|]. left. apply Rinv_0_lt_compat, P.
+  - apply Rmult_le_reg_r with (sin (PI / 2 * q) + cos (PI / 2 * q)); [exact P|].
+    unfold Rdiv. rewrite Rmult_assoc, Rinv_l by exact N. lra.
+Qed.
+Lemma arc_rate q : sin (PI / 2 * q) + cos (PI / 2 * q) <> 0 ->
+  Derive_n (fun q => sin (PI / 2 * q) / (sin (PI / 2 * q) + cos (PI / 2 * q))) 1 q > 0.
+Proof.
+  intro N. derivative.
+  match goal with |- ?v > 0 => replace v with (PI / 2 / (sin (PI / 2 * q) + cos (PI / 2 * q)) ^ 2) end.
+  - apply Rlt_gt. apply Rmult_lt_0_compat; [pose proof PI_RGT_0; lra|]. apply Rinv_0_lt_compat.
+    assert (0 < (sin (PI / 2 * q) + cos (PI / 2 * q)) * (sin (PI / 2 * q) + cos (PI / 2 * q))) by (apply Rsqr_pos_lt; exact N).
+    cbn [pow]. lra.
+  - pose proof (square_sum (PI / 2 * q)) as E. revert E N. generalize (sin (PI / 2 * q)) (cos (PI / 2 * q)). intros s c E N.
+    apply circle_rule in E. field_simplify_eq; [ring [E] | exact N].
+Qed.

@@ -27,10 +27,12 @@ Ltac value := match goal with |- ?t = _ =>
 Definition by_case {T : Type} (z n : Z) (a b : T) : T := if Z.eqb n z then a else b.
 Lemma cases_of {T : Type} (z n : Z) (x a b : T) : (n = z -> x = a) -> (n <> z -> x = b) -> x = by_case z n a b.
 Proof. intros A B. unfold by_case. destruct (Z.eqb_spec n z); auto. Qed.
-(* those that are known in closed form; a pattern with the constant in it would match whatever is convertible to it *)
-Ltac staged := repeat match goal with
-  | E : ?c = _ |- _ => is_const c; rewrite E; cbv beta; cbv beta iota delta [by_case Z.eqb Pos.eqb]
+(* those that are known in closed form. A second occurrence of a variable of a pattern, and a failing rewrite, would compare
+   all subterms up to conversion: the constant is looked for as it stands. *)
+Ltac put_form c E := lazymatch goal with
+  | |- context [c] => rewrite E; cbv beta; cbv beta iota delta [by_case Z.eqb Pos.eqb]
   end.
+Ltac staged := repeat match goal with E : ?c = _ |- _ => is_const c; put_form c E end.
 Ltac on_left := match goal with |- ?t = ?v => let u := whole t in change (u = v) end.
 (* [t = ?v]: the closed form of t, or t itself where none is found *)
 Ltac divided t := match t with

@@ -153,12 +153,7 @@ impl Prove {
         mut unproved: Unproved,
         mut chosen: Chosen,
     ) -> Result<(Unproved, Chosen), Failure> {
-        let all = Folder::with_scripts(
-            findings,
-            &BTreeMap::new(),
-            &BTreeMap::new(),
-            self.layout(),
-        );
+        let all = Folder::with_scripts(findings, &BTreeMap::new(), &BTreeMap::new(), self.layout());
         let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
         // Without names this run knows all there is.
         let kept = |name: &String| !self.names.is_empty() || own.contains(name);

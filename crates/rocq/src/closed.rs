@@ -68,7 +68,10 @@ mod tests {
 
     #[test]
     fn the_definitions_of_scripts_are_found() {
-        let names = staged(["cbv; stage p; stage_at q' [0; 1]%Z; staged_goal r; identity", "ring"]);
+        let names = staged([
+            "cbv; stage p; stage_at q' [0; 1]%Z; staged_goal r; identity",
+            "ring",
+        ]);
         assert_eq!(names.into_iter().collect::<Vec<_>>(), ["p", "q'", "r"]);
     }
 }

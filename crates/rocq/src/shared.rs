@@ -93,7 +93,9 @@ impl Shared {
                     .filter(|own| !decided.contains(own.name))
             };
             let ready = |name: &str| {
-                let mut uses = left().filter(|own| own.name == name).flat_map(|own| &own.uses);
+                let mut uses = left()
+                    .filter(|own| own.name == name)
+                    .flat_map(|own| &own.uses);
                 uses.all(|used| *used == name || decided.contains(used))
             };
             let Some(name) = left().map(|own| own.name).find(|name| ready(name)) else {

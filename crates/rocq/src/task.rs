@@ -166,7 +166,9 @@ fn goal(
     let core = core::Claim::elaborated(&elaborator, claim, statement).map_err(|f| unread(&f))?;
     let rooted = core.rooted(&statement.origin).map_err(|f| unread(&f))?;
     let hypotheses = core.hypotheses.iter().map(|h| &h.statement);
-    let mut terms = hypotheses.chain([&core.statement]).flat_map(Statement::terms);
+    let mut terms = hypotheses
+        .chain([&core.statement])
+        .flat_map(Statement::terms);
     // Where a radicand is zero its root has no derivative, by SEMANTICS.md, and may have one in Rocq.
     if rooted.roots().next().is_some() && terms.any(|term| differentiates_roots(term)) {
         return Err(Gap::Theory("derivatives of roots of formulas with symbols"));
