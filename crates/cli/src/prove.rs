@@ -136,11 +136,11 @@ impl Prove {
         }
     }
 
-    /// A folder for all claims has the definitions of a section once; one for some of them does not know the others.
+    /// A folder for whole papers has the definitions of a section once; one for some of their claims does not know the others.
     fn layout(&self) -> Layout {
-        match self.names.is_empty() {
-            true => Layout::Together,
-            false => Layout::Apart,
+        match self.names.iter().any(|name| name.contains('/')) {
+            false => Layout::Together,
+            true => Layout::Apart,
         }
     }
 

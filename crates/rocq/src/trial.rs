@@ -19,8 +19,8 @@ const SCRIPTS: [(&str, &str); 3] = [
     ("met", "no values are found that meet all premises"),
 ];
 
-/// Tries the scripts of a folder, each for so many seconds. `found` is told section by section which theorems were tried, and
-/// what fails.
+/// The names of the theorems of a folder whose scripts fail, each tried for so many seconds, with what fails. `found` is
+/// told section by section which theorems were tried, and what fails of them.
 ///
 /// # Errors
 /// [`CheckError`] if nothing can be run, and if the library is not accepted.
@@ -31,17 +31,18 @@ pub fn failing(
     seconds: u64,
     limits: Limits,
     found: &(dyn Fn(&[String], &BTreeMap<String, String>) + Sync),
-) -> Result<(), CheckError> {
+) -> Result<BTreeMap<String, String>, CheckError> {
     coqc.prepare(folder, scratch, limits, &|| ())?;
     let of_section = |section: &str| {
         let failing = section_failing(coqc, folder, section, scratch, seconds, limits)?;
+        let failing: BTreeMap<String, String> = failing.into_iter().collect();
         let theorems = folder.theorems_of(section);
         let names: Vec<String> = theorems.iter().map(|theorem| theorem.name()).collect();
-        found(&names, &failing.into_iter().collect());
-        Ok(())
+        found(&names, &failing);
+        Ok(failing)
     };
-    each_section(folder, limits.at_once, &|| (), &of_section)?;
-    Ok(())
+    let all = each_section(folder, limits.at_once, &|| (), &of_section)?;
+    Ok(all.into_iter().flatten().collect())
 }
 
 fn section_failing(
