@@ -15,7 +15,7 @@ End abs_basis_a.
 Module abs_basis_b.
 Import GbtSurfaces.Part_Abstract.abs_basis_b.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no (-1) (-1) (1 / 2)). Qed.
+Proof. cbv beta zeta delta [statement not f]; intro no; specialize (no (-1) (-1) 0 ltac:(lra) ltac:(lra) ltac:(lra) 2%Z (unit 1) ltac:(lia)); assert (H : unit 1 1 = 0) by (apply no; [ intros; cbv delta [unit]; compute_goal; circles; equal | lia ]); rewrite unit_one in H by reflexivity; lra. Qed.
 End abs_basis_b.
 
 Module abs_basis_order_2.

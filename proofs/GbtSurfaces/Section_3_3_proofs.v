@@ -129,7 +129,7 @@ End prop_3_3_a.
 Module prop_3_3_b.
 Import GbtSurfaces.Section_3_3.prop_3_3_b.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f]; intros; conjuncts; first [ intro no; first [ refuting (no ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3)) | refuting (no ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3)) ] | identity ]. Qed.
+Proof. cbv beta zeta delta [statement f]; intros; intro no; refuting (no 1 0 0 0 (1 / 2)). Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End prop_3_3_b.

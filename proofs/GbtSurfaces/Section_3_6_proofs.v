@@ -109,7 +109,7 @@ End prop_3_8_a_true.
 Module prop_3_8_b.
 Import GbtSurfaces.Section_3_6.prop_3_8_b.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement cosine sine Tm] in no; refuting (no (1/3) (1) (1)). Qed.
+Proof. cbv beta zeta delta [statement not Tm cosine sine]; intro no; specialize (no (1 / 3) 0 1 ltac:(lra) ltac:(lra)); injection no; intros _ H; revert H; replace (PI * (2 - 1 / 3)) with (2 * PI - PI / 3) by field; rewrite cos_2PI_minus, cos_PI3; match goal with |- ?a = ?b -> _ => change (a <> b) end; numeric. Qed.
 End prop_3_8_b.
 
 Module prop_3_8_b_true.

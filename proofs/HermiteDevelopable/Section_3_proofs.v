@@ -117,6 +117,20 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; first [(exists (((5)*((11)) - (5) - (12)) / (1)), (((6)*((11)) - (6) - (13)) / (1)), (((7)*((11)) - (7) - (14)) / (1)), 5, 6, 7, (((5)*((11)) - (12)) / (1)), (((6)*((11)) - (13)) / (1)), (((7)*((11)) - (14)) / (1)), (11), 12, 13, 14; met) | (exists (((0)*((0)) - (0) - (0)) / (1)), (((0)*((0)) - (0) - (0)) / (1)), (((0)*((0)) - (0) - (0)) / (1)), 0, 0, 0, (((0)*((0)) - (0)) / (1)), (((0)*((0)) - (0)) / (1)), (((0)*((0)) - (0)) / (1)), (0), 0, 0, 0; met) | (exists (((6)*((2)) - (6) - (11)) / (1)), (((8)*((2)) - (8) - (1)) / (1)), (((7)*((2)) - (7) - (4)) / (1)), 6, 8, 7, (((6)*((2)) - (11)) / (1)), (((8)*((2)) - (1)) / (1)), (((7)*((2)) - (4)) / (1)), (2), 11, 1, 4; met) | (exists (((6)*((1)) - (6) - (9)) / (1)), (((8)*((1)) - (8) - (7)) / (1)), (((7)*((1)) - (7) - (7)) / (1)), 6, 8, 7, (((6)*((1)) - (9)) / (1)), (((8)*((1)) - (7)) / (1)), (((7)*((1)) - (7)) / (1)), (1), 9, 7, 7; met) | (exists (((0)*((1)) - (0) - (1)) / (1)), (((1)*((1)) - (1) - (0)) / (1)), (((0)*((1)) - (0) - (0)) / (1)), 0, 1, 0, (((0)*((1)) - (1)) / (1)), (((1)*((1)) - (0)) / (1)), (((0)*((1)) - (0)) / (1)), (1), 1, 0, 0; met)]. Qed.
 End eq_3_2_edge.
 
+Module eq_3_2_planes_a_generatrix.
+Import HermiteDevelopable.Section_3.eq_3_2_planes_a_generatrix.
+Theorem refuted : ~ statement.
+Proof. cbv beta zeta delta [statement not P Q dp dq]; intro no; apply (no 0 2 0 0 0 0 0 0 0 0 0 ltac:(lra) ltac:(lra)); [ compute_goal; parts; ring | intros h k x0 y0 y1 y2 y3 z0 z1 z2 z3 K N E; compute_in E; injection E; intros; lra ]. Qed.
+End eq_3_2_planes_a_generatrix.
+
+Module eq_3_2_planes_a_direction.
+Import HermiteDevelopable.Section_3.eq_3_2_planes_a_direction.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement P Q dp dq]; intros; intro no; assert (absurd : 1 = 0) by (apply (no 1 2 0 0 0 1 0 0 0 0 0 0 0 0); [ lra | lra | compute_goal; parts; ring ]); lra. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance P Q dp dq]; exists 1, 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0; refine (conj _ (conj _ _)); [ lra | lra | compute_goal; parts; ring ]. Qed.
+End eq_3_2_planes_a_direction.
+
 Module eq_3_2_across.
 Import HermiteDevelopable.Section_3.eq_3_2_across.
 Theorem proved : statement.
@@ -216,6 +230,22 @@ Import HermiteDevelopable.Section_3.eq_3_3_multiples_any.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no (0) (0) (0) (0) (0) (1) (0) (1) (0) (-1) (1) (-1) (2) (1) (1) (0)). Qed.
 End eq_3_3_multiples_any.
+
+Module eq_3_3_k_below_1.
+Import HermiteDevelopable.Section_3.eq_3_3_k_below_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement P Q cone_gap cone_normal]; intros dlam a b c k lam d e f x y z; compute_goal; intros K N S G1 G2; assert (E : lam - k = 0) by (match type of N with ?n <> 0 => apply (Rmult_eq_reg_r n); [ rewrite Rmult_0_l; match type of G1 with ?g = 0 => replace ((lam - k) * n) with g by ring; exact G1 end | exact N ] end); replace lam with k by lra; split; [ parts; ring | match type of S with ?s > 0 => match goal with |- ?l < 0 => replace l with (- (k * (1 - k) * s)) by ring; assert (0 < k * (1 - k)) by nra; assert (0 < k * (1 - k) * s) by (apply Rmult_lt_0_compat; lra); lra end end ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance cone_normal cone_gap Q P]; first [(exists ((0) / (1)), 3, 4, 5, (1 / 3), ((((1 / 3))) / (1)), 8, 9, 10, 11, 12, 13; met) | (exists ((0) / (1)), 0, 0, 0, (1 / 2), ((((1 / 2))) / (1)), 0, 0, 0, 0, 0, 0; met) | (exists ((0) / (1)), 8, 8, 6, (1 / 3), ((((1 / 3))) / (1)), 9, 7, 7, 2, 11, 1; met) | (exists ((0) / (1)), 1, 4, 13, (1 / 3), ((((1 / 3))) / (1)), 9, 7, 7, 8, 6, 8; met) | (exists ((0) / (1)), 1, 0, 0, (1 / 3), ((((1 / 3))) / (1)), 0, 1, 0, 0, 0, 1; met)]. Qed.
+End eq_3_3_k_below_1.
+
+Module eq_3_3_k_equal_1.
+Import HermiteDevelopable.Section_3.eq_3_3_k_equal_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement P Q cone_gap cone_normal]; intros dlam a b c k lam d e f x y z; compute_goal; intros N S K G1 G2; assert (E : lam - k = 0) by (match type of N with ?n <> 0 => apply (Rmult_eq_reg_r n); [ rewrite Rmult_0_l; match type of G1 with ?g = 0 => replace ((lam - k) * n) with g by ring; exact G1 end | exact N ] end); replace lam with 1 by lra; parts; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance cone_normal cone_gap Q P]; first [(exists ((0) / (1)), 3, 4, 5, (1), ((1) / (1)), 8, 9, 10, 11, 12, 13; met) | (exists ((0) / (1)), 0, 0, 0, (1), ((1) / (1)), 0, 0, 0, 0, 0, 0; met) | (exists ((0) / (1)), 8, 8, 6, (1), ((1) / (1)), 9, 7, 7, 2, 11, 1; met) | (exists ((0) / (1)), 1, 4, 13, (1), ((1) / (1)), 9, 7, 7, 8, 6, 8; met) | (exists ((0) / (1)), 1, 0, 0, (1), ((1) / (1)), 0, 1, 0, 0, 0, 1; met)]. Qed.
+End eq_3_3_k_equal_1.
 
 Module eq_3_3_k_above_1.
 Import HermiteDevelopable.Section_3.eq_3_3_k_above_1.
