@@ -2,16 +2,38 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module join_C0.
-(* bezier/join.C0, C0
-   printed: R_0 = P_m
-   stated: R[0] == P[m] *)
+Module Definitions.
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
   sum 0%Z n (fun i => B (IZR x) i n * R_ i).
 Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
   sum 0%Z m (fun i => B (IZR x) i m * P i).
+Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
+  sum 0%Z n (fun i => B x i n * R_ i).
+Definition C__ (P : Z -> R) (m : Z) (x : R) : R :=
+  sum 0%Z m (fun i => B x i m * P i).
+Definition d1 (P : Z -> R) (m : Z) : R :=
+  P m - P (m - 1)%Z.
+Definition d2 (P : Z -> R) (m : Z) : R :=
+  P m - 2 * P (m - 1)%Z + P (m - 2)%Z.
+Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
+Definition G (R_ : Z -> R) (lambda2 : R) (mu2 : R) (x : Z) : R :=
+  sum 0%Z 3%Z (fun i => T (IZR x) lambda2 mu2 i 3%Z * R_ i).
+Definition F (P : Z -> R) (lambda : R) (mu : R) (x : Z) : R :=
+  sum 0%Z 3%Z (fun i => T (IZR x) lambda mu i 3%Z * P i).
+Definition G_ (R_ : Z -> R) (lambda2 : R) (mu2 : R) (x : R) : R :=
+  sum 0%Z 3%Z (fun i => T x lambda2 mu2 i 3%Z * R_ i).
+Definition F_ (P : Z -> R) (lambda : R) (mu : R) (x : R) : R :=
+  sum 0%Z 3%Z (fun i => T x lambda mu i 3%Z * P i).
+End Definitions.
+Import Definitions.
+
+Module join_C0.
+(* bezier/join.C0, C0
+   printed: R_0 = P_m
+   stated: R[0] == P[m] *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -37,16 +59,6 @@ Module join_C1.
 (* bezier/join.C1, C1
    printed: R_1 = P_m + (m/n) (P_m - P_{m-1})
    stated: R[1] == P[m] + m/n*(P[m] - P[m-1]) *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
-Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
-  sum 0%Z n (fun i => B (IZR x) i n * R_ i).
-Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
-  sum 0%Z m (fun i => B (IZR x) i m * P i).
-Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
-  sum 0%Z n (fun i => B x i n * R_ i).
-Definition C__ (P : Z -> R) (m : Z) (x : R) : R :=
-  sum 0%Z m (fun i => B x i m * P i).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -78,16 +90,6 @@ Module join_C1_slip.
 (* bezier/join.C1.slip, C1
    printed: A common slip: R_1 = P_m + (n/m) (P_m - P_{m-1})
    stated: R[1] == P[m] + n/m*(P[m] - P[m-1]) *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
-Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
-  sum 0%Z n (fun i => B (IZR x) i n * R_ i).
-Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
-  sum 0%Z m (fun i => B (IZR x) i m * P i).
-Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
-  sum 0%Z n (fun i => B x i n * R_ i).
-Definition C__ (P : Z -> R) (m : Z) (x : R) : R :=
-  sum 0%Z m (fun i => B x i m * P i).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -107,16 +109,6 @@ Module join_C1_slip_corrected.
 (* bezier/join.C1.slip (corrected), C1
    printed: A common slip: R_1 = P_m + (n/m) (P_m - P_{m-1})
    stated: R[1] == P[m] + m/n*(P[m] - P[m-1]) *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
-Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
-  sum 0%Z n (fun i => B (IZR x) i n * R_ i).
-Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
-  sum 0%Z m (fun i => B (IZR x) i m * P i).
-Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
-  sum 0%Z n (fun i => B x i n * R_ i).
-Definition C__ (P : Z -> R) (m : Z) (x : R) : R :=
-  sum 0%Z m (fun i => B x i m * P i).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -148,20 +140,6 @@ Module join_C2.
 (* bezier/join.C2, C2
    printed: R_2 = P_m + 2 (m/n) Δ_1 + m(m-1)/(n(n-1)) Δ_2
    stated: R[2] == P[m] + 2*m/n*d1 + m*(m - 1)/(n*(n - 1))*d2 *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
-Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
-  sum 0%Z n (fun i => B (IZR x) i n * R_ i).
-Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
-  sum 0%Z m (fun i => B (IZR x) i m * P i).
-Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
-  sum 0%Z n (fun i => B x i n * R_ i).
-Definition C__ (P : Z -> R) (m : Z) (x : R) : R :=
-  sum 0%Z m (fun i => B x i m * P i).
-Definition d1 (P : Z -> R) (m : Z) : R :=
-  P m - P (m - 1)%Z.
-Definition d2 (P : Z -> R) (m : Z) : R :=
-  P m - 2 * P (m - 1)%Z + P (m - 2)%Z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -199,20 +177,6 @@ Module join_C2_slip.
 (* bezier/join.C2.slip, C2
    printed: A common slip: R_2 = P_m + (m/n) Δ_1 + m(m-1)/(n(n-1)) Δ_2
    stated: R[2] == P[m] + m/n*d1 + m*(m - 1)/(n*(n - 1))*d2 *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
-Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
-  sum 0%Z n (fun i => B (IZR x) i n * R_ i).
-Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
-  sum 0%Z m (fun i => B (IZR x) i m * P i).
-Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
-  sum 0%Z n (fun i => B x i n * R_ i).
-Definition C__ (P : Z -> R) (m : Z) (x : R) : R :=
-  sum 0%Z m (fun i => B x i m * P i).
-Definition d1 (P : Z -> R) (m : Z) : R :=
-  P m - P (m - 1)%Z.
-Definition d2 (P : Z -> R) (m : Z) : R :=
-  P m - 2 * P (m - 1)%Z + P (m - 2)%Z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -235,20 +199,6 @@ Module join_C2_slip_corrected.
 (* bezier/join.C2.slip (corrected), C2
    printed: A common slip: R_2 = P_m + (m/n) Δ_1 + m(m-1)/(n(n-1)) Δ_2
    stated: R[2] == P[m] + 2*(m/n*d1) + m*(m - 1)/(n*(n - 1))*d2 *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
-Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
-  sum 0%Z n (fun i => B (IZR x) i n * R_ i).
-Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
-  sum 0%Z m (fun i => B (IZR x) i m * P i).
-Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
-  sum 0%Z n (fun i => B x i n * R_ i).
-Definition C__ (P : Z -> R) (m : Z) (x : R) : R :=
-  sum 0%Z m (fun i => B x i m * P i).
-Definition d1 (P : Z -> R) (m : Z) : R :=
-  P m - P (m - 1)%Z.
-Definition d2 (P : Z -> R) (m : Z) : R :=
-  P m - 2 * P (m - 1)%Z + P (m - 2)%Z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -286,20 +236,6 @@ Module join_C3.
 (* bezier/join.C3, C3
    printed: R_3 = P_m + 3 (m/n) Δ_1 + 3 m(m-1)/(n(n-1)) Δ_2 + m(m-1)(m-2)/(n(n-1)(n-2)) Δ_3
    stated: R[3] == P[m] + 3*m/n*d1 + 3*m*(m - 1)/(n*(n - 1))*d2 + m*(m - 1)*(m - 2)/(n*(n - 1)*(n - 2))*d3 *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
-Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
-  sum 0%Z n (fun i => B (IZR x) i n * R_ i).
-Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
-  sum 0%Z m (fun i => B (IZR x) i m * P i).
-Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
-  sum 0%Z n (fun i => B x i n * R_ i).
-Definition C__ (P : Z -> R) (m : Z) (x : R) : R :=
-  sum 0%Z m (fun i => B x i m * P i).
-Definition d1 (P : Z -> R) (m : Z) : R :=
-  P m - P (m - 1)%Z.
-Definition d2 (P : Z -> R) (m : Z) : R :=
-  P m - 2 * P (m - 1)%Z + P (m - 2)%Z.
 Definition d3 (P : Z -> R) (m : Z) : R :=
   P m - 3 * P (m - 1)%Z + 3 * P (m - 2)%Z - P (m - 3)%Z.
 Definition statement : Prop :=
@@ -345,20 +281,6 @@ Module join_C2_sufficient.
 (* bezier/join.C2.sufficient, C2, sufficiency
    printed: With these R_0, R_1, R_2 the two curves have the same derivatives up to order 2.
    stated: S(0) == C(1) and S'(0) == C'(1) and S''(0) == C''(1) *)
-Definition d1 (P : Z -> R) (m : Z) : R :=
-  P m - P (m - 1)%Z.
-Definition d2 (P : Z -> R) (m : Z) : R :=
-  P m - 2 * P (m - 1)%Z + P (m - 2)%Z.
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
-Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
-  sum 0%Z n (fun i => B (IZR x) i n * R_ i).
-Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
-  sum 0%Z m (fun i => B (IZR x) i m * P i).
-Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
-  sum 0%Z n (fun i => B x i n * R_ i).
-Definition C__ (P : Z -> R) (m : Z) (x : R) : R :=
-  sum 0%Z m (fun i => B x i m * P i).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -400,16 +322,6 @@ Module join_knot.
 (* bezier/join.knot, C1 with a knot ratio
    printed: R_1 = P_m + (m/n) (b/a) (P_m - P_{m-1}) for parameter intervals of the lengths a and b
    stated: R[1] == P[m] + m/n*b/a*(P[m] - P[m-1]) *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
-Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
-  sum 0%Z n (fun i => B (IZR x) i n * R_ i).
-Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
-  sum 0%Z m (fun i => B (IZR x) i m * P i).
-Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
-  sum 0%Z n (fun i => B x i n * R_ i).
-Definition C__ (P : Z -> R) (m : Z) (x : R) : R :=
-  sum 0%Z m (fun i => B x i m * P i).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
   (3 <= m)%Z ->
@@ -445,16 +357,6 @@ Module trigonometric_C1.
 (* bezier/trigonometric.C1, C1
    printed: R_1 = P_3 + (2 + μ)/(2 + λ_2) (P_3 - P_2)
    stated: R[1] == P[3] + (2 + mu)/(2 + lambda2)*(P[3] - P[2]) *)
-Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (lambda2 : R) (mu2 : R) (x : Z) : R :=
-  sum 0%Z 3%Z (fun i => T (IZR x) lambda2 mu2 i 3%Z * R_ i).
-Definition F (P : Z -> R) (lambda : R) (mu : R) (x : Z) : R :=
-  sum 0%Z 3%Z (fun i => T (IZR x) lambda mu i 3%Z * P i).
-Definition G_ (R_ : Z -> R) (lambda2 : R) (mu2 : R) (x : R) : R :=
-  sum 0%Z 3%Z (fun i => T x lambda2 mu2 i 3%Z * R_ i).
-Definition F_ (P : Z -> R) (lambda : R) (mu : R) (x : R) : R :=
-  sum 0%Z 3%Z (fun i => T x lambda mu i 3%Z * P i).
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
   (-2) <= lambda <= 1 ->
@@ -482,16 +384,6 @@ Module trigonometric_C1_inside.
 (* bezier/trigonometric.C1.inside, C1
    printed: R_1 = P_3 + (2 + μ)/(2 + λ_2) (P_3 - P_2) for λ_2 > -2
    stated: R[1] == P[3] + (2 + mu)/(2 + lambda2)*(P[3] - P[2]) *)
-Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (lambda2 : R) (mu2 : R) (x : Z) : R :=
-  sum 0%Z 3%Z (fun i => T (IZR x) lambda2 mu2 i 3%Z * R_ i).
-Definition F (P : Z -> R) (lambda : R) (mu : R) (x : Z) : R :=
-  sum 0%Z 3%Z (fun i => T (IZR x) lambda mu i 3%Z * P i).
-Definition G_ (R_ : Z -> R) (lambda2 : R) (mu2 : R) (x : R) : R :=
-  sum 0%Z 3%Z (fun i => T x lambda2 mu2 i 3%Z * R_ i).
-Definition F_ (P : Z -> R) (lambda : R) (mu : R) (x : R) : R :=
-  sum 0%Z 3%Z (fun i => T x lambda mu i 3%Z * P i).
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
   (-2) <= lambda <= 1 ->
@@ -519,18 +411,6 @@ Module trigonometric_bezier.
 (* bezier/trigonometric.bezier, C1 with a classical curve
    printed: A Bézier curve of degree n continues the trigonometric one with R_1 = P_3 + π (2 + μ)/(2 n) (P_3 - P_2).
    stated: R[1] == P[3] + pi*(2 + mu)/(2*n)*(P[3] - P[2]) *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
-Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=
-  sum 0%Z n (fun i => B (IZR x) i n * R_ i).
-Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
-Definition F (P : Z -> R) (lambda : R) (mu : R) (x : Z) : R :=
-  sum 0%Z 3%Z (fun i => T (IZR x) lambda mu i 3%Z * P i).
-Definition S__ (R_ : Z -> R) (n : Z) (x : R) : R :=
-  sum 0%Z n (fun i => B x i n * R_ i).
-Definition F_ (P : Z -> R) (lambda : R) (mu : R) (x : R) : R :=
-  sum 0%Z 3%Z (fun i => T x lambda mu i 3%Z * P i).
 Definition statement : Prop :=
 forall (n : Z) (P : Z -> R) (R_ : Z -> R) (lambda : R) (mu : R),
   (-2) <= lambda <= 1 ->

@@ -1,6 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From Bezier Require Part_C.
+Import Bezier.Part_C.Definitions.
 Open Scope R_scope.
 
 Module join_C0.
@@ -78,3 +79,19 @@ Proof. cbv beta zeta delta [statement B S_ C_ S__ C__]; combined. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance B S_ C_ S__ C__]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), (6), (7); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (8), (7); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), (1), (1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (1), (0); met)]. Qed.
 End join_knot.
+
+Module trigonometric_C1.
+Import Bezier.Part_C.trigonometric_C1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement T G F G_ F_]; unstaged; prepared; known ((R_ (0)%Z)) ((P (3)%Z)) (1); known ((R_ (1)%Z)) (-(P (2)%Z)*mu - 2*(P (2)%Z) + (P (3)%Z)*lambda2 + (P (3)%Z)*mu + 4*(P (3)%Z)) (lambda2 + 2); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance T G F G_ F_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 2), ((-1) / 2), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 1), (fun _ => 1), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1)), ((-1)), ((-1)), ((-1)); met)]. Qed.
+End trigonometric_C1.
+
+Module trigonometric_C1_inside.
+Import Bezier.Part_C.trigonometric_C1_inside.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement T G F G_ F_]; unstaged; prepared; known ((R_ (0)%Z)) ((P (3)%Z)) (1); known ((R_ (1)%Z)) (-(P (2)%Z)*mu - 2*(P (2)%Z) + (P (3)%Z)*lambda2 + (P (3)%Z)*mu + 4*(P (3)%Z)) (lambda2 + 2); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance T G F G_ F_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 2), ((-1) / 2), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 1), (fun _ => 1), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1)), ((-1)), ((-1)), ((-1)); met)]. Qed.
+End trigonometric_C1_inside.

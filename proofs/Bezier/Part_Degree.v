@@ -2,12 +2,16 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition B (x : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [1] i k.
+End Definitions.
+Import Definitions.
+
 Module bernstein_elevation.
 (* bezier/bernstein.elevation, Degree elevation
    printed: (m + 1) B_{i,m}(x) = (m + 1 - i) B_{i,m+1}(x) + (i + 1) B_{i+1,m+1}(x)
    stated: (m + 1)*B[i,m](x) == (m + 1 - i)*B[i,m+1](x) + (i + 1)*B[i+1,m+1](x) *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
 Definition statement : Prop :=
 forall (i : Z) (m : Z) (x : R),
   (0 <= i <= m)%Z ->
@@ -30,8 +34,6 @@ Module curve_elevation.
    printed: C(x) = sum_{i=0}^{m+1} B_{i,m+1}(x) (i/(m+1) P_{i-1} + (1 - i/(m+1)) P_i)
    read as: P_{-1} and P_{m+1} have the factor zero.
    stated: C(x) == sum(i, 0, m + 1, B[i,m+1](x)*(i/(m + 1)*P[i-1] + (1 - i/(m + 1))*P[i])) *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
 Definition C_ (P : Z -> R) (m : Z) (x : R) : R :=
   sum 0%Z m (fun i => B x i m * P i).
 Definition statement : Prop :=

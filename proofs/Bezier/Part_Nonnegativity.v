@@ -2,12 +2,18 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition B (x : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [1] i k.
+Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
+End Definitions.
+Import Definitions.
+
 Module bernstein_nonnegative.
 (* bezier/bernstein.nonnegative, Nonnegativity
    printed: B_{i,m}(x) >= 0 for x in [0, 1]
    stated: nonnegative(B) *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
 Definition statement : Prop :=
 forall (x : R),
   0 <= x <= 1 ->
@@ -21,8 +27,6 @@ Module bernstein_nonnegative_slip.
 (* bezier/bernstein.nonnegative.slip, Nonnegativity
    printed: A common slip: B_{2,3}(x) >= 0 for x in [0, 2] as well
    stated: B[2,3](x) >= 0 *)
-Definition B (x : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [1] i k.
 Definition statement : Prop :=
 forall (x : R),
   0 <= x <= 2 ->
@@ -33,8 +37,6 @@ Module trigonometric_nonnegative.
 (* bezier/trigonometric.nonnegative, Nonnegativity
    printed: The four functions are nonnegative for λ, μ in [-2, 1].
    stated: T[0,3](x) >= 0 and T[1,3](x) >= 0 and T[2,3](x) >= 0 and T[3,3](x) >= 0 *)
-Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=
 forall (lambda : R) (mu : R) (x : R),
   (-2) <= lambda <= 1 ->
@@ -52,8 +54,6 @@ Module trigonometric_nonnegative_slip.
 (* bezier/trigonometric.nonnegative.slip, Nonnegativity
    printed: A common slip: the first function is nonnegative for λ in [-2, 2].
    stated: T[0,3](x) >= 0 *)
-Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=
 forall (lambda : R) (mu : R) (x : R),
   (-2) <= lambda <= 2 ->

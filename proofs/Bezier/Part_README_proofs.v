@@ -1,7 +1,15 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From Bezier Require Part_README.
 Open Scope R_scope.
+
+Module language_numbers.
+Import Bezier.Part_README.language_numbers.
+Theorem proved : statement.
+Proof. cbv delta [statement]; intros m x P Q; refine (conj _ (conj _ (conj _ (conj _ (conj _ (conj _ _)))))); [ compute_goal; lra | compute_goal; field | compute_goal; lra | replace 8 with (2 * 2 * 2) by ring; rewrite sqrt_mult by lra; rewrite sqrt_square by lra; ring | rewrite <- sqrt_mult by lra; f_equal; ring | apply sin_PI6 | replace (PI * x) with (2 * (PI / 2 * x)) by field; apply sin_2a ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists (1)%Z, (1 / 3); met) | (exists (1)%Z, (1 / 2); met) | (exists (1)%Z, (1 / 3); met) | (exists (1)%Z, (1 / 3); met) | (exists (1)%Z, (1 / 3); met)]. Qed.
+End language_numbers.
 
 Module language_calculus.
 Import Bezier.Part_README.language_calculus.
@@ -10,6 +18,12 @@ Proof. cbv beta zeta delta [statement E_]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance E_]; first [(exists (1 / 3), (3); met) | (exists (1 / 2), (0); met) | (exists (1 / 3), (8); met) | (exists (1 / 3), (1); met) | (exists (1 / 3), (1); met)]. Qed.
 End language_calculus.
+
+Module language_vectors.
+Import Bezier.Part_README.language_vectors.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; intros a b c d e f; compute_goal; refine (conj _ (conj _ (conj _ (conj _ (conj _ _))))); [ ring | repeat f_equal; ring | replace (3 * 3 + (4 * 4 + 0)) with (5 * 5) by ring; apply sqrt_square; lra | f_equal; ring | reflexivity | ring ]. Qed.
+End language_vectors.
 
 Module language_matrices.
 Import Bezier.Part_README.language_matrices.

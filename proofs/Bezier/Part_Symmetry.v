@@ -2,6 +2,12 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
+End Definitions.
+Import Definitions.
+
 Module bernstein_symmetry.
 (* bezier/bernstein.symmetry, Symmetry
    printed: B_{m-i,m}(x) = B_{i,m}(1 - x)
@@ -27,8 +33,6 @@ Module trigonometric_symmetry.
 (* bezier/trigonometric.symmetry, Symmetry
    printed: T_{3-i}(x; λ, μ) = T_i(1 - x; μ, λ)
    stated: sum(i, 0, 3, T[3-i,3](x, lambda, mu)*P[i]) == sum(i, 0, 3, T[i,3](1 - x, mu, lambda)*P[i]) *)
-Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R) (x : R),
   (-2) <= lambda <= 1 ->
@@ -46,8 +50,6 @@ Module trigonometric_symmetry_slip.
 (* bezier/trigonometric.symmetry.slip, Symmetry
    printed: A common slip: T_{3-i}(x; λ, μ) = T_i(1 - x; λ, μ)
    stated: sum(i, 0, 3, T[3-i,3](x, lambda, mu)*P[i]) == sum(i, 0, 3, T[i,3](1 - x, lambda, mu)*P[i]) *)
-Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R) (x : R),
   (-2) <= lambda <= 1 ->
@@ -60,8 +62,6 @@ Module trigonometric_symmetry_slip_corrected.
 (* bezier/trigonometric.symmetry.slip (corrected), Symmetry
    printed: A common slip: T_{3-i}(x; λ, μ) = T_i(1 - x; λ, μ)
    stated: sum(i, 0, 3, T[3-i,3](x, lambda, mu)*P[i]) == sum(i, 0, 3, T[i,3](1 - x, mu, lambda)*P[i]) *)
-Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R) (x : R),
   (-2) <= lambda <= 1 ->

@@ -1,6 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From Bezier Require Part_The.
+Import Bezier.Part_The.Definitions.
 Open Scope R_scope.
 
 Module circle_kappa.
@@ -46,3 +47,9 @@ Import Bezier.Part_The.reach_definite.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; ordered. Qed.
 End reach_definite.
+
+Module reach_cauchy.
+Import Bezier.Part_The.reach_cauchy.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; intros a b c d e f; compute_goal; pose proof (pow2_ge_0 (a * e - b * d)); pose proof (pow2_ge_0 (a * f - c * d)); pose proof (pow2_ge_0 (b * f - c * e)); nra. Qed.
+End reach_cauchy.

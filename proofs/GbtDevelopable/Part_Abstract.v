@@ -2,13 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module abs_conics_planes.
-(* gbt-developable/abs-conics.planes, Abstract, second sentence
-   printed: Developable Bézier surfaces ..., due to polynomial depiction and having no shape parameter, they cannot describe conics exactly and can only handle a few shapes.
-   read as: 'they' are the developable Bézier surfaces of this paper's kind, (3.1) with Bernstein polynomials in place of the GBTB functions: the family with the control planes (1,0,0,1), (1,1,0,1), (0,2,0,2) has no arc of the unit circle as its section Z = 0.
-   stated: not (profile[1]^2 + profile[2]^2 == 1 and profile[3] == 0) *)
-Definition bernstein_family (u : R) : list R :=
-  vadd (vadd (vscale ((1 - u) ^ 2) [1; 0; 0; 1]) (vscale (2 * u * (1 - u)) [1; 1; 0; 1])) (vscale (u ^ 2) [0; 2; 0; 2]).
+Module Definitions.
 Definition normal (P : list R) : list R :=
   [entry P 1; entry P 2; entry P 3].
 Definition direction (P : list R) (D_ : list R) : list R :=
@@ -17,6 +11,16 @@ Definition moment (P : list R) (D_ : list R) : list R :=
   vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
 Definition foot (P : list R) (D_ : list R) : list R :=
   vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
+End Definitions.
+Import Definitions.
+
+Module abs_conics_planes.
+(* gbt-developable/abs-conics.planes, Abstract, second sentence
+   printed: Developable Bézier surfaces ..., due to polynomial depiction and having no shape parameter, they cannot describe conics exactly and can only handle a few shapes.
+   read as: 'they' are the developable Bézier surfaces of this paper's kind, (3.1) with Bernstein polynomials in place of the GBTB functions: the family with the control planes (1,0,0,1), (1,1,0,1), (0,2,0,2) has no arc of the unit circle as its section Z = 0.
+   stated: not (profile[1]^2 + profile[2]^2 == 1 and profile[3] == 0) *)
+Definition bernstein_family (u : R) : list R :=
+  vadd (vadd (vscale ((1 - u) ^ 2) [1; 0; 0; 1]) (vscale (2 * u * (1 - u)) [1; 1; 0; 1])) (vscale (u ^ 2) [0; 2; 0; 2]).
 Definition profile (u : R) : list R :=
   foot (bernstein_family u) (vDerive 4 (fun u_ => bernstein_family u_) 1 u).
 Definition statement : Prop :=
@@ -54,14 +58,6 @@ Module abs_4d_factor.
 (* gbt-developable/abs-4d.factor, Abstract
    printed: A plane and its multiples are one plane.
    stated: foot(factor*A, B) == foot(A, B) and midpoint(factor*A) == midpoint(A) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition midpoint (P : list R) : list R :=
   vscale (entry P 4 / dot (normal P) (normal P)) (normal P).
 Definition statement : Prop :=

@@ -2,23 +2,27 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+End Definitions.
+Import Definitions.
+
 Module intro_continuity_free_a.
 (* gbt-developable/intro-continuity-free.a, Sect. 1, list of contributions, last item, for the smooth connection (5.5)
    printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
    read as: 'smooth connection' is checked for each of the paper's three conditions: (5.5), (5.12), (5.16). Here (5.5): the shape parameters of the second family are changed from mu2, nu2 to mu3, nu3, and (5.5) is met again, with another gamma.
    stated: N2(0) == H1(1) and N2'(0) == ratio*H1'(1) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition N2 (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : Z) : R :=
   sum 0%Z l (fun i => g (IZR x) mu3 nu3 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
 Definition N2_ (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu3 nu3 i l * P2 i).
 Definition ratio (gamma : R) (l : Z) (mu2 : R) (mu3 : R) : R :=
   gamma * (2 * (IZR l - 2) + PI * (1 + mu3)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (mu3 : R) (nu1 : R) (nu3 : R),
   0 < gamma ->
@@ -63,16 +67,10 @@ Module intro_continuity_free_b_any_values.
    printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
    read as: Whatever values the shape parameters of the second family get, the derivatives still agree.
    stated: N2'(0) == H1'(1) and N2''(0) == H1''(1) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
   sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
 Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition N2 (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu3 nu3 i l * P2 i).
 Definition statement : Prop :=
@@ -98,8 +96,6 @@ Module intro_continuity_free_b_suitable_values.
    printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
    read as: There are other values with which the connection stays: exhibited for cubic families that join with all shape parameters 0, of which all four are changed together, along a curve with the parameter t.
    stated: N2(0) == N1(1) and N2'(0) == N1'(1) and N2''(0) == N1''(1) and -1 <= inner and inner <= 1 and -1 <= outer and outer <= 1 and not inner == 0 and not outer == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition F2 (B : Z -> R) (x : Z) : R :=
   sum 0%Z 3%Z (fun i => g (IZR x) 0 0 i 3%Z * B i).
 Definition F1 (A : Z -> R) (x : Z) : R :=

@@ -1,6 +1,8 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From GbtDevelopable Require Section_2_1.
+Import GbtDevelopable.Section_2_1.Definitions.
+From GbtDevelopable Require Import Section_2_1_closed.
 Open Scope R_scope.
 
 Module def_1_g0.
@@ -101,6 +103,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance g at0 at1 middle]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_1_degeneration_only.
 
+Module thm_1_1_no_degeneration.
+Import GbtDevelopable.Section_2_1.thm_1_1_no_degeneration.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; intros k mu nu p; intros; replace (IZR k * (IZR k - 1) * (IZR k - 2) * (p - 1) ^ 3) with (IZR k * (IZR k - 1) * (IZR k - 2) * p ^ 3 - 3 * (IZR k - 2) * (IZR k * (IZR k - 1) * p ^ 2) + 3 * (IZR k - 1) * (IZR k - 2) * (IZR k * p) - IZR k * (IZR k - 1) * (IZR k - 2)) by ring; repeat match goal with E : _ = ?t |- context [?t] => rewrite <- E; clear E end; field. Qed.
+Theorem met : instance.
+Proof. exists 3%Z, (4 / PI - 1), (1 - 8 / PI ^ 2), 1; repeat split; first [ lia | numeric | field; apply PI_neq0 ]. Qed.
+End thm_1_1_no_degeneration.
+
 Module thm_1_1_jets.
 Import GbtDevelopable.Section_2_1.thm_1_1_jets.
 Theorem proved : statement.
@@ -132,6 +142,12 @@ Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End thm_1_4.
+
+Module thm_1_5.
+Import GbtDevelopable.Section_2_1.thm_1_5.
+Theorem refuted : ~ statement.
+Proof. cbv beta zeta delta [statement not g]; intro no; specialize (no (-1) (-1) 0 ltac:(lra) ltac:(lra) ltac:(lra) 2%Z (unit 1) ltac:(lia)); assert (H : unit 1 1 = 0) by (apply no; [ intros; cbv delta [unit]; compute_goal; circles; equal | lia ]); rewrite unit_one in H by reflexivity; lra. Qed.
+End thm_1_5.
 
 Module thm_1_5_quadratic.
 Import GbtDevelopable.Section_2_1.thm_1_5_quadratic.

@@ -2,15 +2,19 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * R_ i).
+End Definitions.
+Import Definitions.
+
 Module eq_2_2.
 (* gbt-developable/eq-2.2, Sect. 2.2, Definition 2, eq. (2.2)
    printed: G(x; μ, ν) = Σ_{i=0}^{k} g_{i,k}(x) R_i, x ∈ [0, 1]
    read as: The printed sum is compared with the function G that all other statements use.
    stated: G(x) == sum(i, 0, k, g[i,k](x)*R[i]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -42,8 +46,6 @@ Module def_2_dim_two_letters.
    printed: For any defined control points R_i ∈ R^k (k = 2, 3; i = 0, 1, ..., k)
    read as: The k of R^k is the dimension, 2 or 3, and the k of i = 0, ..., k the degree: (2.2) is meant coordinate by coordinate.
    stated: HT(x)[1] == sum(i, 0, k, g[i,k](x)*T[i][1]) and HT(x)[2] == sum(i, 0, k, g[i,k](x)*T[i][2]) and HT(x)[3] == sum(i, 0, k, g[i,k](x)*T[i][3]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
   vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
 Definition statement : Prop :=
@@ -68,8 +70,6 @@ Module sec_2_2_endpoints.
    printed: These features specify that the GBT-Bézier curves interpolate to the end points of its convex hull
    read as: 'end points of its convex hull' read as the first and last control point: G(0) = R_0, G(1) = R_k.
    stated: G(0) == R[0] and G(1) == R[k] *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
   sum 0%Z k (fun i => g (IZR x) mu nu i k * R_ i).
 Definition statement : Prop :=
@@ -93,8 +93,6 @@ Module sec_2_2_convexity.
 (* gbt-developable/sec-2.2.convexity, Sect. 2.2, paragraph after Definition 2
    printed: ... convexity ...
    stated: sum(i, 0, k, g[i,k](x)) == 1 and nonnegative(g) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=
 forall (k : Z) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -115,8 +113,6 @@ Module sec_2_2_symmetry.
    printed: ... symmetry ...
    read as: 'the aforementioned features of GBTB basis functions demonstrate': the symmetry of Theorem 1, item 4, and its μ = ν. The reversed polygon gives the same curve, run backwards.
    stated: sum(i, 0, k, g[i,k](x, mu, nu)*R[k-i]) == sum(i, 0, k, g[i,k](1 - x, mu, nu)*R[i]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -140,8 +136,6 @@ Module sec_2_2_symmetry_exchange.
 (* gbt-developable/sec-2.2.symmetry.exchange, Sect. 2.2, paragraph after Definition 2
    printed: The symmetry of the curves for all shape parameters, with μ and ν exchanged.
    stated: sum(i, 0, k, g[i,k](x, mu, nu)*R[k-i]) == sum(i, 0, k, g[i,k](1 - x, nu, mu)*R[i]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -163,8 +157,6 @@ Module sec_2_2_vd_quadratic.
 (* gbt-developable/sec-2.2.vd.quadratic, Sect. 2.2, paragraph after Definition 2
    printed: The variation diminishing feature at k = 2: two Wronskians are positive.
    stated: D(g[0,2](x), x, 2)*D(g[2,2](x), x) - D(g[0,2](x), x)*D(g[2,2](x), x, 2) > 0 and D(g[2,2](x) - g[0,2](x), x) > 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=
 forall (mu : R) (nu : R) (x : R),
   (-1) < mu < 1 ->
@@ -182,10 +174,6 @@ Module sec_2_2_vd_operator.
 (* gbt-developable/sec-2.2.vd.operator, Sect. 2.2, paragraph after Definition 2
    printed: Every curve is made of the Bézier curve of the same control points and its first two derivatives.
    stated: G(x) == F(x) + first/k*F'(x) + second/(k*(k - 1))*F''(x) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition b (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition F (R_ : Z -> R) (k : Z) (x : R) : R :=
@@ -219,8 +207,6 @@ Module sec_2_2_vd_cubic.
 (* gbt-developable/sec-2.2.vd.cubic, Sect. 2.2, paragraph after Definition 2
    printed: The variation diminishing feature at k = 3 for |μ|, |ν| ≤ 3/4: three determinants are positive.
    stated: det([[D(l1, x), D(l2, x)], [D(l1, x, 2), D(l2, x, 2)]]) == 2*second and det([[D(l1, x), D(l2, x), D(l3, x)], [D(l1, x, 2), D(l2, x, 2), D(l3, x, 2)], [D(l1, x, 3), D(l2, x, 3), D(l3, x, 3)]]) == 12*third and first > 0 and second > 0 and third > 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition f (mu : R) (nu : R) (x : R) : R :=
   1 - g x mu nu 0%Z 2%Z + g x mu nu 2%Z 2%Z - 2 * x.
 Definition l1 (mu : R) (nu : R) (x : R) : R :=
@@ -255,8 +241,6 @@ Module sec_2_2_geominv.
    printed: ... geometric invariance feature
    read as: The curve of the images of the control points under an affine map is the image of the curve.
    stated: sum(i, 0, k, g[i,k](x)*(M*R[i] + shift)) == M*G(x) + shift *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition M (m1 : list R) (m2 : list R) (m3 : list R) : list (list R) :=
   [m1; m2; m3].
 Definition G (R_ : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=

@@ -2,15 +2,21 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition G (R_ : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * R_ i).
+Definition G_ (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * R_ i).
+End Definitions.
+Import Definitions.
+
 Module sec_2_3_local_part_of_a_curve.
 (* gbt-developable/sec-2.3.local.part of a curve, Sect. 2.3, first paragraph
    printed: every GBT-Bézier curve assigns two local shape parameters μ, ν
    read as: Changing one parameter leaves part of the curve (an interval of x) unchanged. The curve is analytic in x, so its derivative by mu would vanish everywhere.
    stated: D(G, mu)(x) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -25,8 +31,6 @@ Module sec_2_3_local_part_of_a_composite.
    printed: every GBT-Bézier curve assigns two local shape parameters μ, ν
    read as: Each curve of a composite has its own two parameters; changing them leaves the other curves unchanged.
    stated: D(H1(x), mu2) == 0 and D(H1(x), nu2) == 0 and D(H2(x), mu1) == 0 and D(H2(x), nu1) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
@@ -56,12 +60,6 @@ Module sec_2_3_linear.
 (* gbt-developable/sec-2.3.linear, Sect. 2.3, first paragraph
    printed: From Definition 2, we acknowledge that the curve G(x; μ, ν) is a linear function of every shape parameter μ, ν
    stated: D(G, mu, 2)(x) == 0 and D(G, nu, 2)(x) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
-Definition G_ (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -82,10 +80,6 @@ Module eq_2_3.
    printed: ∂G(x)/∂μ = binom(k − 2, i) (1 − sin(π/2 x))^(k−1−i) (sin(π/2 x))^(i+1) (R_{i+1} − R_i,   i = 0, 1, ..., k − 2
    read as: No summation sign and no closing bracket after R_i are printed. The left side is one vector, so the line is read as summed over the stated i.
    stated: D(G, mu)(x) == sum(i, 0, k - 2, binom(k - 2, i)*(1 - sin(pi/2*x))^(k - 1 - i)*sin(pi/2*x)^(i + 1)*(R[i+1] - R[i])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -104,10 +98,6 @@ Module eq_2_3_corrected.
    printed: ∂G(x)/∂μ = binom(k − 2, i) (1 − sin(π/2 x))^(k−1−i) (sin(π/2 x))^(i+1) (R_{i+1} − R_i,   i = 0, 1, ..., k − 2
    read as: No summation sign and no closing bracket after R_i are printed. The left side is one vector, so the line is read as summed over the stated i.
    stated: D(G, mu)(x) == sum(i, 0, k - 2, binom(k - 2, i)*((1 - sin(pi/2*x))*(1 - x)^(k - 2 - i))*(sin(pi/2*x)*x^i)*(R[i+1] - R[i])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -136,8 +126,6 @@ Module eq_2_4.
    printed: ∂G(x)/∂ν = binom(k − 2, i − 1) cos(π/2 x) (sin(π/2 x))^(i−1) (1 − cos(π/2 x)) (1 − sin(π/2 x))^(k−1−i) × (R_i − R_{i+1}),   i = 1, 2, ..., k − 1
    read as: No summation sign is printed; read as summed over the stated i, as for (2.3).
    stated: D(G, nu)(x) == sum(i, 1, k - 1, binom(k - 2, i - 1)*cos(pi/2*x)*sin(pi/2*x)^(i - 1)*(1 - cos(pi/2*x))*(1 - sin(pi/2*x))^(k - 1 - i)*(R[i] - R[i+1])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
@@ -158,8 +146,6 @@ Module eq_2_4_corrected.
    printed: ∂G(x)/∂ν = binom(k − 2, i − 1) cos(π/2 x) (sin(π/2 x))^(i−1) (1 − cos(π/2 x)) (1 − sin(π/2 x))^(k−1−i) × (R_i − R_{i+1}),   i = 1, 2, ..., k − 1
    read as: No summation sign is printed; read as summed over the stated i, as for (2.3).
    stated: D(G, nu)(x) == sum(i, 1, k - 1, binom(k - 2, i - 1)*cos(pi/2*x)*x^(i - 1)*(1 - cos(pi/2*x))*(1 - x)^(k - 1 - i)*(R[i] - R[i+1])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
@@ -189,10 +175,6 @@ Module sec_2_3_indep_mu.
 (* gbt-developable/sec-2.3.indep-mu, Sect. 2.3, after (2.4)
    printed: there is no relationship among ∂G(x)/∂μ and μ
    stated: D(D(G, mu)(x), mu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -212,8 +194,6 @@ Module sec_2_3_indep_nu.
 (* gbt-developable/sec-2.3.indep-nu, Sect. 2.3, after (2.4)
    printed: [there is no relationship among] ∂G(x)/∂ν and ν
    stated: D(D(G, nu)(x), nu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
@@ -236,13 +216,7 @@ Module sec_2_3_move.
    printed: modifying one shape parameter μ or ν, the point R(x) on the curve moves linearly for a fixed convex hull and defined value of x
    read as: R(x) read as the curve point G(x).
    stated: C(x, mu2, nu) - C(x, mu1, nu) == (mu2 - mu1)*D(G, mu)(x) and C(x, mu, nu2) - C(x, mu, nu1) == (nu2 - nu1)*D(G, nu)(x) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition C_ (R_ : Z -> R) (k : Z) (x : R) (mu : R) (nu : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
-Definition G (R_ : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
-Definition G_ (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (mu1 : R) (mu2 : R) (nu : R) (nu1 : R) (nu2 : R) (x : R),
@@ -272,10 +246,6 @@ Module sec_2_3_dir_mu.
    printed: the alternation of direction is given by R_i R_{i+1}, i = 0, 1, ..., k − 2 for μ
    read as: R_i R_{i+1} read as the vector from R_i to R_{i+1}; 'given by' several of them: a combination of them with non-negative weights. The weights are those of (2.3) as corrected.
    stated: D(G, mu)(x) == sum(i, 0, k - 2, binom(k - 2, i)*(1 - x)^(k - 2 - i)*x^i*sin(pi/2*x)*(1 - sin(pi/2*x))*(R[i+1] - R[i])) and sin(pi/2*x)*(1 - sin(pi/2*x)) >= 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -303,8 +273,6 @@ Module sec_2_3_dir_mu_single.
 (* gbt-developable/sec-2.3.dir-mu.single, Sect. 2.3, unnumbered display after (2.4), first line
    printed: The point of a quadratic curve moves along a leg of the control polygon, that of a cubic along none of the listed vectors.
    stated: cross(D(quadratic(x), mu), U[1] - U[0]) == 0 and cross(D(quadratic(x), nu), U[1] - U[2]) == 0 and change[1]*2 - change[2]*1 == 1/4 and change[1]*1 - change[2]*2 == -1/2 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition quadratic (U : Z -> list R) (nu : R) (mu : R) (x : R) : list R :=
   vsum 3 0%Z 2%Z (fun i => vscale (g x mu nu i 2%Z) (U i)).
 Definition quadratic_ (U : Z -> list R) (mu : R) (nu : R) (x : R) : list R :=
@@ -333,8 +301,6 @@ Module sec_2_3_dir_nu.
    printed: R_{i+1} R_i, i = 1, 2, ..., k − 1 for ν
    read as: As for μ: a combination of the vectors from R_{i+1} to R_i with non-negative weights, those of (2.4) as corrected.
    stated: D(G, nu)(x) == sum(i, 1, k - 1, binom(k - 2, i - 1)*(1 - x)^(k - 1 - i)*x^(i - 1)*cos(pi/2*x)*(1 - cos(pi/2*x))*(R[i] - R[i+1])) and cos(pi/2*x)*(1 - cos(pi/2*x)) >= 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
@@ -375,12 +341,6 @@ Module sec_2_3_concl_1.
 (* gbt-developable/sec-2.3.concl-1, Sect. 2.3, numbered conclusion 1
    printed: By modifying the values of shape parameter either μ or ν or both, the points on the curves change linearly.
    stated: D(G, mu, 2)(x) == 0 and D(G, nu, 2)(x) == 0 and D(D(G, mu)(x), nu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
-Definition G_ (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -401,8 +361,6 @@ Module sec_2_3_concl_2_boundary_of_the_hull.
    printed: With simultaneous increase in the values of shape parameters μ, ν, the GBT-Bézier curves gradually move towards their convex hull.
    read as: No point of a curve gets farther from the boundary of the hull. Tried on the control points (0,0), (10,1), (20,0), (30,1): the distance of the point at x = 1/3 from the nearest side, Y = 0.
    stated: D(to_hull, t) <= 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition zigzag (t : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x t t 0%Z 3%Z) [0; 0]) (vscale (g x t t 1%Z 3%Z) [10; 1])) (vscale (g x t t 2%Z 3%Z) [20; 0])) (vscale (g x t t 3%Z 3%Z) [30; 1]).
 Definition to_hull (t : R) : R :=
@@ -418,8 +376,6 @@ Module sec_2_3_concl_2_control_polygon.
    printed: With simultaneous increase in the values of shape parameters μ, ν, the GBT-Bézier curves gradually move towards their convex hull.
    read as: No point of a curve gets farther from the control polygon. Tried on the control points (-1,0), (3,2), (-3,2), (1,0): the square of the distance of the point at x = 1/2 from the nearest leg, X + 1 = 2 Y.
    stated: D(to_leg2, t) <= 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition loop (t : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x t t 0%Z 3%Z) [- 1; 0]) (vscale (g x t t 1%Z 3%Z) [3; 2])) (vscale (g x t t 2%Z 3%Z) [- 3; 2])) (vscale (g x t t 3%Z 3%Z) [1; 0]).
 Definition to_leg2 (t : R) : R :=
@@ -434,8 +390,6 @@ Module sec_2_3_concl_2_quadratic.
 (* gbt-developable/sec-2.3.concl-2.quadratic, Sect. 2.3, numbered conclusion 2
    printed: At k = 2 the curves move towards their control polygon when μ = ν increases.
    stated: D(g[0,2](x, t, t), t) <= 0 and D(g[2,2](x, t, t), t) <= 0 and D(g[1,2](x, t, t), t) >= 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=
 forall (t : R) (x : R),
   (-1) <= t <= 1 ->

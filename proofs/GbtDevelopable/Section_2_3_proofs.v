@@ -1,6 +1,8 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From GbtDevelopable Require Section_2_3.
+Import GbtDevelopable.Section_2_3.Definitions.
+From GbtDevelopable Require Import Section_2_3_closed.
 Open Scope R_scope.
 
 Module sec_2_3_local_part_of_a_curve.
@@ -31,11 +33,27 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g G] in no; refuting (no ((3))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (0) (0) (1/2)). Qed.
 End eq_2_3.
 
+Module eq_2_3_corrected.
+Import GbtDevelopable.Section_2_3.eq_2_3_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g G]; intros; rewrite (sum_ext 0 (k - 2) _ (fun i => binom (IZR k - 2) i * powerRZ x i * powerRZ (1 - x) (k - 2 - i) * ((1 - sin (PI / 2 * x)) * sin (PI / 2 * x) * (R_ (i + 1)%Z - R_ i)))) by (intros; ring); rewrite binomial_form by assumption; derivatives; apply pw_ext; intro; unfold seed3; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g G]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_2_3_corrected.
+
 Module eq_2_4.
 Import GbtDevelopable.Section_2_3.eq_2_4.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g G] in no; refuting (no ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (0) (0) (1/2)). Qed.
 End eq_2_4.
+
+Module eq_2_4_corrected.
+Import GbtDevelopable.Section_2_3.eq_2_4_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g G]; intros; rewrite from_one; rewrite (sum_ext 0 (k - 2) _ (fun i => binom (IZR k - 2) i * powerRZ x i * powerRZ (1 - x) (k - 2 - i) * ((1 - cos (PI / 2 * x)) * cos (PI / 2 * x) * (R_ (i + 1)%Z - R_ (i + 2)%Z)))) by (intros i I; replace (i + 1 - 1)%Z with i by lia; replace (k - 1 - (i + 1))%Z with (k - 2 - i)%Z by lia; replace (i + 1 + 1)%Z with (i + 2)%Z by lia; ring); rewrite binomial_form by assumption; derivatives; apply pw_ext; intro; unfold seed3; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g G]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End eq_2_4_corrected.
 
 Module sec_2_3_indep_mu.
 Import GbtDevelopable.Section_2_3.sec_2_3_indep_mu.
@@ -61,6 +79,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance g C_ G G_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (0), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End sec_2_3_move.
 
+Module sec_2_3_dir_mu.
+Import GbtDevelopable.Section_2_3.sec_2_3_dir_mu.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g G]; intros; split; [ rewrite (sum_ext 0 (k - 2) _ (fun i => binom (IZR k - 2) i * powerRZ x i * powerRZ (1 - x) (k - 2 - i) * ((1 - sin (PI / 2 * x)) * sin (PI / 2 * x) * (R_ (i + 1)%Z - R_ i)))) by (intros; ring); rewrite binomial_form by assumption; derivatives; apply pw_ext; intro; unfold seed3; ring | signs; nra ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g G]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End sec_2_3_dir_mu.
+
 Module sec_2_3_dir_mu_single.
 Import GbtDevelopable.Section_2_3.sec_2_3_dir_mu_single.
 Theorem proved : statement.
@@ -68,6 +94,14 @@ Proof. cbv beta zeta delta [statement]; stage g; stage quadratic; stage quadrati
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g quadratic quadratic_ cubic change]; first [(exists (fun _ => 2), (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 9), (fun _ => 7), (fun _ => 7), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 1), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End sec_2_3_dir_mu_single.
+
+Module sec_2_3_dir_nu.
+Import GbtDevelopable.Section_2_3.sec_2_3_dir_nu.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g G]; intros; split; [ rewrite from_one; rewrite (sum_ext 0 (k - 2) _ (fun i => binom (IZR k - 2) i * powerRZ x i * powerRZ (1 - x) (k - 2 - i) * ((1 - cos (PI / 2 * x)) * cos (PI / 2 * x) * (R_ (i + 1)%Z - R_ (i + 2)%Z)))) by (intros i I; replace (i + 1 - 1)%Z with i by lia; replace (k - 1 - (i + 1))%Z with (k - 2 - i)%Z by lia; replace (i + 1 + 1)%Z with (i + 2)%Z by lia; ring); rewrite binomial_form by assumption; derivatives; apply pw_ext; intro; unfold seed3; ring | signs; nra ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g G]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End sec_2_3_dir_nu.
 
 Module sec_2_3_range.
 Import GbtDevelopable.Section_2_3.sec_2_3_range.

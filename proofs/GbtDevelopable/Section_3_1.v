@@ -2,6 +2,14 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
+End Definitions.
+Import Definitions.
+
 Module sec_3_1_space.
 (* gbt-developable/sec-3.1.space, Sect. 3.1
    printed: Q_i = (p_i, q_i, r_i, s_i), p_i, q_i, r_i, s_i ∈ R (i = 0, 1, 2, ..., k) are the coordinates of the control points of a GBT-Bézier curve in a 3D projective space
@@ -49,8 +57,6 @@ Module eq_3_1.
    printed: {Π_x}: H(x; μ, ν) = Σ_{i=0}^{k} g_{i,k}(x) Q_i, 0 ≤ x ≤ 1
    read as: The printed sum is compared with the function H that all other statements use.
    stated: H(x) == sum(i, 0, k, g[i,k](x)*Q[i]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -72,10 +78,6 @@ Module eq_3_2.
 (* gbt-developable/eq-3.2, Sect. 3.1, eq. (3.2)
    printed: H(x; μ, ν) = Σ g_{i,k}(x; μ, ν)(p_i, q_i, r_i, s_i) = {a0(x), a1(x), a2(x), a3(x)} = {Σ g_{i,k} p_i, Σ g_{i,k} q_i, Σ g_{i,k} r_i, Σ g_{i,k} s_i}
    stated: HT(x) == [sum(i, 0, k, g[i,k](x)*T[i][1]), sum(i, 0, k, g[i,k](x)*T[i][2]), sum(i, 0, k, g[i,k](x)*T[i][3]), sum(i, 0, k, g[i,k](x)*T[i][4])] *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -98,10 +100,6 @@ Module eq_3_3.
    printed: a0(x) = Σ_{i=0}^{k} g_{i,k}(x) p_i, a1(x) = Σ g_{i,k}(x) q_i, a2(x) = Σ g_{i,k}(x) r_i, a3(x) = Σ g_{i,k}(x) s_i
    read as: Compared with the coordinates of (3.1), the vector sum, one by one.
    stated: HT(x)[1] == sum(i, 0, k, g[i,k](x)*T[i][1]) and HT(x)[2] == sum(i, 0, k, g[i,k](x)*T[i][2]) and HT(x)[3] == sum(i, 0, k, g[i,k](x)*T[i][3]) and HT(x)[4] == sum(i, 0, k, g[i,k](x)*T[i][4]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -124,10 +122,6 @@ Module eq_3_4.
    printed: {Π_x}: H(x; μ, ν) = {a0(x), a1(x), a2(x), a3(x)}
    read as: The coordinates of (3.3), compared with (3.1).
    stated: HT(x) == [sum(i, 0, k, g[i,k](x)*T[i][1]), sum(i, 0, k, g[i,k](x)*T[i][2]), sum(i, 0, k, g[i,k](x)*T[i][3]), sum(i, 0, k, g[i,k](x)*T[i][4])] *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in

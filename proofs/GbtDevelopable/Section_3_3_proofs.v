@@ -1,6 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From GbtDevelopable Require Section_3_3.
+Import GbtDevelopable.Section_3_3.Definitions.
 Open Scope R_scope.
 
 Module sec_3_3_S_vec.

@@ -2,14 +2,40 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module eq_3_11_a.
-(* gbt-developable/eq-3.11.a, Sect. 3.4, eq. (3.11), first line
-   printed: H(0, μ, ν) = Q_0
-   stated: H(0) == Q[0] *)
+Module Definitions.
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
   sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition direction (P : list R) (D_ : list R) : list R :=
+  cross (normal P) (normal D_).
+Definition moment (P : list R) (D_ : list R) : list R :=
+  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
+Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
+Definition k1 (k : Z) (mu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
+Definition k2 (k : Z) (nu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
+Definition end_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
+  [[Derive_n (fun t => H (update1 Q k t) k mu nu 1%Z) 1 (Q k); Derive_n (fun t => H (update1 Q (k - 1)%Z t) k mu nu 1%Z) 1 (Q (k - 1)%Z); Derive_n (fun t => H (update1 Q (k - 2)%Z t) k mu nu 1%Z) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x := 1%Z in Derive_n (fun x_ => H_ (update1 Q k t) k mu nu x_) 1 (IZR x)) 1 (Q k); Derive_n (fun t => let x_ := 1%Z in Derive_n (fun x__ => H_ (update1 Q (k - 1)%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x__ := 1%Z in Derive_n (fun x___ => H_ (update1 Q (k - 2)%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x___ := 1%Z in Derive_n (fun x____ => H_ (update1 Q k t) k mu nu x____) 2 (IZR x___)) 1 (Q k); Derive_n (fun t => let x____ := 1%Z in Derive_n (fun x_____ => H_ (update1 Q (k - 1)%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x_____ := 1%Z in Derive_n (fun x______ => H_ (update1 Q (k - 2)%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q (k - 2)%Z)]].
+Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
+  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
+End Definitions.
+Import Definitions.
+
+Module eq_3_11_a.
+(* gbt-developable/eq-3.11.a, Sect. 3.4, eq. (3.11), first line
+   printed: H(0, μ, ν) = Q_0
+   stated: H(0) == Q[0] *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -29,8 +55,6 @@ Module eq_3_11_b.
 (* gbt-developable/eq-3.11.b, Sect. 3.4, eq. (3.11), second line
    printed: H'(0, μ, ν) = 1/2 (2(k − 2) + π(1 + μ)) (Q_1 − Q_0)
    stated: H'(0) == 1/2*(2*(k - 2) + pi*(1 + mu))*(Q[1] - Q[0]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -54,8 +78,6 @@ Module eq_3_11_c.
 (* gbt-developable/eq-3.11.c, Sect. 3.4, eq. (3.11), third line
    printed: H''(0, μ, ν) = 1/4 [4(k − 2)(k − 3 + π(1 + μ))(Q_0 − 2 Q_1 + Q_2) + 2π² μ (Q_0 − Q_1) − π² (1 − ν)(Q_1 − Q_2)]
    stated: H''(0) == 1/4*(4*(k - 2)*(k - 3 + pi*(1 + mu))*(Q[0] - 2*Q[1] + Q[2]) + 2*pi^2*mu*(Q[0] - Q[1]) - pi^2*(1 - nu)*(Q[1] - Q[2])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -81,10 +103,6 @@ Module eq_3_12_a.
 (* gbt-developable/eq-3.12.a, Sect. 3.4, eq. (3.12), first line
    printed: H(1, μ, ν) = Q_k
    stated: H(1) == Q[k] *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -104,8 +122,6 @@ Module eq_3_12_b.
 (* gbt-developable/eq-3.12.b, Sect. 3.4, eq. (3.12), second line
    printed: H'(1, μ, ν) = 1/2 (2(k − 2) + π(1 + ν)) (Q_k − Q_{k−1})
    stated: H'(1) == 1/2*(2*(k - 2) + pi*(1 + nu))*(Q[k] - Q[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -129,8 +145,6 @@ Module eq_3_12_c.
 (* gbt-developable/eq-3.12.c, Sect. 3.4, eq. (3.12), third line
    printed: H''(1, μ, ν) = 1/4 [4(k − 2)(k − 3 + π(1 + ν))(Q_{k−2} − 2 Q_{k−1} + Q_k) + π² (1 − μ)(Q_{k−2} − Q_{k−1}) − 2π² ν (Q_{k−1} − Q_k)]
    stated: H''(1) == 1/4*(4*(k - 2)*(k - 3 + pi*(1 + nu))*(Q[k-2] - 2*Q[k-1] + Q[k]) + pi^2*(1 - mu)*(Q[k-2] - Q[k-1]) - 2*pi^2*nu*(Q[k-1] - Q[k])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -157,10 +171,6 @@ Module sec_3_4_tangent_ends.
    printed: at x = 0 and x = 1, these two planes are tangent to the defined developable GBT-Bézier surface with its generators J(x; μ, ν)
    read as: Both tangent vectors of (3.7) at x = 0 lie in the plane Q_0, those at x = 1 in Q_k, for every x1. h, d, dd stand for H(0), H'(0), H''(0), and e, f, ff for H(1), H'(1), H''(1); of them the end planes are put in, the others are any planes.
    stated: h == T[0] and dot(normal(T[0]), J0(0)) == T[0][4] and dot(normal(T[0]), direction(h, d)) == 0 and dot(normal(h), J0'(0)) == 0 and e == T[k] and dot(normal(T[k]), J1(0)) == T[k][4] and dot(normal(T[k]), direction(e, f)) == 0 and dot(normal(e), J1'(0)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
 Definition P (d : list R) (dd : list R) (h : list R) (t : Z) : list R :=
   vadd (vadd h (vscale (IZR t) d)) (vscale (IZR t ^ 2 / 2) dd).
 Definition P_ (d : list R) (dd : list R) (h : list R) (t : R) : list R :=
@@ -236,14 +246,6 @@ Module eq_3_13.
 (* gbt-developable/eq-3.13, Sect. 3.4, eq. (3.13)
    printed: t_0 . W = s_0;  (k − 2 + π/2 (1 + μ)) (t_1 − t_0) . W = (k − 2 + π/2 (1 + μ)) (s_1 − s_0),  where t_0 = (p_0, q_0, r_0), t_1 = (p_1, q_1, r_1), W = (X, Y, Z)
    stated: dot(normal(HT(0)), W) - HT(0)[4] == dot(normal(T[0]), W) - T[0][4] and dot(normal(HT'(0)), W) - HT'(0)[4] == (k - 2 + pi/2*(1 + mu))*dot(normal(T[1]) - normal(T[0]), W) - (k - 2 + pi/2*(1 + mu))*(T[1][4] - T[0][4]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
-Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
 Definition W (X : R) (Y : R) (Z_ : R) : list R :=
   [X; Y; Z_].
 Definition statement : Prop :=
@@ -269,18 +271,6 @@ Module sec_3_4_J0.
 (* gbt-developable/sec-3.4.J0, Sect. 3.4, after (3.13)
    printed: from interpretation of 1st two planes of (3.13), the control plane Q_1 can be attained. Thus J(0; μ, ν), the starting generator is the intersection of control plane Q_0 and control plane Q_1.
    stated: direction(T[0], T[1]) == direction(HT(0), HT'(0))/(k - 2 + pi/2*(1 + mu)) and moment(T[0], T[1]) == moment(HT(0), HT'(0))/(k - 2 + pi/2*(1 + mu)) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
-Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -308,8 +298,6 @@ Module sec_3_4_dual.
 (* gbt-developable/sec-3.4.dual, Sect. 3.4, after (3.13)
    printed: J(0; μ, ν) is tangent to the GBT-Bézier curve described by the control points Q_i (i = 0, 1, ..., k) as J(0; μ, ν) is dual to the line connecting the points Q_0 and Q_1
    stated: Q[1] - Q[0] == H'(0)/(k - 2 + pi/2*(1 + mu)) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -337,18 +325,6 @@ Module sec_3_4_J1.
 (* gbt-developable/sec-3.4.J1, Sect. 3.4, after (3.13)
    printed: at x = 1 the last two control planes, control plane Q_{k−1} and control plane Q_k, represent the ending generator of a developable GBT-Bézier surface denoted as J(1; μ, ν)
    stated: direction(T[k], T[k-1]) == -direction(HT(1), HT'(1))/(k - 2 + pi/2*(1 + nu)) and moment(T[k], T[k-1]) == -moment(HT(1), HT'(1))/(k - 2 + pi/2*(1 + nu)) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
-Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -376,8 +352,6 @@ Module sec_3_4_k1.
 (* gbt-developable/sec-3.4.k1, Sect. 3.4, after the matrices
    printed: k_1 = (k − 2)(k − 3 + π(1 + μ))
    stated: k1 == (k - 2)*(k - 3 + pi*(1 + mu)) *)
-Definition k1 (k : Z) (mu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
 Definition statement : Prop :=
 forall (k : Z) (mu : R),
   (2 <= k)%Z ->
@@ -393,8 +367,6 @@ Module sec_3_4_k2.
 (* gbt-developable/sec-3.4.k2, Sect. 3.4, after the matrices
    printed: k_2 = (k − 2)(k − 3 + π(1 + ν))
    stated: k2 == (k - 2)*(k - 3 + pi*(1 + nu)) *)
-Definition k2 (k : Z) (nu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
 Definition statement : Prop :=
 forall (k : Z) (nu : R),
   (2 <= k)%Z ->
@@ -410,12 +382,6 @@ Module sec_3_4_m0_r1.
 (* gbt-developable/sec-3.4.m0-r1, Sect. 3.4, first matrix, row 1
    printed: Q_0 = [1, 0, 0] . (H(0), H'(0), H''(0))
    stated: Q[0] == 1*H(0) + 0*H'(0) + 0*H''(0) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -435,12 +401,6 @@ Module sec_3_4_m0_r2.
 (* gbt-developable/sec-3.4.m0-r2, Sect. 3.4, first matrix, row 2
    printed: Q_1 = [1, 2/(2(k−2) + π(1+μ)), 0] . (H(0), H'(0), H''(0))
    stated: Q[1] == 1*H(0) + 2/(2*(k - 2) + pi*(1 + mu))*H'(0) + 0*H''(0) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -462,14 +422,6 @@ Module sec_3_4_m0_r3_c1.
 (* gbt-developable/sec-3.4.m0-r3.c1, Sect. 3.4, first matrix, row 3, entry 1
    printed: 1
    stated: inverse(start)[3,1] == 1 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
-  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -500,16 +452,6 @@ Module sec_3_4_m0_r3_c2.
    printed: 2(8 k_1 + π²(1 − ν + 2μ) / ((2(k−2) + π(1+μ)) (4 k_1 − π²(1 − ν)))
    read as: Unbalanced bracket as printed; read as 2(8 k_1 + π²(1 − ν + 2μ)) over the product.
    stated: inverse(start)[3,2] == 2*(8*k1 + pi^2*(1 - nu + 2*mu))/((2*(k - 2) + pi*(1 + mu))*(4*k1 - pi^2*(1 - nu))) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
-  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
-Definition k1 (k : Z) (mu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -528,16 +470,6 @@ Module sec_3_4_m0_r3_c2_corrected.
    printed: 2(8 k_1 + π²(1 − ν + 2μ) / ((2(k−2) + π(1+μ)) (4 k_1 − π²(1 − ν)))
    read as: Unbalanced bracket as printed; read as 2(8 k_1 + π²(1 − ν + 2μ)) over the product.
    stated: inverse(start)[3,2] == 2*(8*k1 + pi^2*(1 - nu + 2*mu))/((2*(k - 2) + pi*(1 + mu))*(4*k1 + pi^2*(1 - nu))) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
-  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
-Definition k1 (k : Z) (mu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -569,14 +501,6 @@ Module sec_3_4_m0_r3_true.
 (* gbt-developable/sec-3.4.m0-r3.true, Sect. 3.4, first matrix, row 3
    printed: Q_2 from H(0), H'(0) and H''(0): the true third row of the first matrix.
    stated: Q[2] == H(0) + 2*(8*k1 + pi^2*(1 - nu + 2*mu))/((2*(k - 2) + pi*(1 + mu))*(4*k1 + pi^2*(1 - nu)))*H'(0) + 1/(k1 + 1/4*pi^2*(1 - nu))*H''(0) *)
-Definition k1 (k : Z) (mu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -605,16 +529,6 @@ Module sec_3_4_m0_r3_c3.
    printed: 1/(k_1 − 1/4 π² (1 − ν))
    read as: The printed entry ends with one more ')' than it opens.
    stated: inverse(start)[3,3] == 1/(k1 - 1/4*pi^2*(1 - nu)) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
-  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
-Definition k1 (k : Z) (mu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -633,16 +547,6 @@ Module sec_3_4_m0_r3_c3_corrected.
    printed: 1/(k_1 − 1/4 π² (1 − ν))
    read as: The printed entry ends with one more ')' than it opens.
    stated: inverse(start)[3,3] == 1/(k1 + 1/4*pi^2*(1 - nu)) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
-  [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0%Z) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0%Z) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0%Z) 1 (Q 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H_ (update1 Q 0%Z t) k mu nu x_) 1 (IZR x)) 1 (Q 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H_ (update1 Q 1%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H_ (update1 Q 2%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H_ (update1 Q 0%Z t) k mu nu x____) 2 (IZR x___)) 1 (Q 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H_ (update1 Q 1%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H_ (update1 Q 2%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q 2%Z)]].
-Definition k1 (k : Z) (mu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -674,12 +578,6 @@ Module sec_3_4_m1_r1.
 (* gbt-developable/sec-3.4.m1-r1, Sect. 3.4, second matrix, row 1
    printed: Q_k = [1, 0, 0] . (H(1), H'(1), H''(1))
    stated: Q[k] == 1*H(1) + 0*H'(1) + 0*H''(1) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -699,12 +597,6 @@ Module sec_3_4_m1_r2.
 (* gbt-developable/sec-3.4.m1-r2, Sect. 3.4, second matrix, row 2
    printed: Q_{k−1} = [1, −2/(2(k−2) + π(1+ν)), 0] . (H(1), H'(1), H''(1))
    stated: Q[k-1] == 1*H(1) - 2/(2*(k - 2) + pi*(1 + nu))*H'(1) + 0*H''(1) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -726,14 +618,6 @@ Module sec_3_4_m1_r3_c1.
 (* gbt-developable/sec-3.4.m1-r3.c1, Sect. 3.4, second matrix, row 3, entry 1
    printed: 1
    stated: inverse(end)[3,1] == 1 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition end_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
-  [[Derive_n (fun t => H (update1 Q k t) k mu nu 1%Z) 1 (Q k); Derive_n (fun t => H (update1 Q (k - 1)%Z t) k mu nu 1%Z) 1 (Q (k - 1)%Z); Derive_n (fun t => H (update1 Q (k - 2)%Z t) k mu nu 1%Z) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x := 1%Z in Derive_n (fun x_ => H_ (update1 Q k t) k mu nu x_) 1 (IZR x)) 1 (Q k); Derive_n (fun t => let x_ := 1%Z in Derive_n (fun x__ => H_ (update1 Q (k - 1)%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x__ := 1%Z in Derive_n (fun x___ => H_ (update1 Q (k - 2)%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x___ := 1%Z in Derive_n (fun x____ => H_ (update1 Q k t) k mu nu x____) 2 (IZR x___)) 1 (Q k); Derive_n (fun t => let x____ := 1%Z in Derive_n (fun x_____ => H_ (update1 Q (k - 1)%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x_____ := 1%Z in Derive_n (fun x______ => H_ (update1 Q (k - 2)%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q (k - 2)%Z)]].
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -764,16 +648,6 @@ Module sec_3_4_m1_r3_c2.
    printed: −2(8 k_2 + π²(1 − μ + 2ν) / ((2(k−2) + π(1+ν)) (4 k_2 − π²(1 − μ)))
    read as: Unbalanced bracket as printed; read as −2(8 k_2 + π²(1 − μ + 2ν)) over the product.
    stated: inverse(end)[3,2] == -2*(8*k2 + pi^2*(1 - mu + 2*nu))/((2*(k - 2) + pi*(1 + nu))*(4*k2 - pi^2*(1 - mu))) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition end_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
-  [[Derive_n (fun t => H (update1 Q k t) k mu nu 1%Z) 1 (Q k); Derive_n (fun t => H (update1 Q (k - 1)%Z t) k mu nu 1%Z) 1 (Q (k - 1)%Z); Derive_n (fun t => H (update1 Q (k - 2)%Z t) k mu nu 1%Z) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x := 1%Z in Derive_n (fun x_ => H_ (update1 Q k t) k mu nu x_) 1 (IZR x)) 1 (Q k); Derive_n (fun t => let x_ := 1%Z in Derive_n (fun x__ => H_ (update1 Q (k - 1)%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x__ := 1%Z in Derive_n (fun x___ => H_ (update1 Q (k - 2)%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x___ := 1%Z in Derive_n (fun x____ => H_ (update1 Q k t) k mu nu x____) 2 (IZR x___)) 1 (Q k); Derive_n (fun t => let x____ := 1%Z in Derive_n (fun x_____ => H_ (update1 Q (k - 1)%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x_____ := 1%Z in Derive_n (fun x______ => H_ (update1 Q (k - 2)%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q (k - 2)%Z)]].
-Definition k2 (k : Z) (nu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -792,16 +666,6 @@ Module sec_3_4_m1_r3_c2_corrected.
    printed: −2(8 k_2 + π²(1 − μ + 2ν) / ((2(k−2) + π(1+ν)) (4 k_2 − π²(1 − μ)))
    read as: Unbalanced bracket as printed; read as −2(8 k_2 + π²(1 − μ + 2ν)) over the product.
    stated: inverse(end)[3,2] == -2*(8*k2 + pi^2*(1 - mu + 2*nu))/((2*(k - 2) + pi*(1 + nu))*(4*k2 + pi^2*(1 - mu))) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition end_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
-  [[Derive_n (fun t => H (update1 Q k t) k mu nu 1%Z) 1 (Q k); Derive_n (fun t => H (update1 Q (k - 1)%Z t) k mu nu 1%Z) 1 (Q (k - 1)%Z); Derive_n (fun t => H (update1 Q (k - 2)%Z t) k mu nu 1%Z) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x := 1%Z in Derive_n (fun x_ => H_ (update1 Q k t) k mu nu x_) 1 (IZR x)) 1 (Q k); Derive_n (fun t => let x_ := 1%Z in Derive_n (fun x__ => H_ (update1 Q (k - 1)%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x__ := 1%Z in Derive_n (fun x___ => H_ (update1 Q (k - 2)%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x___ := 1%Z in Derive_n (fun x____ => H_ (update1 Q k t) k mu nu x____) 2 (IZR x___)) 1 (Q k); Derive_n (fun t => let x____ := 1%Z in Derive_n (fun x_____ => H_ (update1 Q (k - 1)%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x_____ := 1%Z in Derive_n (fun x______ => H_ (update1 Q (k - 2)%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q (k - 2)%Z)]].
-Definition k2 (k : Z) (nu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -833,14 +697,6 @@ Module sec_3_4_m1_r3_true.
 (* gbt-developable/sec-3.4.m1-r3.true, Sect. 3.4, second matrix, row 3
    printed: Q_{k−2} from H(1), H'(1) and H''(1): the true third row of the second matrix.
    stated: Q[k-2] == H(1) - 2*(8*k2 + pi^2*(1 - mu + 2*nu))/((2*(k - 2) + pi*(1 + nu))*(4*k2 + pi^2*(1 - mu)))*H'(1) + 1/(k2 + 1/4*pi^2*(1 - mu))*H''(1) *)
-Definition k2 (k : Z) (nu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -869,16 +725,6 @@ Module sec_3_4_m1_r3_c3.
    printed: 1/(k_2 + 1/4 π² (1 − μ))
    read as: The printed entry ends with one more ')' than it opens.
    stated: inverse(end)[3,3] == 1/(k2 + 1/4*pi^2*(1 - mu)) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
-Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition end_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
-  [[Derive_n (fun t => H (update1 Q k t) k mu nu 1%Z) 1 (Q k); Derive_n (fun t => H (update1 Q (k - 1)%Z t) k mu nu 1%Z) 1 (Q (k - 1)%Z); Derive_n (fun t => H (update1 Q (k - 2)%Z t) k mu nu 1%Z) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x := 1%Z in Derive_n (fun x_ => H_ (update1 Q k t) k mu nu x_) 1 (IZR x)) 1 (Q k); Derive_n (fun t => let x_ := 1%Z in Derive_n (fun x__ => H_ (update1 Q (k - 1)%Z t) k mu nu x__) 1 (IZR x_)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x__ := 1%Z in Derive_n (fun x___ => H_ (update1 Q (k - 2)%Z t) k mu nu x___) 1 (IZR x__)) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => let x___ := 1%Z in Derive_n (fun x____ => H_ (update1 Q k t) k mu nu x____) 2 (IZR x___)) 1 (Q k); Derive_n (fun t => let x____ := 1%Z in Derive_n (fun x_____ => H_ (update1 Q (k - 1)%Z t) k mu nu x_____) 2 (IZR x____)) 1 (Q (k - 1)%Z); Derive_n (fun t => let x_____ := 1%Z in Derive_n (fun x______ => H_ (update1 Q (k - 2)%Z t) k mu nu x______) 2 (IZR x_____)) 1 (Q (k - 2)%Z)]].
-Definition k2 (k : Z) (nu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -911,16 +757,6 @@ Module sec_3_4_S0.
    printed: the intersection of the control planes Q_0, Q_1, Q_2 is the characteristic point S(0) of the spine curve developable GBT-Bézier surfaces
    read as: S(0) is the common point of the three planes (3.9) at x = 0.
    stated: meet(T[0], T[1], T[2]) == meet(HT(0), HT'(0), HT''(0)) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
-Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
-Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
-  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -957,18 +793,8 @@ Module sec_3_4_S0_gen.
    printed: [S(0)] occurs on the starting generator V(x2, 0; μ, ν)
    read as: The starting generator is the line of the planes H(0) and H'(0); H'(0) is divided by its factor k − 2 + π/2 (1 + μ), which has to differ from zero for the line to be there.
    stated: dot(normal(HT(0)), S0) == HT(0)[4] and dot(normal(HT'(0)/kappa), S0) == HT'(0)[4]/kappa *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
 Definition kappa (k : Z) (mu : R) : R :=
   IZR k - 2 + PI / 2 * (1 + mu).
-Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
-Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
-  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
 Definition S0 (T : Z -> list R) : list R :=
   meet (T 0%Z) (T 1%Z) (T 2%Z).
 Definition statement : Prop :=
@@ -1005,16 +831,6 @@ Module sec_3_4_S1.
    printed: the characteristic point S(1) of the spine curve ... can be achieved from the intersection of the control planes Q_{k−2}, Q_{k−1}, Q_k of expression (3.12)
    read as: S(1) is the common point of the three planes (3.9) at x = 1.
    stated: meet(T[k-2], T[k-1], T[k]) == meet(HT(1), HT'(1), HT''(1)) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
-Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
-Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
-  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -1051,18 +867,8 @@ Module sec_3_4_S1_gen.
    printed: [S(1)] lies on ending generator V(x2, 1; μ, ν)
    read as: The ending generator is the line of the planes H(1) and H'(1); H'(1) is divided by its factor k − 2 + π/2 (1 + ν), which has to differ from zero for the line to be there.
    stated: dot(normal(HT(1)), S1) == HT(1)[4] and dot(normal(HT'(1)/kappa), S1) == HT'(1)[4]/kappa *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : Z) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g (IZR x) mu nu i k) (T i)).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
 Definition kappa (k : Z) (nu : R) : R :=
   IZR k - 2 + PI / 2 * (1 + nu).
-Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
-Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
-  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
 Definition S1 (T : Z -> list R) (k : Z) : list R :=
   meet (T (k - 2)%Z) (T (k - 1)%Z) (T k).
 Definition statement : Prop :=

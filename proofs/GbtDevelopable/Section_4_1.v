@@ -2,11 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module ex_4_1_Q0.
-(* gbt-developable/ex-4.1.Q0, Sect. 4.1, Example 4.1, control planes
-   printed: Q_0 = (0, −20, 10, 400)
-   read as: Compared with the plane that the statements on Example 4.1 use, which is the family at x = 0.
-   stated: E1(0) == [0, -20, 10, 400] and E1_0 == E1(0) *)
+Module Definitions.
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition E1_0 : list R :=
@@ -19,6 +15,46 @@ Definition E1_3 : list R :=
   [0; 20; 10; 400].
 Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition distance2 (P : list R) : R :=
+  entry P 4 ^ 2 / dot (normal P) (normal P).
+Definition E1_ (mu : R) (nu : R) (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
+Definition direction (P : list R) (D_ : list R) : list R :=
+  cross (normal P) (normal D_).
+Definition moment (P : list R) (D_ : list R) : list R :=
+  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
+Definition foot (P : list R) (D_ : list R) : list R :=
+  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
+Definition length2 (P : list R) (D_ : list R) : R :=
+  dot (direction P D_) (direction P D_).
+Definition E1__ (mu : R) (nu : R) (x : Z) : list R :=
+  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
+Definition E1___ (mu : R) (nu : R) (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
+Definition len (mu : R) (nu : R) : R :=
+  length2 (E1 mu nu 0%Z) (let x := 0%Z in vDerive 4 (fun x_ => E1_ mu nu x_) 1 (IZR x)).
+Definition E2_0 : list R :=
+  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
+Definition E2_1 : list R :=
+  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
+Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
+  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
+Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
+Definition E2__ (mu : R) (nu : R) (x : Z) : list R :=
+  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
+Definition E2___ (mu : R) (nu : R) (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
+End Definitions.
+Import Definitions.
+
+Module ex_4_1_Q0.
+(* gbt-developable/ex-4.1.Q0, Sect. 4.1, Example 4.1, control planes
+   printed: Q_0 = (0, −20, 10, 400)
+   read as: Compared with the plane that the statements on Example 4.1 use, which is the family at x = 0.
+   stated: E1(0) == [0, -20, 10, 400] and E1_0 == E1(0) *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -35,22 +71,6 @@ Module ex_4_1_Q1.
    printed: Q_1 = (0, −10, 20, 400)
    read as: Compared with the plane that the statements on Example 4.1 use, and with what the text says of it: its midpoint is as far from the origin as that of Q_0.
    stated: E1_1 == [0, -10, 20, 400] and distance2([0, -10, 20, 400]) == distance2(E1(0)) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition distance2 (P : list R) : R :=
-  entry P 4 ^ 2 / dot (normal P) (normal P).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -71,22 +91,6 @@ Module ex_4_1_Q2.
    printed: Q_2 = (0, 10, 20, 400)
    read as: Compared with the plane that the statements on Example 4.1 use, and with what the text says of it: its midpoint is as far from the origin as that of Q_0.
    stated: E1_2 == [0, 10, 20, 400] and distance2([0, 10, 20, 400]) == distance2(E1(0)) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition distance2 (P : list R) : R :=
-  entry P 4 ^ 2 / dot (normal P) (normal P).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -107,22 +111,6 @@ Module ex_4_1_Q3.
    printed: Q_3 = (0, 20, 10, 400)
    read as: Compared with the plane that the statements on Example 4.1 use, which is the family at x = 1, and with what the text says of it: its midpoint is as far from the origin as that of Q_0.
    stated: E1(1) == [0, 20, 10, 400] and distance2([0, 20, 10, 400]) == distance2(E1(0)) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition distance2 (P : list R) : R :=
-  entry P 4 ^ 2 / dot (normal P) (normal P).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -142,18 +130,6 @@ Module ex_4_1_distance.
 (* gbt-developable/ex-4.1.distance, Sect. 4.1, Example 4.1
    printed: the midpoints of the four control planes of a cubic enveloping developable GBT-Bézier surface have the same distance from the origin
    stated: distance2(E1_0) == distance2(E1_1) == distance2(E1_2) == distance2(E1_3) *)
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition distance2 (P : list R) : R :=
-  entry P 4 ^ 2 / dot (normal P) (normal P).
 Definition statement : Prop :=
   dot (normal E1_0) (normal E1_0) <> 0 ->
   dot (normal E1_1) (normal E1_1) <> 0 ->
@@ -171,16 +147,6 @@ Module ex_4_1_coplanar.
 (* gbt-developable/ex-4.1.coplanar, Sect. 4.1, Example 4.1
    printed: [the midpoints] are laid in the same plane
    stated: volume(E1_0, E1_1, E1_2, E1_3) == 0 *)
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
 Definition midpoint (P : list R) : list R :=
   vscale (entry P 4 / dot (normal P) (normal P)) (normal P).
 Definition volume (A : list R) (B : list R) (C_ : list R) (D_ : list R) : R :=
@@ -203,28 +169,6 @@ Module ex_4_1_c1_a.
    printed: Whenever the values of μ stay unchanged, the location of the starting generator J(0; μ, ν) ... will not modify with modifying the value of ν
    read as: 'location' is the line itself: its point nearest to the origin and its direction.
    stated: D(foot(E1(0), E1'(0)), nu) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), nu)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1_ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -242,26 +186,6 @@ Module ex_4_1_lengths.
 (* gbt-developable/ex-4.1.lengths, Sect. 4.1, Example 4.1
    printed: Example 4.1: the lengths of both end generators.
    stated: length2(E1(0), E1'(0)) == (150*(2 + pi*(1 + mu)))^2 and length2(E1(1), E1'(1)) == (150*(2 + pi*(1 + nu)))^2 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1_ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -277,30 +201,10 @@ Module ex_4_1_lengths_exchanged.
 (* gbt-developable/ex-4.1.lengths.exchanged, Sect. 4.1, Example 4.1
    printed: Example 4.1: conclusions 1 and 2 are true with starting and ending generator exchanged.
    stated: D(length2(E1(0), E1'(0)), nu) == 0 and D(length2(E1(1), E1'(1)), nu) > 0 and D(length2(E1(1), E1'(1)), mu) == 0 and D(length2(E1(0), E1'(0)), mu) > 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1_ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
 Definition E1__ (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1___ (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -316,28 +220,6 @@ Module ex_4_1_c1_b.
 (* gbt-developable/ex-4.1.c1.b, Sect. 4.1, Example 4.1, conclusion 1
    printed: [with μ unchanged,] the ... location of the ending generator J(1; μ, ν) will not modify with modifying the value of ν
    stated: D(foot(E1(1), E1'(1)), nu) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), nu)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1_ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -356,26 +238,6 @@ Module ex_4_1_c1_c.
    printed: [with μ unchanged,] the length ... of the ending generator J(1; μ, ν) will not modify with modifying the value of ν
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
    stated: D(length2(E1(1), E1'(1)), nu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1_ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -388,26 +250,6 @@ Module ex_4_1_c1_d.
    printed: however the length of the starting generator J(0; μ, ν) will modify
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. With μ unchanged and ν changed, as the sentence before says.
    stated: not D(length2(E1(0), E1'(0)), nu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1_ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -423,26 +265,6 @@ Module ex_4_1_c1_e.
    printed: increasing the value of ν will bring an increase in the length of the starting generator
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
    stated: D(length2(E1(0), E1'(0)), nu) > 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1_ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -455,32 +277,10 @@ Module ex_4_1_c1_f_there_and_nowhere_else.
    printed: Particularly at ν = 1, the length of J(0; μ, ν) becomes maximum, see Fig. 6.
    read as: For every other ν the length is smaller, as an increase with ν would make it.
    stated: at(len, nu, n) < at(len, nu, 1) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1_ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
 Definition E1__ (mu : R) (nu : Z) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu (IZR nu) 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu (IZR nu) 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu (IZR nu) 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu (IZR nu) 3%Z 3%Z) E1_3).
 Definition E1___ (mu : R) (nu : Z) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu (IZR nu) 0%Z 3%Z) E1_0) (vscale (g x mu (IZR nu) 1%Z 3%Z) E1_1)) (vscale (g x mu (IZR nu) 2%Z 3%Z) E1_2)) (vscale (g x mu (IZR nu) 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
-Definition len (mu : R) (nu : R) : R :=
-  length2 (E1 mu nu 0%Z) (let x := 0%Z in vDerive 4 (fun x_ => E1_ mu nu x_) 1 (IZR x)).
 Definition len_ (mu : R) (nu : Z) : R :=
   length2 (E1__ mu nu 0%Z) (let x := 0%Z in vDerive 4 (fun x_ => E1___ mu nu x_) 1 (IZR x)).
 Definition statement : Prop :=
@@ -495,32 +295,10 @@ Module ex_4_1_c1_f_there_at_least.
    printed: Particularly at ν = 1, the length of J(0; μ, ν) becomes maximum, see Fig. 6.
    read as: For no other ν is the length greater.
    stated: at(len, nu, n) <= at(len, nu, 1) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition E1 (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1_ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
 Definition E1__ (mu : R) (nu : Z) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu (IZR nu) 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu (IZR nu) 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu (IZR nu) 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu (IZR nu) 3%Z 3%Z) E1_3).
 Definition E1___ (mu : R) (nu : Z) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu (IZR nu) 0%Z 3%Z) E1_0) (vscale (g x mu (IZR nu) 1%Z 3%Z) E1_1)) (vscale (g x mu (IZR nu) 2%Z 3%Z) E1_2)) (vscale (g x mu (IZR nu) 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
-Definition len (mu : R) (nu : R) : R :=
-  length2 (E1 mu nu 0%Z) (let x := 0%Z in vDerive 4 (fun x_ => E1_ mu nu x_) 1 (IZR x)).
 Definition len_ (mu : R) (nu : Z) : R :=
   length2 (E1__ mu nu 0%Z) (let x := 0%Z in vDerive 4 (fun x_ => E1___ mu nu x_) 1 (IZR x)).
 Definition statement : Prop :=
@@ -538,32 +316,10 @@ Module ex_4_1_c2_a.
 (* gbt-developable/ex-4.1.c2.a, Sect. 4.1, Example 4.1, conclusion 2
    printed: For fixed values of ν, the location of J(0; μ, ν) ... will not fluctuate with fluctuating values of μ
    stated: D(foot(E1(0), E1'(0)), mu) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), mu)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition E1__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -581,32 +337,10 @@ Module ex_4_1_c2_b.
 (* gbt-developable/ex-4.1.c2.b, Sect. 4.1, Example 4.1, conclusion 2
    printed: For fixed values of ν, the location of ... J(1; μ, ν) will not fluctuate with fluctuating values of μ
    stated: D(foot(E1(1), E1'(1)), mu) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), mu)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition E1__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -625,26 +359,10 @@ Module ex_4_1_c2_c.
    printed: but the lengths of ending generators J(1; μ, ν) will modify
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. With ν fixed and μ changed, as the sentence before says.
    stated: not D(length2(E1(1), E1'(1)), mu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -660,26 +378,10 @@ Module ex_4_1_c2_d.
    printed: the length of generators J(1; μ, ν) increases with increasing value of μ
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
    stated: D(length2(E1(1), E1'(1)), mu) > 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -692,16 +394,6 @@ Module ex_4_1_c2_e_there_and_nowhere_else.
    printed: and will be maximum at μ = 1, see Fig. 7
    read as: For every other μ the length is smaller, as an increase with μ would make it.
    stated: at(len, mu, n) < at(len, mu, 1) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -710,12 +402,6 @@ Definition E1__ (nu : R) (mu : Z) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) (IZR mu) nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) (IZR mu) nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) (IZR mu) nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) (IZR mu) nu 3%Z 3%Z) E1_3).
 Definition E1___ (nu : R) (mu : Z) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x (IZR mu) nu 0%Z 3%Z) E1_0) (vscale (g x (IZR mu) nu 1%Z 3%Z) E1_1)) (vscale (g x (IZR mu) nu 2%Z 3%Z) E1_2)) (vscale (g x (IZR mu) nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition len (nu : R) (mu : R) : R :=
   length2 (E1 nu mu 1%Z) (let x := 1%Z in vDerive 4 (fun x_ => E1_ nu mu x_) 1 (IZR x)).
 Definition len_ (nu : R) (mu : Z) : R :=
@@ -732,16 +418,6 @@ Module ex_4_1_c2_e_there_at_least.
    printed: and will be maximum at μ = 1, see Fig. 7
    read as: For no other μ is the length greater.
    stated: at(len, mu, n) <= at(len, mu, 1) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -750,12 +426,6 @@ Definition E1__ (nu : R) (mu : Z) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) (IZR mu) nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) (IZR mu) nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) (IZR mu) nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) (IZR mu) nu 3%Z 3%Z) E1_3).
 Definition E1___ (nu : R) (mu : Z) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x (IZR mu) nu 0%Z 3%Z) E1_0) (vscale (g x (IZR mu) nu 1%Z 3%Z) E1_1)) (vscale (g x (IZR mu) nu 2%Z 3%Z) E1_2)) (vscale (g x (IZR mu) nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition len (nu : R) (mu : R) : R :=
   length2 (E1 nu mu 1%Z) (let x := 1%Z in vDerive 4 (fun x_ => E1_ nu mu x_) 1 (IZR x)).
 Definition len_ (nu : R) (mu : Z) : R :=
@@ -776,32 +446,10 @@ Module ex_4_1_c3_a.
    printed: For identical values of μ, ν, the ... location of both starting J(0; μ, ν) and ending J(1; μ, ν) generators will modify with modifying values of μ, ν.
    read as: 'location' is the line itself. Refuted is already that one of the two lines moves for some change of μ and ν.
    stated: not (D(foot(E1(0), E1'(0)), mu) == 0 and D(foot(E1(0), E1'(0)), nu) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), mu)) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), nu)) == 0 and D(foot(E1(1), E1'(1)), mu) == 0 and D(foot(E1(1), E1'(1)), nu) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), mu)) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), nu)) == 0) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition E1__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition E1___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -821,26 +469,10 @@ Module ex_4_1_c3_b.
    printed: For identical values of μ, ν, the length ... of both starting J(0; μ, ν) and ending J(1; μ, ν) generators will modify
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
    stated: not D(at(length2(E1(0), E1'(0)), mu, nu), nu) == 0 and not D(at(length2(E1(1), E1'(1)), mu, nu), nu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (nu : R),
   (-1) <= nu <= 1 ->
@@ -859,26 +491,10 @@ Module ex_4_1_c3_c.
    printed: With increasing values of μ, ν, the length of both generators increases.
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. Both parameters altered together: mu = nu.
    stated: D(at(length2(E1(0), E1'(0)), mu, nu), nu) > 0 and D(at(length2(E1(1), E1'(1)), mu, nu), nu) > 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (nu : R),
   (-1) <= nu <= 1 ->
@@ -893,28 +509,10 @@ Module ex_4_1_c3_d.
    printed: the structure of the enveloping developable surface will also modify as the height enveloping developable GBT-Bézier surface increases with decreasing values of μ, ν, see Fig. 8
    read as: 'height' read as the Z extent of the surface, which for these planes is the Z extent of the profile ψ(x): from its ends to its top at x = 1/2, see the remark. The derivative is that along mu = nu.
    stated: D(height, nu) < 0 and D(other, nu) < 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
 Definition E1_ (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition height (nu : R) : R :=
   entry (foot (E1 nu nu (1 / 2)) (let x := 1 / 2 in vDerive 4 (fun x_ => E1 nu nu x_) 1 x)) 3 - entry (foot (E1_ nu nu 0%Z) (let x_ := 0%Z in vDerive 4 (fun x__ => E1 nu nu x__) 1 (IZR x_))) 3.
 Definition other (nu : R) : R :=
@@ -940,30 +538,12 @@ Module ex_4_1_c3_d_top.
 (* gbt-developable/ex-4.1.c3.d.top, Sect. 4.1, Example 4.1, conclusion 3
    printed: Example 4.1: for μ = ν the profile has its top at x = 1/2.
    stated: z == 400*D(q, x)/(D(q, x)*r - q*D(r, x)) and D(400*D(q, x)/(D(q, x)*r - q*D(r, x)), x) == 400*q*(D(q, x)*D(r, x, 2) - D(q, x, 2)*D(r, x))/(D(q, x)*r - q*D(r, x))^2 and D(q, x)*D(r, x, 2) - D(q, x, 2)*D(r, x) <= 0 and D(q, x) >= 0 and at(q, x, 1/2) == 0 and D(q, x)*r - q*D(r, x) > 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition E1 (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
 Definition q (nu : R) (x : R) : R :=
   entry (E1 nu nu x) 2.
 Definition r (nu : R) (x : R) : R :=
   entry (E1 nu nu x) 3.
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition z (nu : R) (x : R) : R :=
   entry (foot (E1 nu nu x) (vDerive 4 (fun x_ => E1 nu nu x_) 1 x)) 3.
 Definition statement : Prop :=
@@ -990,12 +570,6 @@ Module ex_4_2_Q0.
    printed: Q_0 = (5√2, −5√2, 5, 125)
    read as: Compared with the plane that the statements on Example 4.2 use, which is the family at x = 0.
    stated: E2(0) == [5*sqrt(2), -5*sqrt(2), 5, 125] and E2_0 == E2(0) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
 Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
 Definition statement : Prop :=
@@ -1014,18 +588,8 @@ Module ex_4_2_Q1.
    printed: Q_1 = (−5√2, −5√2, 5, 125)
    read as: Compared with the plane that the statements on Example 4.2 use, and with the rule of Sect. 4: its midpoint is as far from the origin as that of Q_0.
    stated: E2_1 == [-5*sqrt(2), -5*sqrt(2), 5, 125] and distance2([-5*sqrt(2), -5*sqrt(2), 5, 125]) == distance2(E2(0)) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
 Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition distance2 (P : list R) : R :=
-  entry P 4 ^ 2 / dot (normal P) (normal P).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -1046,18 +610,8 @@ Module ex_4_2_Q2.
    printed: Q_2 = (−5√2, −5√2, 5, 125)
    read as: Compared with the plane that the statements on Example 4.2 use, and with the rule of Sect. 4: its midpoint is as far from the origin as that of Q_0.
    stated: E2_2 == [-5*sqrt(2), -5*sqrt(2), 5, 125] and distance2([-5*sqrt(2), -5*sqrt(2), 5, 125]) == distance2(E2(0)) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
 Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition distance2 (P : list R) : R :=
-  entry P 4 ^ 2 / dot (normal P) (normal P).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -1078,18 +632,8 @@ Module ex_4_2_Q3.
    printed: Q_3 = (5√2, −5√2, 5, 125)
    read as: Compared with the plane that the statements on Example 4.2 use, which is the family at x = 1, and with the rule of Sect. 4: its midpoint is as far from the origin as that of Q_0.
    stated: E2(1) == [5*sqrt(2), -5*sqrt(2), 5, 125] and distance2([5*sqrt(2), -5*sqrt(2), 5, 125]) == distance2(E2(0)) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
 Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition distance2 (P : list R) : R :=
-  entry P 4 ^ 2 / dot (normal P) (normal P).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -1110,22 +654,8 @@ Module ex_4_2_class.
    printed: with fluctuating values of shape parameters μ, ν, a class of enveloping developable GBT-Bézier surfaces can be designed on the requirement of provided control planes
    read as: (3.7) is a surface at some point at least: for some shape parameters, some x and some x1 its two tangent vectors are not parallel.
    stated: not cross(direction(E2(x), E2'(x)), J'(x)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
 Definition E2 (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition J (mu : R) (nu : R) (x1 : R) (x : R) : list R :=
   vadd (vscale x1 (direction (E2 mu nu x) (vDerive 4 (fun x_ => E2 mu nu x_) 1 x))) (foot (E2 mu nu x) (vDerive 4 (fun x_ => E2 mu nu x_) 1 x)).
 Definition statement : Prop :=
@@ -1145,16 +675,8 @@ Module ex_4_2_pencil.
 (* gbt-developable/ex-4.2.pencil, Sect. 4.1, Example 4.2
    printed: Example 4.2: all planes contain one line.
    stated: dot(normal(E2(x)), [0, y, 25 + sqrt(2)*y]) == E2(x)[4] *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
 Definition E2 (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
 Definition statement : Prop :=
 forall (mu : R) (nu : R) (x : R) (y : R),
   (-1) <= mu <= 1 ->
@@ -1172,22 +694,10 @@ Module ex_4_2_lengths.
 (* gbt-developable/ex-4.2.lengths, Sect. 4.1, Example 4.2
    printed: Example 4.2: the lengths of both end generators.
    stated: length2(E2(0), E2'(0)) == 3750*(2 + pi*(1 + mu))^2 and length2(E2(1), E2'(1)) == 3750*(2 + pi*(1 + nu))^2 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
 Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
 Definition E2_ (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -1204,22 +714,6 @@ Module ex_4_2_c1_a.
    printed: When we fix the value of ν, the length of generator J(1; μ, ν) will modify ... with fluctuating values of μ
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
    stated: not D(length2(E2(1), E2'(1)), mu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -1234,28 +728,6 @@ Module ex_4_2_c1_b.
 (* gbt-developable/ex-4.2.c1.b, Sect. 4.1, Example 4.2, conclusion 1
    printed: [ν fixed] the location of generator J(1; μ, ν) ... will not modify with fluctuating values of μ
    stated: D(foot(E2(1), E2'(1)), mu) == 0 and cross(direction(E2(1), E2'(1)), D(direction(E2(1), E2'(1)), mu)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition E2__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -1273,28 +745,6 @@ Module ex_4_2_c1_c.
 (* gbt-developable/ex-4.2.c1.c, Sect. 4.1, Example 4.2, conclusion 1
    printed: [ν fixed] the ... location of generator J(0; μ, ν) will not modify with fluctuating values of μ
    stated: D(foot(E2(0), E2'(0)), mu) == 0 and cross(direction(E2(0), E2'(0)), D(direction(E2(0), E2'(0)), mu)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition E2__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -1313,22 +763,6 @@ Module ex_4_2_c1_d.
    printed: [ν fixed] the length ... of generator J(0; μ, ν) will not modify with fluctuating values of μ
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
    stated: D(length2(E2(0), E2'(0)), mu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -1341,22 +775,6 @@ Module ex_4_2_c1_e.
    printed: the length of the ending generator will increase simultaneously with an increase in the value of μ, see Figs. 9–10
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
    stated: D(length2(E2(1), E2'(1)), mu) > 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -1369,26 +787,6 @@ Module ex_4_2_c2_a.
    printed: When we take positive values of μ, ν, the length ... of J(0; μ, ν) ... will not alter with the altering values of μ, ν
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
    stated: D(length2(E2(0), E2'(0)), mu) == 0 and D(length2(E2(0), E2'(0)), nu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition E2__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   0 < mu <= 1 ->
@@ -1400,28 +798,6 @@ Module ex_4_2_c2_b.
 (* gbt-developable/ex-4.2.c2.b, Sect. 4.1, Example 4.2, conclusion 2
    printed: [positive μ, ν] the ... location of J(0; μ, ν) ... will not alter
    stated: D(foot(E2(0), E2'(0)), mu) == 0 and D(foot(E2(0), E2'(0)), nu) == 0 and cross(direction(E2(0), E2'(0)), D(direction(E2(0), E2'(0)), mu)) == 0 and cross(direction(E2(0), E2'(0)), D(direction(E2(0), E2'(0)), nu)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition E2__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   0 < mu <= 1 ->
@@ -1441,28 +817,6 @@ Module ex_4_2_c2_c.
 (* gbt-developable/ex-4.2.c2.c, Sect. 4.1, Example 4.2, conclusion 2
    printed: [positive μ, ν] ... location of J(1; μ, ν) will not alter
    stated: D(foot(E2(1), E2'(1)), mu) == 0 and D(foot(E2(1), E2'(1)), nu) == 0 and cross(direction(E2(1), E2'(1)), D(direction(E2(1), E2'(1)), mu)) == 0 and cross(direction(E2(1), E2'(1)), D(direction(E2(1), E2'(1)), nu)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition E2__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   0 < mu <= 1 ->
@@ -1483,26 +837,6 @@ Module ex_4_2_c2_d.
    printed: but the length of the ending generator J(1; μ, ν) will modify, see Fig. 11
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
    stated: not (D(length2(E2(1), E2'(1)), mu) == 0 and D(length2(E2(1), E2'(1)), nu) == 0) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition E2__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   0 < mu <= 1 ->
@@ -1521,28 +855,6 @@ Module ex_4_2_c3_a.
 (* gbt-developable/ex-4.2.c3.a, Sect. 4.1, Example 4.2, conclusion 3
    printed: When we take negative values of μ, ν, the location of J(0; μ, ν) ... will not fluctuate
    stated: D(foot(E2(0), E2'(0)), mu) == 0 and D(foot(E2(0), E2'(0)), nu) == 0 and cross(direction(E2(0), E2'(0)), D(direction(E2(0), E2'(0)), mu)) == 0 and cross(direction(E2(0), E2'(0)), D(direction(E2(0), E2'(0)), nu)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition E2__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu < 0 ->
@@ -1562,28 +874,6 @@ Module ex_4_2_c3_b.
 (* gbt-developable/ex-4.2.c3.b, Sect. 4.1, Example 4.2, conclusion 3
    printed: When we take negative values of μ, ν, the location of ... J(1; μ, ν) will not fluctuate
    stated: D(foot(E2(1), E2'(1)), mu) == 0 and D(foot(E2(1), E2'(1)), nu) == 0 and cross(direction(E2(1), E2'(1)), D(direction(E2(1), E2'(1)), mu)) == 0 and cross(direction(E2(1), E2'(1)), D(direction(E2(1), E2'(1)), nu)) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition E2__ (mu : R) (nu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2___ (mu : R) (nu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu < 0 ->
@@ -1604,22 +894,6 @@ Module ex_4_2_c3_c.
    printed: however, the length of the ending and starting generator will modify
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. Both parameters altered together.
    stated: not D(at(length2(E2(1), E2'(1)), mu, nu), nu) == 0 and not D(at(length2(E2(0), E2'(0)), mu, nu), nu) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2 (nu : R) (mu : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
-Definition E2_ (nu : R) (mu : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition length2 (P : list R) (D_ : list R) : R :=
-  dot (direction P D_) (direction P D_).
 Definition statement : Prop :=
 forall (nu : R),
   (-1) <= nu < 0 ->
@@ -1638,22 +912,8 @@ Module ex_4_2_c3_d.
    printed: ... will modify along with the shape of the enveloping developable GBT-Bézier surface, see Fig. 12
    read as: The shape is the set of the generators; refuted is already that one of them moves when μ = ν changes.
    stated: not (D(line(x), nu) == 0 and cross(along(x), D(along(x), nu)) == 0) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition E2_0 : list R :=
-  [5 * sqrt 2; - 5 * sqrt 2; 5; 125].
-Definition E2_1 : list R :=
-  [- 5 * sqrt 2; - 5 * sqrt 2; 5; 125].
 Definition E2 (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition line (nu : R) (x : R) : list R :=
   foot (E2 nu nu x) (vDerive 4 (fun x_ => E2 nu nu x_) 1 x).
 Definition along (nu : R) (x : R) : list R :=

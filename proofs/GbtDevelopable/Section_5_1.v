@@ -2,13 +2,43 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition direction (P : list R) (D_ : list R) : list R :=
+  cross (normal P) (normal D_).
+Definition moment (P : list R) (D_ : list R) : list R :=
+  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
+Definition foot (P : list R) (D_ : list R) : list R :=
+  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
+Definition O_ (d2 : list R) (dd2 : list R) (h2 : list R) (e : Z) : list R :=
+  vadd (vadd h2 (vscale (IZR e) d2)) (vscale (IZR e ^ 2 / 2) dd2).
+Definition O__ (d2 : list R) (dd2 : list R) (h2 : list R) (e : R) : list R :=
+  vadd (vadd h2 (vscale e d2)) (vscale (e ^ 2 / 2) dd2).
+Definition P_ (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
+  vadd (vadd h (vscale e d)) (vscale (e ^ 2 / 2) dd).
+Definition kappa2 (l : Z) (mu2 : R) : R :=
+  IZR l - 2 + PI / 2 * (1 + mu2).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+End Definitions.
+Import Definitions.
+
 Module eq_5_3_a.
 (* gbt-developable/eq-5.3.a, Sect. 5.1, eq. (5.3), first line
    printed: Ĝ_1(x, μ_1, ν_1) = Σ_{i=0}^{k} g_{i,k}(x, μ_1, ν_1) R̂_{i,1}, R̂_{i,1} = (ω_{i,1} R_{i,1}, ω_{i,1})
    read as: The sum is compared with the function H1 that the statements on joins use, with R̂ for Q: the curve in four coordinates is the family of planes.
    stated: H1(x) == sum(i, 0, k, g[i,k](x, mu1, nu1)*P1[i]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
@@ -59,16 +89,6 @@ Module eq_5_4.
    printed: Ĝ_2(0, μ_2, ν_2) = Ĝ_1(1, μ_1, ν_1);  Ĝ'_2(0, μ_2, ν_2) = γ Ĝ'_1(1, μ_1, ν_1), where γ > 0 is a constant
    read as: With the control planes for the control points: the differences of both sides are compared with those of (5.6) and (5.9), in which the paper uses them.
    stated: H2(0) - H1(1) == P2[0] - P1[k] and gamma*H1'(1) - H2'(0) == gamma*(k - 2 + pi/2*(1 + nu1))*(P1[k] - P1[k-1]) - (l - 2 + pi/2*(1 + mu2))*(P2[1] - P2[0]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -149,14 +169,6 @@ Module sec_5_1_certify.
    printed: the geometric continuity among two curves in a 4D homogeneous space certifies the geometric continuity among two conforming developable surfaces developed by using the duality principle in a 3D Euclidean space
    read as: h, d and the plane (n, ...) are the plane of the first family at the joint and its first two derivatives, h2, d2 and (n2, ...) those of the second; JA and JB the rulings (3.7) of both surfaces, start the point of the generator. The surfaces have the generator in common, and their tangent vectors across it are multiples of each other with the factor (e1 e2/γ)/e1², which is positive: the second sheet continues the first.
    stated: JB(0) == JA(0) and cross(direction(h, d), JB'(0)) == e1*e2/gamma/e1^2*cross(direction(h, d), JA'(0)) and e1*e2/gamma > 0 *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition start (d : list R) (h : list R) (x1 : R) : list R :=
   vadd (vscale x1 (direction h d)) (foot h d).
 Definition dd2 (d : list R) (e2 : R) (h : list R) (n2 : list R) (x1 : R) : list R :=
@@ -224,20 +236,10 @@ Module sec_5_1_certify_sheets.
 (* gbt-developable/sec-5.1.certify.sheets, Sect. 5.1, sentence before Theorem 2
    printed: Two families that satisfy (5.4): on which side of the generator both surfaces are.
    stated: direction(h2, d2) == gamma*direction(h, d) and foot(h2, d2) == foot(h, d) and cross(direction(h, d), JA'(0)) == -e1*normal(h) and cross(direction(h, d), JB'(0)) == -e2/gamma*normal(h) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition P_ (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
-  vadd (vadd h (vscale e d)) (vscale (e ^ 2 / 2) dd).
 Definition P__ (d : list R) (dd : list R) (h : list R) (e : Z) : list R :=
   vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) dd).
 Definition O_ (d2 : list R) (dd2 : list R) (h2 : list R) (e : R) : list R :=
   vadd (vadd h2 (vscale e d2)) (vscale (e ^ 2 / 2) dd2).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition JA (d : list R) (dd : list R) (h : list R) (x1 : R) (e : R) : list R :=
   vadd (vscale x1 (direction (P_ d dd h e) (vDerive 4 (fun e_ => P_ d dd h e_) 1 e))) (foot (P_ d dd h e) (vDerive 4 (fun e_ => P_ d dd h e_) 1 e)).
 Definition JA_ (d : list R) (dd : list R) (h : list R) (x1 : R) (e : Z) : list R :=
@@ -293,8 +295,6 @@ Module sec_5_1_certify_cusp.
 (* gbt-developable/sec-5.1.certify.cusp, Sect. 5.1, sentence before Theorem 2
    printed: Two families that satisfy (5.4) and (5.5), whose surfaces fold back at the joint.
    stated: F2(0) == F1(1) and F2'(0) == F1'(1) and profile1(1) == profile2(0) and cross(profile1'(1), profile2'(0)) == 0 and dot(profile1'(1), profile2'(0)) < 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition E1_0 : list R :=
   [0; - 20; 10; 400].
 Definition E1_1 : list R :=
@@ -307,18 +307,10 @@ Definition F1 (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) 1 1 0%Z 3%Z) E1_0) (vscale (g (IZR x) 1 1 1%Z 3%Z) E1_1)) (vscale (g (IZR x) 1 1 2%Z 3%Z) E1_2)) (vscale (g (IZR x) 1 1 3%Z 3%Z) E1_3).
 Definition F1_ (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x 1 1 0%Z 3%Z) E1_0) (vscale (g x 1 1 1%Z 3%Z) E1_1)) (vscale (g x 1 1 2%Z 3%Z) E1_2)) (vscale (g x 1 1 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
 Definition F2 (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) 1 1 0%Z 3%Z) [0; 20; 10; 400]) (vscale (g (IZR x) 1 1 1%Z 3%Z) [0; 30; 0; 400])) (vscale (g (IZR x) 1 1 2%Z 3%Z) [0; 50; 0; 400])) (vscale (g (IZR x) 1 1 3%Z 3%Z) [0; 60; - 20; 400]).
 Definition F2_ (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x 1 1 0%Z 3%Z) [0; 20; 10; 400]) (vscale (g x 1 1 1%Z 3%Z) [0; 30; 0; 400])) (vscale (g x 1 1 2%Z 3%Z) [0; 50; 0; 400])) (vscale (g x 1 1 3%Z 3%Z) [0; 60; - 20; 400]).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition profile1 (x : Z) : list R :=
   foot (F1 x) (vDerive 4 (fun x_ => F1_ x_) 1 (IZR x)).
 Definition profile2 (x : Z) : list R :=
@@ -349,12 +341,6 @@ Module sec_5_1_G0_families.
    printed: it is compulsory that H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) reach G0 continuity at the common first, which implies Q_{0,2} = Q_{k,1}
    read as: G0 continuity of the families as curves of four coordinates: equal ends.
    stated: P2[0] == P1[k] *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -385,10 +371,6 @@ Module sec_5_1_G0_surfaces.
    printed: it is compulsory that H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) reach G0 continuity at the common first, which implies Q_{0,2} = Q_{k,1}
    read as: G0 continuity of the surfaces: they contain the same generator. h and d are the end plane and the derivative of the first, h2 and d2 those of the second.
    stated: h2 == h *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
 Definition statement : Prop :=
 forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R) (r : R) (s : R) (u : R) (v : R),
   let d := [d'1; d'2; d'3; d'4] in
@@ -407,12 +389,6 @@ Module thm_2_a.
 (* gbt-developable/thm-2.a, Sect. 5.1, Theorem 2, eq. (5.5), first line; also eq. (5.6)
    printed: Q_{0,2} = Q_{k,1}
    stated: P2[0] == P1[k] *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -442,16 +418,6 @@ Module thm_2_b.
 (* gbt-developable/thm-2.b, Sect. 5.1, Theorem 2, eq. (5.5), second line
    printed: Q_{1,2} = Q_{k,1} + γ (k − 2 + π/2 (1 + ν_1))/(l − 2 + π/2 (1 + μ_2)) (Q_{k,1} − Q_{k−1,1})
    stated: P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -492,16 +458,8 @@ Module eq_5_7_requirement.
    printed: want to share a common tangent plane at connection, that is to say, H'_2(0, μ_2, ν_2) = γ H'_1(1, μ_1, ν_1)
    read as: The requirements (5.6) and (5.7) together: the surfaces have the tangent plane and the generator in common.
    stated: midpoint(h2) == midpoint(h) and foot(h2, d2) == foot(h, d) and cross(direction(h2, d2), direction(h, d)) == 0 *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
 Definition midpoint (P : list R) : list R :=
   vscale (entry P 4 / dot (normal P) (normal P)) (normal P).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R),
   let d := [d'1; d'2; d'3; d'4] in
@@ -555,8 +513,6 @@ Module eq_5_8_a.
 (* gbt-developable/eq-5.8.a, Sect. 5.1, eq. (5.8), first line
    printed: H'_1(1, μ_1, ν_1) = (k − 2 + π/2 (1 + ν_1)) (Q_{k,1} − Q_{k−1,1})
    stated: H1'(1) == (k - 2 + pi/2*(1 + nu1))*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
@@ -580,8 +536,6 @@ Module eq_5_8_b.
 (* gbt-developable/eq-5.8.b, Sect. 5.1, eq. (5.8), second line
    printed: H'_2(0, μ_2, ν_2) = (l − 2 + π/2 (1 + μ_2)) (Q_{1,2} − Q_{0,2})
    stated: H2'(0) == (l - 2 + pi/2*(1 + mu2))*(P2[1] - P2[0]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition statement : Prop :=
@@ -605,8 +559,6 @@ Module eq_5_9.
 (* gbt-developable/eq-5.9, Sect. 5.1, eq. (5.9)
    printed: γ (k − 2 + π/2 (1 + ν_1)) (Q_{k,1} − Q_{k−1,1}) = (l − 2 + π/2 (1 + μ_2)) (Q_{1,2} − Q_{0,2})
    stated: gamma*H1'(1) - H2'(0) == gamma*(k - 2 + pi/2*(1 + nu1))*(P1[k] - P1[k-1]) - (l - 2 + pi/2*(1 + mu2))*(P2[1] - P2[0]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
@@ -684,8 +636,6 @@ Module thm_2_sufficient.
    stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and P1[k-1] == H2(0) - H2'(0)/(gamma*(k - 2 + pi/2*(1 + nu1))) and JB(0) == JA(0) and cross(direction(h, d), JB'(0)) == e2/(gamma*e1)*cross(direction(h, d), JA'(0)) *)
 Definition P (d : list R) (dd : list R) (h : list R) (e : Z) : list R :=
   vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) dd).
-Definition P_ (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
-  vadd (vadd h (vscale e d)) (vscale (e ^ 2 / 2) dd).
 Definition normal (P__ : list R) : list R :=
   [entry P__ 1; entry P__ 2; entry P__ 3].
 Definition direction (P__ : list R) (D_ : list R) : list R :=
@@ -700,20 +650,6 @@ Definition e1 (d : list R) (dd : list R) (h : list R) (x1 : R) : R :=
   entry dd 4 - dot (normal dd) (JA d dd h x1 0%Z).
 Definition e2 (d : list R) (dd : list R) (dd2 : list R) (h : list R) (x1 : R) : R :=
   entry dd2 4 - dot (normal dd2) (JA d dd h x1 0%Z).
-Definition O_ (d2 : list R) (dd2 : list R) (h2 : list R) (e : Z) : list R :=
-  vadd (vadd h2 (vscale (IZR e) d2)) (vscale (IZR e ^ 2 / 2) dd2).
-Definition O__ (d2 : list R) (dd2 : list R) (h2 : list R) (e : R) : list R :=
-  vadd (vadd h2 (vscale e d2)) (vscale (e ^ 2 / 2) dd2).
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition JB (d2 : list R) (dd2 : list R) (gamma : R) (h2 : list R) (x1 : R) (e : Z) : list R :=
   vadd (vscale (x1 / gamma) (direction (O_ d2 dd2 h2 e) (vDerive 4 (fun e_ => O__ d2 dd2 h2 e_) 1 (IZR e)))) (foot (O_ d2 dd2 h2 e) (vDerive 4 (fun e_ => O__ d2 dd2 h2 e_) 1 (IZR e))).
 Definition JB_ (d2 : list R) (dd2 : list R) (gamma : R) (h2 : list R) (x1 : R) (e : R) : list R :=
@@ -808,16 +744,6 @@ Module thm_2_necessary_families.
    printed: ... essential requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
    read as: G1 smooth connection is (5.4) for the families, as the proof takes it.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -860,16 +786,6 @@ Module thm_2_necessary_surfaces.
    printed: ... essential requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
    read as: G1 smooth connection is what it is for surfaces: same generator, same tangent plane along it.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
   0 < gamma ->
@@ -894,20 +810,6 @@ Module thm_2_true_necessary.
 (* gbt-developable/thm-2.true.necessary, Sect. 5.1, Theorem 2
    printed: Two surfaces with the same end generator and the same tangent plane along it: what this asks of the control planes, with the constants ρ, γ and s.
    stated: P2[0] == rho*P1[k] and P2[1] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition kappa2 (l : Z) (mu2 : R) : R :=
-  IZR l - 2 + PI / 2 * (1 + mu2).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
   0 < gamma ->
@@ -949,20 +851,6 @@ Module thm_2_true_sufficient.
 (* gbt-developable/thm-2.true.sufficient, Sect. 5.1, Theorem 2
    printed: Control planes with constants ρ, γ and s: the surfaces have the same end generator and the same tangent plane along it.
    stated: H2(0) == rho*H1(1) and H2'(0) == rho*gamma*H1'(1) + s*H1(1) *)
-Definition kappa2 (l : Z) (mu2 : R) : R :=
-  IZR l - 2 + PI / 2 * (1 + mu2).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
   0 < gamma ->
@@ -1004,26 +892,18 @@ Module thm_2_true_generator.
 (* gbt-developable/thm-2.true.generator, Sect. 5.1, Theorem 2
    printed: A plane through the generator of two planes is a combination of them.
    stated: n == alpha*normal(d) + omega*normal(h) + dot(n, direction(h, d))/dot(direction(h, d), direction(h, d))*direction(h, d) and d2[4] == alpha*d[4] + omega*h[4] + (d2[4] - dot(n, foot(h, d))) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
 Definition hh (h : list R) : R :=
   dot (normal h) (normal h).
 Definition d0 (d : list R) : R :=
   dot (normal d) (normal d).
 Definition hd (d : list R) (h : list R) : R :=
   dot (normal h) (normal d).
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
 Definition n (d2 : list R) : list R :=
   normal d2.
 Definition alpha (d : list R) (d2 : list R) (h : list R) : R :=
   (dot (n d2) (normal d) * hh h - dot (n d2) (normal h) * hd d h) / (hh h * d0 d - hd d h ^ 2).
 Definition omega (d : list R) (d2 : list R) (h : list R) : R :=
   (dot (n d2) (normal h) * d0 d - dot (n d2) (normal d) * hd d h) / (hh h * d0 d - hd d h ^ 2).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (h'1 h'2 h'3 h'4 : R),
   let d := [d'1; d'2; d'3; d'4] in
@@ -1047,22 +927,10 @@ Module thm_2_true_sheets.
 (* gbt-developable/thm-2.true.sheets, Sect. 5.1, Theorem 2
    printed: Two surfaces with the same end generator and the same tangent plane along it: the condition that excludes a cusp.
    stated: JB(0) == JA(0) and cross(direction(h, d), JA'(0)) == -e1*normal(h) and cross(direction(h, d), JB'(0)) == -e2/alpha*normal(h) *)
-Definition O_ (d2 : list R) (dd2 : list R) (h2 : list R) (e : Z) : list R :=
-  vadd (vadd h2 (vscale (IZR e) d2)) (vscale (IZR e ^ 2 / 2) dd2).
-Definition O__ (d2 : list R) (dd2 : list R) (h2 : list R) (e : R) : list R :=
-  vadd (vadd h2 (vscale e d2)) (vscale (e ^ 2 / 2) dd2).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
 Definition P_ (d : list R) (dd : list R) (h : list R) (e : Z) : list R :=
   vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) dd).
 Definition P__ (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
   vadd (vadd h (vscale e d)) (vscale (e ^ 2 / 2) dd).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition JB (alpha : R) (d2 : list R) (dd2 : list R) (h2 : list R) (rho : R) (x1 : R) (e : Z) : list R :=
   vadd (vscale (x1 / (rho * alpha)) (direction (O_ d2 dd2 h2 e) (vDerive 4 (fun e_ => O__ d2 dd2 h2 e_) 1 (IZR e)))) (foot (O_ d2 dd2 h2 e) (vDerive 4 (fun e_ => O__ d2 dd2 h2 e_) 1 (IZR e))).
 Definition JA (d : list R) (dd : list R) (h : list R) (x1 : R) (e : Z) : list R :=

@@ -2,11 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module eq_5_11.
-(* gbt-developable/eq-5.11, Sect. 5.2, eq. (5.11)
-   printed: H_2(0, μ_2, ν_2) = H_1(1, μ_1, ν_1);  H'_2(0, μ_2, ν_2) = H'_1(1, μ_1, ν_1);  H''_2(0, μ_2, ν_2) = H''_1(1, μ_1, ν_1)
-   read as: The differences of both sides are compared with those of (5.13) and (5.15), in which the paper uses them.
-   stated: H2(0) - H1(1) == P2[0] - P1[k] and 2*(H2'(0) - H1'(1)) == (2*(l - 2) + pi*(1 + mu2))*(P2[1] - P2[0]) - (2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) and 4*(H2''(0) - H1''(1)) == 4*(l - 2)*(l - 3 + pi*(1 + mu2))*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) - (4*(k - 2)*(k - 3 + pi*(1 + nu1))*(P1[k-2] - 2*P1[k-1] + P1[k]) + pi^2*(1 - mu1)*(P1[k-2] - P1[k-1]) - 2*pi^2*nu1*(P1[k-1] - P1[k])) *)
+Module Definitions.
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
@@ -17,6 +13,22 @@ Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
+  P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
+End Definitions.
+Import Definitions.
+
+Module eq_5_11.
+(* gbt-developable/eq-5.11, Sect. 5.2, eq. (5.11)
+   printed: H_2(0, μ_2, ν_2) = H_1(1, μ_1, ν_1);  H'_2(0, μ_2, ν_2) = H'_1(1, μ_1, ν_1);  H''_2(0, μ_2, ν_2) = H''_1(1, μ_1, ν_1)
+   read as: The differences of both sides are compared with those of (5.13) and (5.15), in which the paper uses them.
+   stated: H2(0) - H1(1) == P2[0] - P1[k] and 2*(H2'(0) - H1'(1)) == (2*(l - 2) + pi*(1 + mu2))*(P2[1] - P2[0]) - (2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) and 4*(H2''(0) - H1''(1)) == 4*(l - 2)*(l - 3 + pi*(1 + mu2))*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) - (4*(k - 2)*(k - 3 + pi*(1 + nu1))*(P1[k-2] - 2*P1[k-1] + P1[k]) + pi^2*(1 - mu1)*(P1[k-2] - P1[k-1]) - 2*pi^2*nu1*(P1[k-1] - P1[k])) *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -105,8 +117,6 @@ Module sec_5_2_index.
    printed: control planes Q_{i,j} (i = 1, 2, ..., k; j = 1, 2)
    read as: The first family is made of the control planes with these indices.
    stated: H1(x) == sum(i, 1, k, g[i,k](x, mu1, nu1)*P1[i]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
@@ -124,12 +134,6 @@ Module thm_3_consts.
    printed: c = (2(k−2) + π(1+ν_1))/(2(l−2) + π(1+μ_2)), c_k = 4(k−2)(k−3+π(1+ν_1)), c_l = 4(l−2)(l−3+π(1+μ_2))
    read as: Compared with the constants that (5.12) and (5.16) are stated with, and c with the factor of (5.5).
    stated: c == (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2)) and ck == 4*(k - 2)*(k - 3 + pi*(1 + nu1)) and cl == 4*(l - 2)*(l - 3 + pi*(1 + mu2)) and c == (k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2)) *)
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (mu2 : R) (nu1 : R),
   (2 <= k)%Z ->
@@ -153,12 +157,6 @@ Module thm_3_a.
 (* gbt-developable/thm-3.a, Sect. 5.2, Theorem 3, eq. (5.12), first line
    printed: Q_{0,2} = Q_{k,1}
    stated: P2[0] == P1[k] *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -188,18 +186,6 @@ Module thm_3_b.
 (* gbt-developable/thm-3.b, Sect. 5.2, Theorem 3, eq. (5.12), second line
    printed: Q_{1,2} = Q_{k,1} + c (Q_{k,1} − Q_{k−1,1})
    stated: P2[1] == P1[k] + c*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -235,22 +221,6 @@ Module thm_3_c.
 (* gbt-developable/thm-3.c, Sect. 5.2, Theorem 3, eq. (5.12), third line
    printed: Q_{2,2} = Q_{k,1} + c (Q_{k,1} − Q_{k−1,1}) + 1/(c_l + π²(1−ν_2)) [c_k (Q_{k,1} − 2 Q_{k−1,1} + Q_{k−2,1}) − π²(1−μ_1) × (Q_{k−1,1} − Q_{k−2,1}) + (2π² ν_1 + c (c_l + 2π² μ_2)) (Q_{k,1} − Q_{k−1,1})]
    stated: P2[2] == P1[k] + c*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (2*pi^2*nu1 + c*(cl + 2*pi^2*mu2))*(P1[k] - P1[k-1])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -295,24 +265,8 @@ Module thm_3_sufficient.
    printed: The essential and satisfactory requirements for achieving Farin–Boehm G2 continuity betwixt two contiguous developable GBT-Bézier surfaces ... at the connection are (5.12)
    read as: (5.12) gives (5.11), and the common generator, the line of Q_{k-1,1} and Q_{k,1}, is there.
    stated: H2(0) == H1(1) and H2'(0) == H1'(1) and H2''(0) == H1''(1) and P1[k-1] == H2(0) - H2'(0)/(k - 2 + pi/2*(1 + nu1)) *)
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
 Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
   P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -365,24 +319,6 @@ Module thm_3_necessary_families.
    printed: The essential ... requirements for achieving Farin–Boehm G2 continuity betwixt two contiguous developable GBT-Bézier surfaces ... are (5.12)
    read as: Farin–Boehm G2 continuity is (5.11), which 'they must satisfy'.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
-Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
-  P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -431,24 +367,6 @@ Module thm_3_necessary_surfaces.
    printed: The essential ... requirements for achieving Farin–Boehm G2 continuity betwixt two contiguous developable GBT-Bézier surfaces ... are (5.12)
    read as: Farin–Boehm G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. A factor rho of all coordinates is enough to refute.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
-Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
-  P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
   (2 <= k)%Z ->
@@ -476,16 +394,6 @@ Module eq_5_13.
 (* gbt-developable/eq-5.13, Sect. 5.2, eq. (5.13)
    printed: Q_{0,2} = Q_{k,1};  Q_{1,2} = Q_{k,1} + (2(k−2) + π(1+ν_1))/(2(l−2) + π(1+μ_2)) (Q_{k,1} − Q_{k−1,1})
    stated: P2[0] == P1[k] and P2[1] == P1[k] + (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2))*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -523,8 +431,6 @@ Module eq_5_15.
 (* gbt-developable/eq-5.15, Sect. 5.2, eqs. (5.14), (5.15)
    printed: 4(l−2)(l−3+π(1+μ_2))(Q_{0,2} − 2Q_{1,2} + Q_{2,2}) + 2π²μ_2 (Q_{0,2} − Q_{1,2}) − π²(1−ν_2)(Q_{1,2} − Q_{2,2}) = 4(k−2) × (k−3+π(1+ν_1))(Q_{k−2,1} − 2Q_{k−1,1} + Q_{k,1}) + π²(1−μ_1)(Q_{k−2,1} − Q_{k−1,1}) − 2π²ν_1 (Q_{k−1,1} − Q_{k,1})
    stated: 4*(H2''(0) - H1''(1)) == 4*(l - 2)*(l - 3 + pi*(1 + mu2))*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) - (4*(k - 2)*(k - 3 + pi*(1 + nu1))*(P1[k-2] - 2*P1[k-1] + P1[k]) + pi^2*(1 - mu1)*(P1[k-2] - P1[k-1]) - 2*pi^2*nu1*(P1[k-1] - P1[k])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
@@ -565,14 +471,6 @@ Module thm_3_proofref_as_numbered.
    printed: Simply by using the values of Q_{0,2}, Q_{1,2} from expression (5.6) into expression (5.8), we can get the required Farin–Boehm G2 continuity requirements (5.5).
    read as: (5.6) put into (5.8) gives the conditions for Farin–Boehm G2 continuity.
    stated: P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
-Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
-  P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -598,12 +496,6 @@ Module thm_3_proofref_as_meant.
    printed: Simply by using the values of Q_{0,2}, Q_{1,2} from expression (5.6) into expression (5.8), we can get the required Farin–Boehm G2 continuity requirements (5.5).
    read as: The numbers are wrong: (5.13) put into (5.15) gives (5.12).
    stated: P2[2] == farin_boehm *)
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
 Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
   P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
 Definition statement : Prop :=

@@ -2,11 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module thm_4_consts.
-(* gbt-developable/thm-4.consts, Sect. 5.3, Theorem 4, line after (5.16)
-   printed: c = (2(k−2) + π(1+ν_1))/(2(l−2) + π(1+μ_2)), c_k = 4(k−2)(k−3+π(1+ν_1)), c_l = 4(l−2)(l−3+π(1+μ_2))
-   read as: Compared with the constants that (5.12) and (5.16) are stated with, and c_k, c_l with the factors of (5.15).
-   stated: c == (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2)) and ck == 4*(k - 2)*(k - 3 + pi*(1 + nu1)) and cl == 4*(l - 2)*(l - 3 + pi*(1 + mu2)) and 4*H2''(0) == cl*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) *)
+Module Definitions.
 Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
   (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition ck (k : Z) (nu1 : R) : R :=
@@ -15,6 +11,26 @@ Definition cl (l : Z) (mu2 : R) : R :=
   4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition kappa2 (l : Z) (mu2 : R) : R :=
+  IZR l - 2 + PI / 2 * (1 + mu2).
+Definition kappa1 (k : Z) (nu1 : R) : R :=
+  IZR k - 2 + PI / 2 * (1 + nu1).
+End Definitions.
+Import Definitions.
+
+Module thm_4_consts.
+(* gbt-developable/thm-4.consts, Sect. 5.3, Theorem 4, line after (5.16)
+   printed: c = (2(k−2) + π(1+ν_1))/(2(l−2) + π(1+μ_2)), c_k = 4(k−2)(k−3+π(1+ν_1)), c_l = 4(l−2)(l−3+π(1+μ_2))
+   read as: Compared with the constants that (5.12) and (5.16) are stated with, and c_k, c_l with the factors of (5.15).
+   stated: c == (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2)) and ck == 4*(k - 2)*(k - 3 + pi*(1 + nu1)) and cl == 4*(l - 2)*(l - 3 + pi*(1 + mu2)) and 4*H2''(0) == cl*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) *)
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition statement : Prop :=
@@ -46,12 +62,6 @@ Module thm_4_a.
 (* gbt-developable/thm-4.a, Sect. 5.3, Theorem 4, eq. (5.16), first line
    printed: Q_{0,2} = Q_{k,1}
    stated: P2[0] == P1[k] *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -81,18 +91,6 @@ Module thm_4_b.
 (* gbt-developable/thm-4.b, Sect. 5.3, Theorem 4, eq. (5.16), second line
    printed: Q_{1,2} = Q_{k,1} + c γ (Q_{k,1} − Q_{k−1,1})
    stated: P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -130,22 +128,6 @@ Module thm_4_c.
 (* gbt-developable/thm-4.c, Sect. 5.3, Theorem 4, eq. (5.16), third line
    printed: Q_{2,2} = Q_{k,1} + c γ (Q_{k,1} − Q_{k−1,1}) + 1/(c_l + π²(1−ν_2)) [c_k γ² (Q_{k,1} − 2 Q_{k−1,1} + Q_{k−2,1}) − π² γ² (1−μ_1) × (Q_{k−1,1} − Q_{k−2,1}) + (γ (2π² ν_1 γ + c c_l + 2 c π² μ_2) + λ (k − 2 + π/2 (1+ν_1))) (Q_{k,1} − Q_{k−1,1})]
    stated: P2[2] == P1[k] + c*gamma*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*gamma^2*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*gamma^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (gamma*(2*pi^2*nu1*gamma + c*cl + 2*c*pi^2*mu2) + lambda*(k - 2 + pi/2*(1 + nu1)))*(P1[k] - P1[k-1])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -171,22 +153,6 @@ Module thm_4_c_corrected.
 (* gbt-developable/thm-4.c (corrected), Sect. 5.3, Theorem 4, eq. (5.16), third line
    printed: Q_{2,2} = Q_{k,1} + c γ (Q_{k,1} − Q_{k−1,1}) + 1/(c_l + π²(1−ν_2)) [c_k γ² (Q_{k,1} − 2 Q_{k−1,1} + Q_{k−2,1}) − π² γ² (1−μ_1) × (Q_{k−1,1} − Q_{k−2,1}) + (γ (2π² ν_1 γ + c c_l + 2 c π² μ_2) + λ (k − 2 + π/2 (1+ν_1))) (Q_{k,1} − Q_{k−1,1})]
    stated: P2[2] == P1[k] + c*gamma*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*gamma^2*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*gamma^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (gamma*(2*pi^2*nu1*gamma + c*cl + 2*c*pi^2*mu2) + 4*(lambda*(k - 2 + pi/2*(1 + nu1))))*(P1[k] - P1[k-1])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -232,22 +198,6 @@ Module thm_4_c_true.
 (* gbt-developable/thm-4.c.true, Sect. 5.3, Theorem 4, eq. (5.16), third line
    printed: The third line of (5.16) with 4λ in place of λ.
    stated: P2[2] == P1[k] + c*gamma*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*gamma^2*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*gamma^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (gamma*(2*pi^2*nu1*gamma + c*cl + 2*c*pi^2*mu2) + 4*lambda*(k - 2 + pi/2*(1 + nu1)))*(P1[k] - P1[k-1])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -294,20 +244,6 @@ Module eq_5_17.
    printed: Q_{0,2} = H_2(0, μ_2, ν_2) = H_1(1, μ_1, ν_1) = Q_{k,1};  H'_2(0, μ_2, ν_2) = γ H'_1(1, μ_1, ν_1), γ > 0;  H''_2(0, μ_2, ν_2) = γ² H''_1(1, μ_1, ν_1) + λ H'_1(1, μ_1, ν_1), where γ > 0 and λ are constants
    read as: The outer equations of the first line, and (5.17) with 'expressions (3.11) and (3.12)' put in, as the proof does.
    stated: H2(0) == P2[0] and H1(1) == P1[k] and 2*(H2'(0) - gamma*H1'(1)) == (2*(l - 2) + pi*(1 + mu2))*(P2[1] - P2[0]) - gamma*(2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) and 4*(H2''(0) - gamma^2*H1''(1) - lambda*H1'(1)) == cl*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) - gamma^2*(ck*(P1[k-2] - 2*P1[k-1] + P1[k]) + pi^2*(1 - mu1)*(P1[k-2] - P1[k-1]) - 2*pi^2*nu1*(P1[k-1] - P1[k])) - 2*lambda*(2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -346,24 +282,8 @@ Module thm_4_sufficient.
    printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
    read as: λ is a constant that (5.17) leaves open: (5.16) as printed gives (5.17) with λ/4 in place of λ. The common generator, the line of Q_{k-1,1} and Q_{k,1}, is there.
    stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and H2''(0) == gamma^2*H1''(1) + lambda/4*H1'(1) and P1[k-1] == H2(0) - H2'(0)/(gamma*(k - 2 + pi/2*(1 + nu1))) *)
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
 Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
   P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -418,22 +338,6 @@ Module thm_4_necessary_families.
    printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
    read as: G2 beta continuity is (5.17). The constant λ of (5.16) is four times that of (5.17).
    stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) and P2[2] == at(beta, lambda, 4*lambda) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
 Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (lambda : R) : R :=
   P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
 Definition statement : Prop :=
@@ -486,18 +390,6 @@ Module thm_4_necessary_surfaces.
    printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
    read as: G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. The first two lines of (5.16) are stated; a factor rho of all coordinates is enough to refute.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
   0 < gamma ->
@@ -523,26 +415,6 @@ Module thm_4_true_necessary.
 (* gbt-developable/thm-4.true.necessary, Sect. 5.3, Theorem 4
    printed: Two surfaces with the same tangent plane, generator, characteristic point and curvature: what this asks of the control planes, with the constants ρ, γ, s, u and v.
    stated: P2[0] == rho*P1[k] and P2[1] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] and P2[2] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] + 1/(cl + pi^2*(1 - nu2))*(rho*gamma^2*(ck*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + 2*pi^2*nu1*(P1[k] - P1[k-1])) + 4*v*kappa1*(P1[k] - P1[k-1]) + 4*u*P1[k] + (cl + 2*pi^2*mu2)*(rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k])) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition kappa2 (l : Z) (mu2 : R) : R :=
-  IZR l - 2 + PI / 2 * (1 + mu2).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
-Definition kappa1 (k : Z) (nu1 : R) : R :=
-  IZR k - 2 + PI / 2 * (1 + nu1).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R) (u : R) (v : R),
   0 < gamma ->
@@ -594,26 +466,6 @@ Module thm_4_true_sufficient.
 (* gbt-developable/thm-4.true.sufficient, Sect. 5.3, Theorem 4
    printed: Control planes with constants ρ, γ, s, u and v: the families agree up to the second derivative, a change of speed and a factor.
    stated: H2(0) == rho*H1(1) and H2'(0) == rho*gamma*H1'(1) + s*H1(1) and H2''(0) == rho*gamma^2*H1''(1) + v*H1'(1) + u*H1(1) *)
-Definition kappa2 (l : Z) (mu2 : R) : R :=
-  IZR l - 2 + PI / 2 * (1 + mu2).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
-Definition kappa1 (k : Z) (nu1 : R) : R :=
-  IZR k - 2 + PI / 2 * (1 + nu1).
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R) (u : R) (v : R),
   0 < gamma ->

@@ -2,17 +2,33 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module alg_5_4_s1.
-(* gbt-developable/alg-5.4.s1, Sect. 5.4, Step 1
-   printed: Preliminary developable GBT-Bézier surface H_1(x; μ_1, ν_1), its control planes Q_{i,1} (i = 0, 1, 2, 3), and shape parameters μ_1, ν_1 can be given openly.
-   read as: Whether (5.17) can be solved for the planes of the second surface does not depend on the first surface: neither its control planes nor its shape parameters occur in the determinant of the equations.
-   stated: D(det(matrix), mu1) == 0 and D(det(matrix), nu1) == 0 and det(matrix) == pi/8*(2 + pi*(1 + mu2))*(4*(1 + mu2) + pi*(1 - nu2)) *)
+Module Definitions.
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
   sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
 Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
+  P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
+End Definitions.
+Import Definitions.
+
+Module alg_5_4_s1.
+(* gbt-developable/alg-5.4.s1, Sect. 5.4, Step 1
+   printed: Preliminary developable GBT-Bézier surface H_1(x; μ_1, ν_1), its control planes Q_{i,1} (i = 0, 1, 2, 3), and shape parameters μ_1, ν_1 can be given openly.
+   read as: Whether (5.17) can be solved for the planes of the second surface does not depend on the first surface: neither its control planes nor its shape parameters occur in the determinant of the equations.
+   stated: D(det(matrix), mu1) == 0 and D(det(matrix), nu1) == 0 and det(matrix) == pi/8*(2 + pi*(1 + mu2))*(4*(1 + mu2) + pi*(1 - nu2)) *)
 Definition matrix (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) : list (list R) :=
   [[Derive_n (fun t => H2 (update1 P2 0%Z t) l mu2 nu2 0%Z) 1 (P2 0%Z); Derive_n (fun t => H2 (update1 P2 1%Z t) l mu2 nu2 0%Z) 1 (P2 1%Z); Derive_n (fun t => H2 (update1 P2 2%Z t) l mu2 nu2 0%Z) 1 (P2 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H2_ (update1 P2 0%Z t) l mu2 nu2 x_) 1 (IZR x)) 1 (P2 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H2_ (update1 P2 1%Z t) l mu2 nu2 x__) 1 (IZR x_)) 1 (P2 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H2_ (update1 P2 2%Z t) l mu2 nu2 x___) 1 (IZR x__)) 1 (P2 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H2_ (update1 P2 0%Z t) l mu2 nu2 x____) 2 (IZR x___)) 1 (P2 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H2_ (update1 P2 1%Z t) l mu2 nu2 x_____) 2 (IZR x____)) 1 (P2 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H2_ (update1 P2 2%Z t) l mu2 nu2 x______) 2 (IZR x_____)) 1 (P2 2%Z)]].
 Definition statement : Prop :=
@@ -49,8 +65,6 @@ Module alg_5_4_s2_families.
    printed: Let Q_{k,1} = Q_{0,2}, or in other words, the developable GBT-Bézier surfaces ... have a combined control plane to fulfil the G0 continuity condition.
    read as: G0 continuity of the families as curves of four coordinates: they have the plane in common.
    stated: H2(0) == H1(1) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H2 (P2 : Z -> list R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : list R :=
   vsum 4 0%Z l (fun i => vscale (g (IZR x) mu2 nu2 i l) (P2 i)).
 Definition H1 (P1 : Z -> list R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : list R :=
@@ -93,8 +107,6 @@ Module alg_5_4_s2_surfaces.
    printed: Let Q_{k,1} = Q_{0,2}, or in other words, the developable GBT-Bézier surfaces ... have a combined control plane to fulfil the G0 continuity condition.
    read as: G0 continuity of the surfaces: the end generators are one line; stated is that they are parallel.
    stated: cross(direction(H1(1), H1'(1)), direction(H2(0), H2'(0))) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H1 (P1 : Z -> list R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : list R :=
   vsum 4 0%Z k (fun i => vscale (g (IZR x) mu1 nu1 i k) (P1 i)).
 Definition H1_ (P1 : Z -> list R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : list R :=
@@ -129,18 +141,6 @@ Module alg_5_4_s3.
 (* gbt-developable/alg-5.4.s3, Sect. 5.4, Step 3
    printed: For any provided values of μ_2, ν_2 and constant γ > 0, the 2nd control plane Q_{1,2} of the developable GBT-Bézier surface H_2(x; μ_2, ν_2) can be calculated from the second equation of (5.16).
    stated: P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -183,24 +183,6 @@ Module alg_5_4_s4.
    printed: From the 3rd equation of (5.16), the control plane Q_{2,2} of the developable GBT-Bézier surface H_2(x; μ_2, ν_2) can be determined on the bases of Step 2 and Step 3 for a defined value of constant λ.
    read as: The plane of the third equation of (5.16) completes a G2 beta join: (5.17) holds with a constant, which is λ/4.
    stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and H2''(0) == gamma^2*H1''(1) + lambda/4*H1'(1) *)
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
-Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
-  P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -255,12 +237,6 @@ Module alg_5_4_s5.
    printed: The last control plane Q_{3,2} of H_2(x; μ_2, ν_2) can be selected openly
    read as: Q_{3,2} does not occur in the plane and the two derivatives at the joint.
    stated: coefficients([H2(0), H2'(0), H2''(0)], [P2[3]]) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P2 : Z -> R) (mu2 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -287,26 +263,8 @@ Module alg_5_4_iterate.
    printed: From iteration of the above steps among two developable GBT-Bézier surfaces, G2 beta smooth continuity can be attained among multiple developable GBT-Bézier surfaces, and it can also be applied on other continuity conditions in the same manners.
    read as: The steps done twice, with the planes printed in (5.16) for the second surface and again for the third: both joints satisfy (5.17). As printed (5.16) does so with λ/4 for λ. G1 and Farin–Boehm G2 are parts of it.
    stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and H2''(0) == gamma^2*H1''(1) + lambda/4*H1'(1) and H3(0) == H2(1) and H3'(0) == gamma2*H2'(1) and H3''(0) == gamma2^2*H2''(1) + lambda2/4*H2'(1) *)
-Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
-  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition cl (l : Z) (mu2 : R) : R :=
-  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
-Definition ck (k : Z) (nu1 : R) : R :=
-  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
-Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
-  P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
 Definition c3 (mu3 : R) (nu2 : R) : R :=
   (2 + PI * (1 + nu2)) / (2 + PI * (1 + mu3)).
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition H3 (P3 : Z -> R) (mu3 : R) (nu3 : R) (x : Z) : R :=
   sum 0%Z 3%Z (fun i => g (IZR x) mu3 nu3 i 3%Z * P3 i).
 Definition H3_ (P3 : Z -> R) (mu3 : R) (nu3 : R) (x : R) : R :=

@@ -2,11 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module eq_5_18.
-(* gbt-developable/eq-5.18, Sect. 5.5, Example 5.1, eq. (5.18)
-   printed: Q_{0,1} = (0, −20, 10, 400), Q_{1,1} = (0, −10, 20, 400), Q_{2,1} = (0, 10, 20, 400), Q_{3,1} = (0, 20, 10, 400)
-   read as: Compared with the planes of Example 4.1, which the statements on Examples 5.1 and 5.2 use.
-   stated: [E1_0, E1_1, E1_2, E1_3] == [[0, -20, 10, 400], [0, -10, 20, 400], [0, 10, 20, 400], [0, 20, 10, 400]] *)
+Module Definitions.
 Definition E1_0 : list R :=
   [0; - 20; 10; 400].
 Definition E1_1 : list R :=
@@ -15,14 +11,6 @@ Definition E1_2 : list R :=
   [0; 10; 20; 400].
 Definition E1_3 : list R :=
   [0; 20; 10; 400].
-Definition statement : Prop :=
-  [E1_0; E1_1; E1_2; E1_3] = [[0; - 20; 10; 400]; [0; - 10; 20; 400]; [0; 10; 20; 400]; [0; 20; 10; 400]].
-End eq_5_18.
-
-Module ex_5_1_construct.
-(* gbt-developable/ex-5.1.construct, Sect. 5.5, Example 5.1
-   printed: For all spliced surfaces, the last control plane Q_{3,2} is given openly, and the first three control planes are derived from Farin–Boehm G2 continuity conditions.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
@@ -33,6 +21,48 @@ Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition N2_ (P2 : Z -> R) (mu3 : R) (nu3 : R) (x : R) : R :=
+  sum 0%Z 3%Z (fun i => g x mu3 nu3 i 3%Z * P2 i).
+Definition F2 (B : Z -> list R) (x : Z) : list R :=
+  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (B i)).
+Definition F1 (A : Z -> list R) (x : Z) : list R :=
+  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (A i)).
+Definition F2_ (B : Z -> list R) (x : R) : list R :=
+  vsum 4 0%Z 3%Z (fun i => vscale (g x 1 1 i 3%Z) (B i)).
+Definition F1_ (A : Z -> list R) (x : R) : list R :=
+  vsum 4 0%Z 3%Z (fun i => vscale (g x 1 1 i 3%Z) (A i)).
+Definition K2 (B : Z -> list R) (mu2 : R) (nu2 : R) (x : Z) : list R :=
+  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) mu2 nu2 i 3%Z) (B i)).
+Definition K1 (mu1 : R) (nu1 : R) (x : Z) : list R :=
+  vadd (vadd (vadd (vscale (g (IZR x) mu1 nu1 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu1 nu1 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu1 nu1 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu1 nu1 3%Z 3%Z) E1_3).
+Definition K2_ (B : Z -> list R) (mu2 : R) (nu2 : R) (x : R) : list R :=
+  vsum 4 0%Z 3%Z (fun i => vscale (g x mu2 nu2 i 3%Z) (B i)).
+Definition K1_ (mu1 : R) (nu1 : R) (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x mu1 nu1 0%Z 3%Z) E1_0) (vscale (g x mu1 nu1 1%Z 3%Z) E1_1)) (vscale (g x mu1 nu1 2%Z 3%Z) E1_2)) (vscale (g x mu1 nu1 3%Z 3%Z) E1_3).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition direction (P : list R) (D_ : list R) : list R :=
+  cross (normal P) (normal D_).
+Definition moment (P : list R) (D_ : list R) : list R :=
+  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
+Definition foot (P : list R) (D_ : list R) : list R :=
+  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
+End Definitions.
+Import Definitions.
+
+Module eq_5_18.
+(* gbt-developable/eq-5.18, Sect. 5.5, Example 5.1, eq. (5.18)
+   printed: Q_{0,1} = (0, −20, 10, 400), Q_{1,1} = (0, −10, 20, 400), Q_{2,1} = (0, 10, 20, 400), Q_{3,1} = (0, 20, 10, 400)
+   read as: Compared with the planes of Example 4.1, which the statements on Examples 5.1 and 5.2 use.
+   stated: [E1_0, E1_1, E1_2, E1_3] == [[0, -20, 10, 400], [0, -10, 20, 400], [0, 10, 20, 400], [0, 20, 10, 400]] *)
+Definition statement : Prop :=
+  [E1_0; E1_1; E1_2; E1_3] = [[0; - 20; 10; 400]; [0; - 10; 20; 400]; [0; 10; 20; 400]; [0; 20; 10; 400]].
+End eq_5_18.
+
+Module ex_5_1_construct.
+(* gbt-developable/ex-5.1.construct, Sect. 5.5, Example 5.1
+   printed: For all spliced surfaces, the last control plane Q_{3,2} is given openly, and the first three control planes are derived from Farin–Boehm G2 continuity conditions.
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
 Definition cl (l : Z) (mu2 : R) : R :=
   4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
 Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
@@ -93,11 +123,7 @@ Module ex_5_1_shape_shape.
    printed: These four graphs indicate that without disturbing control planes, the shape of the combined developable GBT-Bézier surface can be simply modified by amending the shape parameters.
    read as: The family of planes changes with the shape parameters, the control planes fixed.
    stated: not D(N2(x), mu3) == 0 and not D(N2(x), nu3) == 0 *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition N2 (P2 : Z -> R) (nu3 : R) (mu3 : R) (x : R) : R :=
-  sum 0%Z 3%Z (fun i => g x mu3 nu3 i 3%Z * P2 i).
-Definition N2_ (P2 : Z -> R) (mu3 : R) (nu3 : R) (x : R) : R :=
   sum 0%Z 3%Z (fun i => g x mu3 nu3 i 3%Z * P2 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P2 : Z -> R) (mu3 : R) (nu3 : R) (x : R),
@@ -143,20 +169,8 @@ Module ex_5_1_shape_combined_surface.
    printed: These four graphs indicate that without disturbing control planes, the shape of the combined developable GBT-Bézier surface can be simply modified by amending the shape parameters.
    read as: It also stays one combined surface: the control planes fit mu2 and nu2 by (5.11), and (5.11) still holds with other values mu3, nu3.
    stated: N2(0) == H1(1) and N2'(0) == H1'(1) and N2''(0) == H1''(1) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition N2 (P2 : Z -> R) (mu3 : R) (nu3 : R) (x : Z) : R :=
   sum 0%Z 3%Z (fun i => g (IZR x) mu3 nu3 i 3%Z * P2 i).
-Definition N2_ (P2 : Z -> R) (mu3 : R) (nu3 : R) (x : R) : R :=
-  sum 0%Z 3%Z (fun i => g x mu3 nu3 i 3%Z * P2 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (mu3 : R) (nu1 : R) (nu2 : R) (nu3 : R),
   (2 <= k)%Z ->
@@ -180,12 +194,6 @@ Module ex_5_2_Q02.
 (* gbt-developable/ex-5.2.Q02, Sect. 5.5, Example 5.2
    printed: Q_{0,2} = (0, 20, 10, 400)
    stated: agrees(B[0], [0, 20, 10, 400]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition F2 (B : Z -> list R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (B i)).
-Definition F1 (A : Z -> list R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (A i)).
 Definition statement : Prop :=
 forall (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
   let A := fun i0 => [A'1 i0; A'2 i0; A'3 i0; A'4 i0] in
@@ -212,16 +220,6 @@ Module ex_5_2_Q12.
    printed: Q_{1,2} = (0, 30, 0, 400)
    read as: 'according to (5.16) (γ = 1, λ = 0)': with these constants (5.17) is (5.11).
    stated: agrees(B[1], [0, 30, 0, 400]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition F2 (B : Z -> list R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (B i)).
-Definition F1 (A : Z -> list R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (A i)).
-Definition F2_ (B : Z -> list R) (x : R) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g x 1 1 i 3%Z) (B i)).
-Definition F1_ (A : Z -> list R) (x : R) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g x 1 1 i 3%Z) (A i)).
 Definition statement : Prop :=
 forall (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
   let A := fun i0 => [A'1 i0; A'2 i0; A'3 i0; A'4 i0] in
@@ -250,16 +248,6 @@ Module ex_5_2_Q22.
    printed: Q_{2,2} = (0, 45.708, −35.708, 400)
    read as: 'according to (5.16) (γ = 1, λ = 0)': with these constants (5.17) is (5.11), and the misprint of (5.16) has no effect.
    stated: agrees(B[2], [0, 45.708, -35.708, 400]) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition F2 (B : Z -> list R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (B i)).
-Definition F1 (A : Z -> list R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) 1 1 i 3%Z) (A i)).
-Definition F2_ (B : Z -> list R) (x : R) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g x 1 1 i 3%Z) (B i)).
-Definition F1_ (A : Z -> list R) (x : R) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g x 1 1 i 3%Z) (A i)).
 Definition statement : Prop :=
 forall (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
   let A := fun i0 => [A'1 i0; A'2 i0; A'3 i0; A'4 i0] in
@@ -290,32 +278,6 @@ Module ex_5_2_gamma_one.
    printed: Figure 18 indicates that a unified merged developable GBT-Bézier surface can be achieved by setting scaling factor γ = 1, unconcerned of modifying the shape parameter
    read as: The planes Q_{1,2}, Q_{2,2} are recomputed from (5.16) for the changed shape parameters. The parametrised generators (3.7) of both surfaces are the same for the same x1.
    stated: foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) and direction(K2(0), K2'(0)) == direction(K1(1), K1'(1)) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition K2 (B : Z -> list R) (mu2 : R) (nu2 : R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) mu2 nu2 i 3%Z) (B i)).
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition K1 (mu1 : R) (nu1 : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu1 nu1 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu1 nu1 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu1 nu1 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu1 nu1 3%Z 3%Z) E1_3).
-Definition K2_ (B : Z -> list R) (mu2 : R) (nu2 : R) (x : R) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g x mu2 nu2 i 3%Z) (B i)).
-Definition K1_ (mu1 : R) (nu1 : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu1 nu1 0%Z 3%Z) E1_0) (vscale (g x mu1 nu1 1%Z 3%Z) E1_1)) (vscale (g x mu1 nu1 2%Z 3%Z) E1_2)) (vscale (g x mu1 nu1 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
@@ -350,32 +312,6 @@ Module ex_5_2_gap_surfaces.
    printed: at connection a gap will be achieved on merged developable GBT-Bézier surfaces when γ ≠ 1
    read as: The surfaces of (3.7), with generators that are lines, do not meet in one line.
    stated: not (foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) and cross(direction(K2(0), K2'(0)), direction(K1(1), K1'(1))) == 0) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition K2 (B : Z -> list R) (mu2 : R) (nu2 : R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) mu2 nu2 i 3%Z) (B i)).
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition K1 (mu1 : R) (nu1 : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu1 nu1 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu1 nu1 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu1 nu1 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu1 nu1 3%Z 3%Z) E1_3).
-Definition K2_ (B : Z -> list R) (mu2 : R) (nu2 : R) (x : R) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g x mu2 nu2 i 3%Z) (B i)).
-Definition K1_ (mu1 : R) (nu1 : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu1 nu1 0%Z 3%Z) E1_0) (vscale (g x mu1 nu1 1%Z 3%Z) E1_1)) (vscale (g x mu1 nu1 2%Z 3%Z) E1_2)) (vscale (g x mu1 nu1 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
@@ -407,32 +343,6 @@ Module ex_5_2_gap_drawn_pieces.
    printed: at connection a gap will be achieved on merged developable GBT-Bézier surfaces when γ ≠ 1
    read as: With generators cut off at the same values of x1 the pieces drawn do not end at the same points.
    stated: x1*direction(K2(0), K2'(0)) - x1*direction(K1(1), K1'(1)) == x1*(gamma - 1)*direction(K1(1), K1'(1)) and x1*(gamma - 1) != 0 and dot(direction(K1(1), K1'(1)), direction(K1(1), K1'(1))) > 0 and foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) *)
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition K2 (B : Z -> list R) (mu2 : R) (nu2 : R) (x : Z) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) mu2 nu2 i 3%Z) (B i)).
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition K1 (mu1 : R) (nu1 : R) (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) mu1 nu1 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu1 nu1 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu1 nu1 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu1 nu1 3%Z 3%Z) E1_3).
-Definition K2_ (B : Z -> list R) (mu2 : R) (nu2 : R) (x : R) : list R :=
-  vsum 4 0%Z 3%Z (fun i => vscale (g x mu2 nu2 i 3%Z) (B i)).
-Definition K1_ (mu1 : R) (nu1 : R) (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x mu1 nu1 0%Z 3%Z) E1_0) (vscale (g x mu1 nu1 1%Z 3%Z) E1_1)) (vscale (g x mu1 nu1 2%Z 3%Z) E1_2)) (vscale (g x mu1 nu1 3%Z 3%Z) E1_3).
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition foot (P : list R) (D_ : list R) : list R :=
-  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 Definition statement : Prop :=
 forall (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (x1 : R),
   let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in

@@ -2,13 +2,23 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
+Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
+  6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
+End Definitions.
+Import Definitions.
+
 Module abs_basis_a.
 (* gbt-surfaces/abs.basis.a, Abstract, second sentence
    printed: GBTB basis functions with two shape parameters are derived in explicit expression which satisfied the basic geometric features of the traditional Bernstein basis functions
    read as: The features of Theorem 1 but the degeneracy, which is a claim of its own: nonnegativity, partition of unity, symmetry for equal shape parameters; and the values at the ends.
    stated: nonnegative(f) and sum(k, 0, m, f[k,m](z)) == 1 and f[m-k,m](z, mu, mu) == f[k,m](1 - z, mu, mu) and f[0,m](0) == 1 and f[m,m](1) == 1 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (k : Z) (m : Z) (mu : R) (nu : R) (z : R),
   (0 <= k <= m)%Z ->
@@ -31,8 +41,6 @@ Module abs_basis_b.
    printed: GBTB basis functions with two shape parameters
    read as: A basis is linearly independent; the shape parameters are all of the range -1 to 1.
    stated: independent(f) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (mu : R) (nu : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -45,8 +53,6 @@ Module abs_basis_order_2.
 (* gbt-surfaces/abs.basis.order-2, Abstract, second sentence
    printed: The functions of order 2 are independent for μ > -1, and by symmetry for ν > -1.
    stated: c0 == 0 and c1 == 0 and c2 == 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition K (c0 : R) (c1 : R) (c2 : R) (mu : R) (nu : R) (z : Z) : R :=
   f (IZR z) mu nu 0%Z 2%Z * c0 + f (IZR z) mu nu 1%Z 2%Z * c1 + f (IZR z) mu nu 2%Z 2%Z * c2.
 Definition K_ (c0 : R) (c1 : R) (c2 : R) (mu : R) (nu : R) (z : R) : R :=
@@ -72,8 +78,6 @@ Module abs_basis_cubic.
 (* gbt-surfaces/abs.basis.cubic, Abstract, second sentence
    printed: The functions of order 3 are independent for all shape parameters.
    stated: c0 == 0 and c1 == 0 and c2 == 0 and c3 == 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition K (c0 : R) (c1 : R) (c2 : R) (c3 : R) (mu : R) (nu : R) (z : Z) : R :=
   f (IZR z) mu nu 0%Z 3%Z * c0 + f (IZR z) mu nu 1%Z 3%Z * c1 + f (IZR z) mu nu 2%Z 3%Z * c2 + f (IZR z) mu nu 3%Z 3%Z * c3.
 Definition K_ (c0 : R) (c1 : R) (c2 : R) (c3 : R) (mu : R) (nu : R) (z : R) : R :=
@@ -101,8 +105,6 @@ Module abs_basis_all.
 (* gbt-surfaces/abs.basis.all, Abstract, second sentence
    printed: What a curve of order m ≥ 3 is made of: three polynomials, a function of the sine and one of the cosine.
    stated: F(z) == A + ((1 + mu)*sin(pi/2*z) - mu*sin(pi/2*z)^2)*(B - A) + (1 - (1 + nu)*cos(pi/2*z) + nu*cos(pi/2*z)^2)*(C - B) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition e (z : R) (i : Z) (k : Z) : R :=
@@ -147,26 +149,18 @@ Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
 Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
 Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
   p + a m nu n mu1 * (p - q).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
 Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
   p + 1 / a1 n nu1 mu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m nu n nu1 mu1 * (p - q)).
-Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
 Definition c1 (n : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
 Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
-Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
-  6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
 Definition b4_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   a m nu n mu1 * (3 * c1 n mu1 + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * IZR mu1 - IZR nu1) - PI ^ 3 * (1 + IZR mu1)) - a3_true m nu n nu1 mu1 * b3_true n nu1 mu1 / a1 n nu1 mu1 + PI ^ 3 * (1 + nu).
 Definition join3 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) (s : R) : R :=
@@ -216,8 +210,6 @@ Module abs_continuity_rows.
 (* gbt-surfaces/abs.continuity.rows, Abstract
    printed: The derivatives of two patches at their joint are those of Theorem 2 with the lines of the nets for the control points, so two patches join with C1, C2 or C3 if and only if every column of their nets does.
    stated: second(0) == s(0) and first(1) == r(m) and 2*second'(0) == (2*(n - 2) + pi*(1 + mu1))*(s(1) - s(0)) and 2*first'(1) == (2*(m - 2) + pi*(1 + nu))*(r(m) - r(m - 1)) and 4*second''(0) == a1*(s(2) - s(0)) - (2*a1 - pi^2*(1 - 2*mu1 - nu1))*(s(1) - s(0)) and 4*first''(1) == a2*(r(m) - 2*r(m - 1) + r(m - 2)) - pi^2*(1 - mu)*(r(m - 1) - r(m - 2)) + 2*pi^2*nu*(r(m) - r(m - 1)) and 8*second'''(0) == b1*(s(3) - s(0)) - b3_true*(s(2) - s(0)) + (3*c1 + 6*(n - 2)*pi^2*(1 + 4*mu1 - nu1) - pi^3*(1 + mu1))*(s(1) - s(0)) and 8*first'''(1) == b2_true*(r(m) - 3*r(m - 1) + 3*r(m - 2) - r(m - 3)) + b5_true*(r(m) - 2*r(m - 1) + r(m - 2)) - pi^3*(1 + nu)*(r(m) - r(m - 1)) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition second (H : Z -> Z -> R) (N_ : Z) (mu1 : R) (mu2 : R) (n : Z) (nu1 : R) (nu2 : R) (z1 : R) (z : Z) : R :=
   sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * sum 0%Z N_ (fun l => f z1 mu2 nu2 l N_ * H k l)).
 Definition s (H : Z -> Z -> R) (N_ : Z) (mu2 : R) (nu2 : R) (z1 : R) (k : Z) : R :=
@@ -232,18 +224,12 @@ Definition first_ (G : Z -> Z -> R) (N_ : Z) (m : Z) (mu : R) (mu2 : R) (nu : R)
   sum 0%Z m (fun k => f z mu nu k m * sum 0%Z N_ (fun l => f z1 mu2 nu2 l N_ * G k l)).
 Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition b1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - nu1).
 Definition c1 (mu1 : R) (n : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
 Definition b3_true (mu1 : R) (n : Z) (nu1 : R) : R :=
   3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 + mu1 - nu1).
-Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
-Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
-  6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
 Definition statement : Prop :=
 forall (N_ : Z) (m : Z) (n : Z) (G : Z -> Z -> R) (H : Z -> Z -> R) (mu : R) (mu1 : R) (mu2 : R) (nu : R) (nu1 : R) (nu2 : R) (z1 : R),
   (2 <= N_)%Z ->

@@ -2,13 +2,21 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+End Definitions.
+Import Definitions.
+
 Module sec_1_contrib_1.
 (* gbt-surfaces/sec-1.contrib-1, Sect. 1, contributions, item 1
    printed: Construction of a tensor product GBT-Bézier surface by a new set of GBTB functions with two shape parameters
    read as: The tangents of the surface at the corners change with the shape parameters of their direction, two in each.
    stated: not D(Tz0(0), mu) == 0 and not D(Tz1end(0), nu) == 0 and not D(Tz1(0), mu1) == 0 and not D(Tzz1end(0), nu1) == 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition Tz0 (G : Z -> Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (mu : R) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * (let z := 0%Z in Derive_n (fun z_ => sum 0%Z m (fun k => f z_ mu nu k m * G k l)) 1 (IZR z))).
 Definition Tz1end (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu1 : R) (nu : R) (z1 : Z) : R :=
@@ -81,14 +89,10 @@ Module sec_1_contrib_2.
    printed: Construction of some computer-based engineering surfaces using GBT-Bézier with shape parameters
    read as: The tangents of the surfaces change with mu and nu. In the rotation surface u and v are the cosine and the sine of the angle; of the bi-linear surface (16) the boundary z_1 = 0 is taken.
    stated: not D(at(D(cylinder(F(z), z1), z), z, 0), mu) == 0 and not D(at(D(cylinder(F(z), z1), z), z, 1), nu) == 0 and not D(at(D(ruled(F(z), G(z), z1), z), z, 0), mu) == 0 and not D(at(D(ruled(F(z), G(z), z1), z), z, 1), nu) == 0 and not D(at(D(swept(F(z)), z), z, 0), mu) == 0 and not D(at(D(swept(F(z)), z), z, 1), nu) == 0 and not D(at(D(swung(FX(z), FZ(z)), z), z, 0), mu) == 0 and not D(at(D(swung(FX(z), FZ(z)), z), z, 1), nu) == 0 and not D(at(D([u*FX(z), v*FX(z), FZ(z)], z), z, 0), mu) == 0 and not D(at(D([u*FX(z), v*FX(z), FZ(z)], z), z, 1), nu) == 0 and not D(at(D(N(z), z), z, 0), mu) == 0 and not D(at(D(N(z), z), z, 1), nu) == 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition F (Q : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition cylinder (V : R) (alpha : R) (C_ : R) (z1 : R) : R :=
   C_ + z1 * alpha * V.
-Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition G (P : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * P k).
 Definition ruled (C_ : R) (E_ : R) (z1 : R) : R :=
@@ -253,8 +257,6 @@ Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
   Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
 Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
 Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
@@ -271,8 +273,6 @@ Definition b4 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   a3 mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 - a m mu1 n nu * (c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - 4 * nu1) + PI ^ 3 * (1 + mu1)) + PI ^ 3 * (1 + nu).
 Definition printed13 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   Q m + 1 / b1 mu1 n nu1 * (b2 m nu * (Q m - 3 * Q (m - 1)%Z + 3 * Q (m - 2)%Z - Q (m - 3)%Z) + a2 m nu / a1 mu1 n nu1 * b3 mu1 n nu1 * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu1) * b3 mu1 n nu1 / a1 mu1 n nu1 * (Q (m - 1)%Z - Q (m - 2)%Z) - b4 m mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
@@ -314,14 +314,10 @@ Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
 Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
 Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
   p + a m nu n mu1 * (p - q).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
 Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
@@ -348,8 +344,6 @@ Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : 
   f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
 Definition onF_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   next_ m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z.
-Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
 forall (m : Z) (Q : Z -> R) (mu : R) (nu : R),
   (3 <= m)%Z ->

@@ -1,6 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From GbtSurfaces Require Section_2_2.
+Import GbtSurfaces.Section_2_2.Definitions.
 Open Scope R_scope.
 
 Module def_2_points_one_letter.
@@ -272,6 +273,22 @@ Proof. cbv beta zeta delta [statement f F1]; formed. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f F1]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_2_a1.
+
+Module thm_2_a1_sign.
+Import GbtSurfaces.Section_2_2.thm_2_a1_sign.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a1 a1_]; mixed. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a1 a1_]; first [(exists (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, (0), (0); met) | (exists (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_a1_sign.
+
+Module thm_2_b1_sign.
+Import GbtSurfaces.Section_2_2.thm_2_b1_sign.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement b1 b1_]; mixed. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance b1 b1_]; first [(exists (5)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (5)%Z, (0), (0); met) | (exists (5)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (5)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (5)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_b1_sign.
 
 Module thm_2_b2.
 Import GbtSurfaces.Section_2_2.thm_2_b2.

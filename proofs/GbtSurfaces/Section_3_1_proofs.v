@@ -1,6 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From GbtSurfaces Require Section_3_1.
+Import GbtSurfaces.Section_3_1.Definitions.
 Open Scope R_scope.
 
 Module sec_3_1_i.
@@ -187,11 +188,25 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance net f b tensor tensor_]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), 8, (6), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), 1, (1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End sec_3_1_any_shape_the_shape_changes.
 
+Module alg_1.
+Import GbtSurfaces.Section_3_1.alg_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement net f b tensor T tensor_ tensor__]; mixed. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance net f b tensor T tensor_ tensor__]; first [(exists (2)%Z, (fun _ => 3), 4, 5, 6, 7, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, 0, 0, 0, (1), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), 8, 6, 8, 7, (9), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), 9, 7, 7, 1, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 1, 0, 0, 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End alg_1.
+
 Module ex_3_1_points.
 Import GbtSurfaces.Section_3_1.ex_3_1_points.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement V31 alpha31]; ordered. Qed.
 End ex_3_1_points.
+
+Module ex_3_1_normal.
+Import GbtSurfaces.Section_3_1.ex_3_1_normal.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement V31 Q31]; compute_goal; conjuncts; [ ring | ring | ring | ring | transitivity (sqrt 1); [ f_equal; ring | apply sqrt_1 ] ]. Qed.
+End ex_3_1_normal.
 
 Module ex_3_1_net.
 Import GbtSurfaces.Section_3_1.ex_3_1_net.

@@ -2,17 +2,65 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition N0 (z : R) : R :=
+  (1 - z) / (1 - 0).
+Definition N1 (z : R) : R :=
+  (z - 0) / (1 - 0).
+Definition N0_ (z : Z) : R :=
+  (1 - IZR z) / (1 - 0).
+Definition N1_ (z : Z) : R :=
+  (IZR z - 0) / (1 - 0).
+Definition bilinear (G : Z -> Z -> R) (z : R) (z1 : R) : R :=
+  N0 z * N0 z1 * G 0%Z 0%Z + N1 z * N0 z1 * G 1%Z 0%Z + N0 z * N1 z1 * G 0%Z 1%Z + N1 z * N1 z1 * G 1%Z 1%Z.
+Definition bilinear_ (G : Z -> Z -> R) (z : Z) (z1 : R) : R :=
+  N0_ z * N0 z1 * G 0%Z 0%Z + N1_ z * N0 z1 * G 1%Z 0%Z + N0_ z * N1 z1 * G 0%Z 1%Z + N1_ z * N1 z1 * G 1%Z 1%Z.
+Definition b (z : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
+  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
+Definition R_ (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * G k l)).
+Definition Q00 : list R :=
+  [0; 0; 0].
+Definition Q10 : list R :=
+  [1; 0; 0].
+Definition Q20 : list R :=
+  [2; 0; 0].
+Definition Q30 : list R :=
+  [3; 0; 0].
+Definition Q01 : list R :=
+  [0; 1; 0].
+Definition Q11 : list R :=
+  [1; 1; 3].
+Definition Q21 : list R :=
+  [2; 1; 3].
+Definition Q31 : list R :=
+  [3; 2; 0].
+Definition Q02 : list R :=
+  [0; 2; 0].
+Definition Q12 : list R :=
+  [1; 2; 3].
+Definition Q22 : list R :=
+  [2; 2; 3].
+Definition Q03 : list R :=
+  [0; 3; 0].
+Definition Q13 : list R :=
+  [1; 3; 0].
+Definition Q23 : list R :=
+  [2; 3; 0].
+Definition Q33 : list R :=
+  [3; 3; 0].
+End Definitions.
+Import Definitions.
+
 Module eq_14.
 (* gbt-surfaces/eq-14, Sect. 3.2, eq. (14)
    printed: T_bi-linear(z,z_1,μ,ν,μ_1,ν_1) = sum_{k=0}^{1} sum_{l=0}^{1} Q_{k,l} N_{k,1}(z) N_{l,1}(z_1), z, z_1 ∈ [0,1], Z = Z_1 = {0, 0, 1, 1} the node vector
    read as: The B-spline functions of degree one over the nodes 0, 0, 1, 1 interpolate linearly, in one direction and then in the other.
    stated: bilinear(z, z1) == (1 - z)*((1 - z1)*G[0,0] + z1*G[0,1]) + z*((1 - z1)*G[1,0] + z1*G[1,1]) and (N0(z) + N1(z))*(N0(z1) + N1(z1)) == 1 *)
-Definition N0 (z : R) : R :=
-  (1 - z) / (1 - 0).
-Definition N1 (z : R) : R :=
-  (z - 0) / (1 - 0).
-Definition bilinear (G : Z -> Z -> R) (z : R) (z1 : R) : R :=
-  N0 z * N0 z1 * G 0%Z 0%Z + N1 z * N0 z1 * G 1%Z 0%Z + N0 z * N1 z1 * G 0%Z 1%Z + N1 z * N1 z1 * G 1%Z 1%Z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -40,18 +88,8 @@ Module sec_3_2_segments.
 (* gbt-surfaces/sec-3.2.segments, Sect. 3.2, first sentence
    printed: bi-linearly interpolating among four line segments, Q_{0,0}Q_{1,0}, Q_{0,1}Q_{1,1}, Q_{0,0}Q_{0,1}, and Q_{1,0}Q_{1,1}
    stated: bilinear(z, 0) == (1 - z)*G[0,0] + z*G[1,0] and bilinear(z, 1) == (1 - z)*G[0,1] + z*G[1,1] and bilinear(0, z1) == (1 - z1)*G[0,0] + z1*G[0,1] and bilinear(1, z1) == (1 - z1)*G[1,0] + z1*G[1,1] *)
-Definition N0 (z : R) : R :=
-  (1 - z) / (1 - 0).
-Definition N0_ (z : Z) : R :=
-  (1 - IZR z) / (1 - 0).
-Definition N1 (z : R) : R :=
-  (z - 0) / (1 - 0).
-Definition N1_ (z : Z) : R :=
-  (IZR z - 0) / (1 - 0).
 Definition bilinear (G : Z -> Z -> R) (z : R) (z1 : Z) : R :=
   N0 z * N0_ z1 * G 0%Z 0%Z + N1 z * N0_ z1 * G 1%Z 0%Z + N0 z * N1_ z1 * G 0%Z 1%Z + N1 z * N1_ z1 * G 1%Z 1%Z.
-Definition bilinear_ (G : Z -> Z -> R) (z : Z) (z1 : R) : R :=
-  N0_ z * N0 z1 * G 0%Z 0%Z + N1_ z * N0 z1 * G 1%Z 0%Z + N0_ z * N1 z1 * G 0%Z 1%Z + N1_ z * N1 z1 * G 1%Z 1%Z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -79,16 +117,6 @@ Module sec_3_2_linear.
 (* gbt-surfaces/sec-3.2.linear, Sect. 3.2, sentence after eq. (14)
    printed: Among opposite boundary lines, the bi-linear surface (14) performs a clear linear interpolation in both direction
    stated: bilinear(z, z1) == (1 - z1)*bilinear(z, 0) + z1*bilinear(z, 1) and bilinear(z, z1) == (1 - z)*bilinear(0, z1) + z*bilinear(1, z1) *)
-Definition N0 (z : R) : R :=
-  (1 - z) / (1 - 0).
-Definition N1 (z : R) : R :=
-  (z - 0) / (1 - 0).
-Definition bilinear (G : Z -> Z -> R) (z : R) (z1 : R) : R :=
-  N0 z * N0 z1 * G 0%Z 0%Z + N1 z * N0 z1 * G 1%Z 0%Z + N0 z * N1 z1 * G 0%Z 1%Z + N1 z * N1 z1 * G 1%Z 1%Z.
-Definition N0_ (z : Z) : R :=
-  (1 - IZR z) / (1 - 0).
-Definition N1_ (z : Z) : R :=
-  (IZR z - 0) / (1 - 0).
 Definition bilinear_ (G : Z -> Z -> R) (z : R) (z1 : Z) : R :=
   N0 z * N0_ z1 * G 0%Z 0%Z + N1 z * N0_ z1 * G 1%Z 0%Z + N0 z * N1_ z1 * G 0%Z 1%Z + N1 z * N1_ z1 * G 1%Z 1%Z.
 Definition bilinear__ (G : Z -> Z -> R) (z : Z) (z1 : R) : R :=
@@ -149,18 +177,8 @@ Module prop_3_2_b.
 (* gbt-surfaces/prop-3.2.b, Sect. 3.2, Proposition 3.2 (b)
    printed: line segments are taken as boundary curves
    stated: D(bilinear(z, 0), z, 2) == 0 and D(bilinear(z, 1), z, 2) == 0 and D(bilinear(0, z1), z1, 2) == 0 and D(bilinear(1, z1), z1, 2) == 0 *)
-Definition N0 (z : R) : R :=
-  (1 - z) / (1 - 0).
-Definition N0_ (z : Z) : R :=
-  (1 - IZR z) / (1 - 0).
-Definition N1 (z : R) : R :=
-  (z - 0) / (1 - 0).
-Definition N1_ (z : Z) : R :=
-  (IZR z - 0) / (1 - 0).
 Definition bilinear (G : Z -> Z -> R) (z : R) (z1 : Z) : R :=
   N0 z * N0_ z1 * G 0%Z 0%Z + N1 z * N0_ z1 * G 1%Z 0%Z + N0 z * N1_ z1 * G 0%Z 1%Z + N1 z * N1_ z1 * G 1%Z 1%Z.
-Definition bilinear_ (G : Z -> Z -> R) (z : Z) (z1 : R) : R :=
-  N0_ z * N0 z1 * G 0%Z 0%Z + N1_ z * N0 z1 * G 1%Z 0%Z + N0_ z * N1 z1 * G 0%Z 1%Z + N1_ z * N1 z1 * G 1%Z 1%Z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -189,12 +207,6 @@ Module prop_3_2_c.
    printed: the curves T(z,z_1) or T(z,z_1) are the line segments for fixed z or z_1
    read as: The second of the two equal symbols is read as the curve for fixed z_1.
    stated: D(bilinear(z, z1), z, 2) == 0 and D(bilinear(z, z1), z1, 2) == 0 *)
-Definition N0 (z : R) : R :=
-  (1 - z) / (1 - 0).
-Definition N1 (z : R) : R :=
-  (z - 0) / (1 - 0).
-Definition bilinear (G : Z -> Z -> R) (z : R) (z1 : R) : R :=
-  N0 z * N0 z1 * G 0%Z 0%Z + N1 z * N0 z1 * G 1%Z 0%Z + N0 z * N1 z1 * G 0%Z 1%Z + N1 z * N1 z1 * G 1%Z 1%Z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -222,14 +234,6 @@ Module eq_15.
 (* gbt-surfaces/eq-15, Sect. 3.2, Proposition 3.2, eq. (15)
    printed: T_bi-linear(z,z_1,μ,ν,μ_1,ν_1) = sum_{k=0}^{1} sum_{l=0}^{1} Q_{k,l} f_{k,1}(z) f_{l,1}(z_1), z, z_1 ∈ [0,1]
    stated: bilinear(z, z1) == product(z, z1) *)
-Definition N0 (z : R) : R :=
-  (1 - z) / (1 - 0).
-Definition N1 (z : R) : R :=
-  (z - 0) / (1 - 0).
-Definition bilinear (G : Z -> Z -> R) (z : R) (z1 : R) : R :=
-  N0 z * N0 z1 * G 0%Z 0%Z + N1 z * N0 z1 * G 1%Z 0%Z + N0 z * N1 z1 * G 0%Z 1%Z + N1 z * N1 z1 * G 1%Z 1%Z.
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
 Definition product (G : Z -> Z -> R) (z : R) (z1 : R) : R :=
   sum 0%Z 1%Z (fun k => sum 0%Z 1%Z (fun l => G k l * b z k 1%Z * b z1 l 1%Z)).
 Definition statement : Prop :=
@@ -264,18 +268,10 @@ Module sec_3_2_fixed.
    printed: the bi-linear surfaces described in (14) and (15) cannot be modified. This inconvenience of shape adjustment is due to the given four angular points.
    read as: The surface is determined by its four angular points: there is nothing else to change.
    stated: product(z, z1) == (1 - z)*(1 - z1)*p00 + z*(1 - z1)*p10 + (1 - z)*z1*p01 + z*z1*p11 and bilinear(z, z1) == product(z, z1) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
 Definition product (G : Z -> Z -> R) (z : Z) (z1 : Z) : R :=
   sum 0%Z 1%Z (fun k => sum 0%Z 1%Z (fun l => G k l * b (IZR z) k 1%Z * b (IZR z1) l 1%Z)).
 Definition product_ (G : Z -> Z -> R) (z : R) (z1 : R) : R :=
   sum 0%Z 1%Z (fun k => sum 0%Z 1%Z (fun l => G k l * b z k 1%Z * b z1 l 1%Z)).
-Definition N0 (z : R) : R :=
-  (1 - z) / (1 - 0).
-Definition N1 (z : R) : R :=
-  (z - 0) / (1 - 0).
-Definition bilinear (G : Z -> Z -> R) (z : R) (z1 : R) : R :=
-  N0 z * N0 z1 * G 0%Z 0%Z + N1 z * N0 z1 * G 1%Z 0%Z + N0 z * N1 z1 * G 0%Z 1%Z + N1 z * N1 z1 * G 1%Z 1%Z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (p00 : R) (p01 : R) (p10 : R) (p11 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -315,10 +311,6 @@ Module sec_3_2_list_1.
 (* gbt-surfaces/sec-3.2.list-1, Sect. 3.2, properties of GBT-Bezier bi-linear surfaces, item 1
    printed: Angular points are interpolated by the surface
    stated: T(0, 0) == G[0,0] and T(1, 0) == G[m,0] and T(0, 1) == G[0,n] and T(1, 1) == G[m,n] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
-  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (2 <= m)%Z ->
@@ -353,10 +345,6 @@ Module sec_3_2_list_2.
    printed: Line segments are taken as the boundary curves of the surface
    read as: Each boundary is the curve of its exterior points. For points A + t_k (B - A) on a line that curve is A + s (B - A), where s is a combination of the t_k with nonnegative weights that sum to one: for a division of the segment, 0 <= t_k <= 1, it stays on the segment.
    stated: R(z, 0) == sum(k, 0, m, f[k,m](z, mu, nu)*G[k,0]) and R(z, 1) == sum(k, 0, m, f[k,m](z, mu, nu)*G[k,n]) and T(0, z1) == sum(l, 0, n, f[l,n](z1, mu1, nu1)*G[0,l]) and T(1, z1) == sum(l, 0, n, f[l,n](z1, mu1, nu1)*G[m,l]) and sum(k, 0, m, f[k,m](z, mu, nu)*(A + t[k]*(B - A))) == A + sum(k, 0, m, f[k,m](z, mu, nu)*t[k])*(B - A) and nonnegative(f) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition R_ (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * G k l)).
 Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : R) : R :=
   sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
 Definition statement : Prop :=
@@ -399,8 +387,6 @@ Module sec_3_2_list_3.
    printed: T_{m,n}(z,z_1) or T_{m,n}(z,z_1) is a GBT-Bézier curve for fixed z or z_1
    read as: The second of the two equal symbols is read as the curve for fixed z_1.
    stated: T(z, z1) == R(z, z1) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k => f z mu nu k m * G k l)).
 Definition R_ (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
@@ -436,10 +422,6 @@ Module alg_2_1.
 (* gbt-surfaces/alg-2.1, Sect. 3.2, Algorithm 2, step 1
    printed: In a 3D space, take Q_{0,0}, Q_{m,0}, Q_{0,n}, Q_{m,n} to be the four control points. These points are used as the angular points of the GBT-Bézier surface.
    stated: T(0, 0) == G[0,0] and T(1, 0) == G[m,0] and T(0, 1) == G[0,n] and T(1, 1) == G[m,n] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
-  sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (2 <= m)%Z ->
@@ -476,8 +458,6 @@ Module alg_2_2.
    stated: point(0, K00, Km0, m) == K00 and point(m, K00, Km0, m) == Km0 and point(k, K00, Km0, m) - point(k - 1, K00, Km0, m) == (Km0 - K00)/m and point(0, K0n, Kmn, m) == K0n and point(m, K0n, Kmn, m) == Kmn and point(k, K0n, Kmn, m) - point(k - 1, K0n, Kmn, m) == (Kmn - K0n)/m and point(0, K00, K0n, n) == K00 and point(n, K00, K0n, n) == K0n and point(l, K00, K0n, n) - point(l - 1, K00, K0n, n) == (K0n - K00)/n and point(0, Km0, Kmn, n) == Km0 and point(n, Km0, Kmn, n) == Kmn and point(l, Km0, Kmn, n) - point(l - 1, Km0, Kmn, n) == (Kmn - Km0)/n and sum(k, 0, m, f[k,m](z, mu, nu)*point(k, K00, Km0, m)) == K00 + sum(k, 0, m, f[k,m](z, mu, nu)*k/m)*(Km0 - K00) and sum(k, 0, m, f[k,m](z, mu, nu)*point(k, K0n, Kmn, m)) == K0n + sum(k, 0, m, f[k,m](z, mu, nu)*k/m)*(Kmn - K0n) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*point(l, K00, K0n, n)) == K00 + sum(l, 0, n, f[l,n](z1, mu1, nu1)*l/n)*(K0n - K00) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*point(l, Km0, Kmn, n)) == Km0 + sum(l, 0, n, f[l,n](z1, mu1, nu1)*l/n)*(Kmn - Km0) *)
 Definition point (k : Z) (A : R) (B : R) (parts : Z) : R :=
   A + IZR k / IZR parts * (B - A).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (m : Z) (n : Z) (K00 : R) (K0n : R) (Km0 : R) (Kmn : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (1 <= k <= m)%Z ->
@@ -514,8 +494,6 @@ Module alg_2_2_irregular.
    printed: (an irregular division can also be made)
    read as: For one of the segments, with ends A and B, and any division numbers t_k: the boundary is A + s (B - A), where s is a combination of the t_k with nonnegative weights that sum to one.
    stated: sum(k, 0, m, f[k,m](z, mu, nu)*(A + t[k]*(B - A))) == A + sum(k, 0, m, f[k,m](z, mu, nu)*t[k])*(B - A) and nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)) == 1 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (A : R) (B : R) (mu : R) (nu : R) (t : Z -> R) (z : R),
   (2 <= m)%Z ->
@@ -536,12 +514,8 @@ Module eq_16.
    printed: T_bi-linear(z,z_1,μ,ν,μ_1,ν_1) = sum_{k=0}^{m} sum_{l=0}^{n} Q_{k,l} f_{k,m}(z) f_{l,n}(z_1), z, z_1 ∈ [0,1]
    read as: (16) is the surface (7), and the interior points are free: the boundary curves depend on the exterior points alone.
    stated: sum(k, 0, m, sum(l, 0, n, G[k,l]*f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1))) == T(z, z1) and R(z, 0) == sum(k, 0, m, f[k,m](z, mu, nu)*G[k,0]) and R(z, 1) == sum(k, 0, m, f[k,m](z, mu, nu)*G[k,n]) and T(0, z1) == sum(l, 0, n, f[l,n](z1, mu1, nu1)*G[0,l]) and T(1, z1) == sum(l, 0, n, f[l,n](z1, mu1, nu1)*G[m,l]) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k => f z mu nu k m * G k l)).
-Definition R_ (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * G k l)).
 Definition T_ (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : R) : R :=
   sum 0%Z n (fun l => f z1 mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
 Definition statement : Prop :=
@@ -584,38 +558,6 @@ Module ex_3_2_corners.
    printed: Q_{0,0} = (0, 0, 0), Q_{3,0} = (3, 0, 0), Q_{0,3} = (0, 3, 0), Q_{3,3} = (3, 3, 0)
    read as: The surface of the sixteen points interpolates these four, as its angular points.
    stated: at(at(sixteen, z, 0), z1, 0) == [0, 0, 0] and at(at(sixteen, z, 1), z1, 0) == [3, 0, 0] and at(at(sixteen, z, 0), z1, 1) == [0, 3, 0] and at(at(sixteen, z, 1), z1, 1) == [3, 3, 0] *)
-Definition Q00 : list R :=
-  [0; 0; 0].
-Definition Q10 : list R :=
-  [1; 0; 0].
-Definition Q20 : list R :=
-  [2; 0; 0].
-Definition Q30 : list R :=
-  [3; 0; 0].
-Definition Q01 : list R :=
-  [0; 1; 0].
-Definition Q11 : list R :=
-  [1; 1; 3].
-Definition Q21 : list R :=
-  [2; 1; 3].
-Definition Q31 : list R :=
-  [3; 2; 0].
-Definition Q02 : list R :=
-  [0; 2; 0].
-Definition Q12 : list R :=
-  [1; 2; 3].
-Definition Q22 : list R :=
-  [2; 2; 3].
-Definition Q03 : list R :=
-  [0; 3; 0].
-Definition Q13 : list R :=
-  [1; 3; 0].
-Definition Q23 : list R :=
-  [2; 3; 0].
-Definition Q33 : list R :=
-  [3; 3; 0].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition row_ (mu : R) (nu : R) (z : Z) (p : list R) (q : list R) (r : list R) (s : list R) : list R :=
   vadd (vadd (vadd (vscale (f (IZR z) mu nu 0%Z 3%Z) p) (vscale (f (IZR z) mu nu 1%Z 3%Z) q)) (vscale (f (IZR z) mu nu 2%Z 3%Z) r)) (vscale (f (IZR z) mu nu 3%Z 3%Z) s).
 Definition sixteen (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z1 : Z) (z : Z) : list R :=
@@ -639,22 +581,6 @@ Module ex_3_2_division_z_lines.
 (* gbt-surfaces/ex-3.2.division.z-lines, Sect. 3.2, Example 3.2, data, first line of the brace
    printed: Q_{1,0} = (1, 0, 0), Q_{2,0} = (2, 0, 0), Q_{1,3} = (1, 3, 0), Q_{2,3} = (2, 3, 0)
    stated: Q00 + 1/3*(Q30 - Q00) == Q10 and Q00 + 2/3*(Q30 - Q00) == Q20 and Q03 + 1/3*(Q33 - Q03) == Q13 and Q03 + 2/3*(Q33 - Q03) == Q23 *)
-Definition Q00 : list R :=
-  [0; 0; 0].
-Definition Q30 : list R :=
-  [3; 0; 0].
-Definition Q10 : list R :=
-  [1; 0; 0].
-Definition Q20 : list R :=
-  [2; 0; 0].
-Definition Q03 : list R :=
-  [0; 3; 0].
-Definition Q33 : list R :=
-  [3; 3; 0].
-Definition Q13 : list R :=
-  [1; 3; 0].
-Definition Q23 : list R :=
-  [2; 3; 0].
 Definition statement : Prop :=
   vadd Q00 (vscale (1 / 3) (vsub Q30 Q00)) = Q10 /\ vadd Q00 (vscale (2 / 3) (vsub Q30 Q00)) = Q20 /\ vadd Q03 (vscale (1 / 3) (vsub Q33 Q03)) = Q13 /\ vadd Q03 (vscale (2 / 3) (vsub Q33 Q03)) = Q23.
 End ex_3_2_division_z_lines.
@@ -663,14 +589,6 @@ Module ex_3_2_division_Q0l.
 (* gbt-surfaces/ex-3.2.division.Q0l, Sect. 3.2, Example 3.2, data, second line of the brace
    printed: Q_{0,1} = (0, 1, 0), Q_{0,2} = (0, 2, 0)
    stated: Q00 + 1/3*(Q03 - Q00) == Q01 and Q00 + 2/3*(Q03 - Q00) == Q02 *)
-Definition Q00 : list R :=
-  [0; 0; 0].
-Definition Q03 : list R :=
-  [0; 3; 0].
-Definition Q01 : list R :=
-  [0; 1; 0].
-Definition Q02 : list R :=
-  [0; 2; 0].
 Definition statement : Prop :=
   vadd Q00 (vscale (1 / 3) (vsub Q03 Q00)) = Q01 /\ vadd Q00 (vscale (2 / 3) (vsub Q03 Q00)) = Q02.
 End ex_3_2_division_Q0l.
@@ -679,10 +597,6 @@ Module ex_3_2_division_Q3l.
 (* gbt-surfaces/ex-3.2.division.Q3l, Sect. 3.2, Example 3.2, data, second line of the brace
    printed: Q_{3,1} = (3, 2, 0), Q_{3,2} = (3, 2, 0)
    stated: Q30 + 1/3*(Q33 - Q30) == [3, 2, 0] and Q30 + 2/3*(Q33 - Q30) == [3, 2, 0] *)
-Definition Q30 : list R :=
-  [3; 0; 0].
-Definition Q33 : list R :=
-  [3; 3; 0].
 Definition statement : Prop :=
   vadd Q30 (vscale (1 / 3) (vsub Q33 Q30)) = [3; 2; 0] /\ vadd Q30 (vscale (2 / 3) (vsub Q33 Q30)) = [3; 2; 0].
 End ex_3_2_division_Q3l.
@@ -691,10 +605,6 @@ Module ex_3_2_division_Q3l_corrected.
 (* gbt-surfaces/ex-3.2.division.Q3l (corrected), Sect. 3.2, Example 3.2, data, second line of the brace
    printed: Q_{3,1} = (3, 2, 0), Q_{3,2} = (3, 2, 0)
    stated: Q30 + 1/3*(Q33 - Q30) == [3, 1, 0] and Q30 + 2/3*(Q33 - Q30) == [3, 2, 0] *)
-Definition Q30 : list R :=
-  [3; 0; 0].
-Definition Q33 : list R :=
-  [3; 3; 0].
 Definition statement : Prop :=
   vadd Q30 (vscale (1 / 3) (vsub Q33 Q30)) = [3; 1; 0] /\ vadd Q30 (vscale (2 / 3) (vsub Q33 Q30)) = [3; 2; 0].
 End ex_3_2_division_Q3l_corrected.
@@ -704,14 +614,6 @@ Module ex_3_2_equal_parts_a.
    printed: the eight central partition points produced by dividing the line segments Q_{0,0}Q_{3,0}, Q_{0,3}Q_{3,3}, Q_{0,0}Q_{0,3}, and Q_{3,0}Q_{3,3} into three equal parts
    read as: The side from Q_{0,0} to Q_{3,0}.
    stated: Q10 - Q00 == Q20 - Q10 and Q20 - Q10 == Q30 - Q20 *)
-Definition Q10 : list R :=
-  [1; 0; 0].
-Definition Q00 : list R :=
-  [0; 0; 0].
-Definition Q20 : list R :=
-  [2; 0; 0].
-Definition Q30 : list R :=
-  [3; 0; 0].
 Definition statement : Prop :=
   vsub Q10 Q00 = vsub Q20 Q10 /\ vsub Q20 Q10 = vsub Q30 Q20.
 End ex_3_2_equal_parts_a.
@@ -721,14 +623,6 @@ Module ex_3_2_equal_parts_b.
    printed: the eight central partition points produced by dividing the line segments Q_{0,0}Q_{3,0}, Q_{0,3}Q_{3,3}, Q_{0,0}Q_{0,3}, and Q_{3,0}Q_{3,3} into three equal parts
    read as: The side from Q_{0,3} to Q_{3,3}.
    stated: Q13 - Q03 == Q23 - Q13 and Q23 - Q13 == Q33 - Q23 *)
-Definition Q13 : list R :=
-  [1; 3; 0].
-Definition Q03 : list R :=
-  [0; 3; 0].
-Definition Q23 : list R :=
-  [2; 3; 0].
-Definition Q33 : list R :=
-  [3; 3; 0].
 Definition statement : Prop :=
   vsub Q13 Q03 = vsub Q23 Q13 /\ vsub Q23 Q13 = vsub Q33 Q23.
 End ex_3_2_equal_parts_b.
@@ -738,14 +632,6 @@ Module ex_3_2_equal_parts_c.
    printed: the eight central partition points produced by dividing the line segments Q_{0,0}Q_{3,0}, Q_{0,3}Q_{3,3}, Q_{0,0}Q_{0,3}, and Q_{3,0}Q_{3,3} into three equal parts
    read as: The side from Q_{0,0} to Q_{0,3}.
    stated: Q01 - Q00 == Q02 - Q01 and Q02 - Q01 == Q03 - Q02 *)
-Definition Q01 : list R :=
-  [0; 1; 0].
-Definition Q00 : list R :=
-  [0; 0; 0].
-Definition Q02 : list R :=
-  [0; 2; 0].
-Definition Q03 : list R :=
-  [0; 3; 0].
 Definition statement : Prop :=
   vsub Q01 Q00 = vsub Q02 Q01 /\ vsub Q02 Q01 = vsub Q03 Q02.
 End ex_3_2_equal_parts_c.
@@ -755,10 +641,6 @@ Module ex_3_2_equal_parts_d.
    printed: the eight central partition points produced by dividing the line segments Q_{0,0}Q_{3,0}, Q_{0,3}Q_{3,3}, Q_{0,0}Q_{0,3}, and Q_{3,0}Q_{3,3} into three equal parts
    read as: The side from Q_{3,0} to Q_{3,3}, with the printed Q_{3,1} and Q_{3,2}.
    stated: Q30 + 1/3*(Q33 - Q30) == [3, 2, 0] and Q30 + 2/3*(Q33 - Q30) == [3, 2, 0] *)
-Definition Q30 : list R :=
-  [3; 0; 0].
-Definition Q33 : list R :=
-  [3; 3; 0].
 Definition statement : Prop :=
   vadd Q30 (vscale (1 / 3) (vsub Q33 Q30)) = [3; 2; 0] /\ vadd Q30 (vscale (2 / 3) (vsub Q33 Q30)) = [3; 2; 0].
 End ex_3_2_equal_parts_d.
@@ -768,10 +650,6 @@ Module ex_3_2_equal_parts_d_corrected.
    printed: the eight central partition points produced by dividing the line segments Q_{0,0}Q_{3,0}, Q_{0,3}Q_{3,3}, Q_{0,0}Q_{0,3}, and Q_{3,0}Q_{3,3} into three equal parts
    read as: The side from Q_{3,0} to Q_{3,3}, with the printed Q_{3,1} and Q_{3,2}.
    stated: Q30 + 1/3*(Q33 - Q30) == [3, 1, 0] and Q30 + 2/3*(Q33 - Q30) == [3, 2, 0] *)
-Definition Q30 : list R :=
-  [3; 0; 0].
-Definition Q33 : list R :=
-  [3; 3; 0].
 Definition statement : Prop :=
   vadd Q30 (vscale (1 / 3) (vsub Q33 Q30)) = [3; 1; 0] /\ vadd Q30 (vscale (2 / 3) (vsub Q33 Q30)) = [3; 2; 0].
 End ex_3_2_equal_parts_d_corrected.
@@ -781,14 +659,6 @@ Module ex_3_2_interior.
    printed: Q_{1,1} = (1, 1, 3), Q_{2,1} = (2, 1, 3), Q_{1,2} = (1, 2, 3), Q_{2,2} = (2, 2, 3)
    read as: The points are chosen freely; they lie 3 above the points of the square that the partition points mark.
    stated: Q10 + Q01 + [0, 0, 3] == [1, 1, 3] and Q20 + Q01 + [0, 0, 3] == [2, 1, 3] and Q10 + Q02 + [0, 0, 3] == [1, 2, 3] and Q20 + Q02 + [0, 0, 3] == [2, 2, 3] *)
-Definition Q10 : list R :=
-  [1; 0; 0].
-Definition Q01 : list R :=
-  [0; 1; 0].
-Definition Q20 : list R :=
-  [2; 0; 0].
-Definition Q02 : list R :=
-  [0; 2; 0].
 Definition statement : Prop :=
   vadd (vadd Q10 Q01) [0; 0; 3] = [1; 1; 3] /\ vadd (vadd Q20 Q01) [0; 0; 3] = [2; 1; 3] /\ vadd (vadd Q10 Q02) [0; 0; 3] = [1; 2; 3] /\ vadd (vadd Q20 Q02) [0; 0; 3] = [2; 2; 3].
 End ex_3_2_interior.
@@ -798,44 +668,10 @@ Module ex_3_2_equation.
    printed: By using control points and equation (15), the GBT-Bézier bi-linear surface can be designed
    read as: The surface of the sixteen control points is said to be (15), the surface of four.
    stated: sixteen == four *)
-Definition Q00 : list R :=
-  [0; 0; 0].
-Definition Q10 : list R :=
-  [1; 0; 0].
-Definition Q20 : list R :=
-  [2; 0; 0].
-Definition Q30 : list R :=
-  [3; 0; 0].
-Definition Q01 : list R :=
-  [0; 1; 0].
-Definition Q11 : list R :=
-  [1; 1; 3].
-Definition Q21 : list R :=
-  [2; 1; 3].
-Definition Q31 : list R :=
-  [3; 2; 0].
-Definition Q02 : list R :=
-  [0; 2; 0].
-Definition Q12 : list R :=
-  [1; 2; 3].
-Definition Q22 : list R :=
-  [2; 2; 3].
-Definition Q03 : list R :=
-  [0; 3; 0].
-Definition Q13 : list R :=
-  [1; 3; 0].
-Definition Q23 : list R :=
-  [2; 3; 0].
-Definition Q33 : list R :=
-  [3; 3; 0].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition row_ (mu : R) (nu : R) (z : R) (p : list R) (q : list R) (r : list R) (s : list R) : list R :=
   vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) p) (vscale (f z mu nu 1%Z 3%Z) q)) (vscale (f z mu nu 2%Z 3%Z) r)) (vscale (f z mu nu 3%Z 3%Z) s).
 Definition sixteen (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : list R :=
   vadd (vadd (vadd (vscale (f z1 mu1 nu1 0%Z 3%Z) (row_ mu nu z Q00 Q10 Q20 Q30)) (vscale (f z1 mu1 nu1 1%Z 3%Z) (row_ mu nu z Q01 Q11 Q21 Q31))) (vscale (f z1 mu1 nu1 2%Z 3%Z) (row_ mu nu z Q02 Q12 Q22 Q31))) (vscale (f z1 mu1 nu1 3%Z 3%Z) (row_ mu nu z Q03 Q13 Q23 Q33)).
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
 Definition four (z : R) (z1 : R) : list R :=
   vadd (vadd (vadd (vscale (b z 0%Z 1%Z * b z1 0%Z 1%Z) Q00) (vscale (b z 1%Z 1%Z * b z1 0%Z 1%Z) Q30)) (vscale (b z 0%Z 1%Z * b z1 1%Z 1%Z) Q03)) (vscale (b z 1%Z 1%Z * b z1 1%Z 1%Z) Q33).
 Definition statement : Prop :=
@@ -862,28 +698,6 @@ Module ex_3_2_coplanar.
 (* gbt-surfaces/ex-3.2.coplanar, Sect. 3.2, Example 3.2, last paragraph
    printed: in which the exterior twelve control mesh points are coplanar
    stated: dot([0, 0, 1], Q00) == 0 and dot([0, 0, 1], Q10) == 0 and dot([0, 0, 1], Q20) == 0 and dot([0, 0, 1], Q30) == 0 and dot([0, 0, 1], Q03) == 0 and dot([0, 0, 1], Q13) == 0 and dot([0, 0, 1], Q23) == 0 and dot([0, 0, 1], Q33) == 0 and dot([0, 0, 1], Q01) == 0 and dot([0, 0, 1], Q02) == 0 and dot([0, 0, 1], Q31) == 0 and dot([0, 0, 1], Q32) == 0 *)
-Definition Q00 : list R :=
-  [0; 0; 0].
-Definition Q10 : list R :=
-  [1; 0; 0].
-Definition Q20 : list R :=
-  [2; 0; 0].
-Definition Q30 : list R :=
-  [3; 0; 0].
-Definition Q03 : list R :=
-  [0; 3; 0].
-Definition Q13 : list R :=
-  [1; 3; 0].
-Definition Q23 : list R :=
-  [2; 3; 0].
-Definition Q33 : list R :=
-  [3; 3; 0].
-Definition Q01 : list R :=
-  [0; 1; 0].
-Definition Q02 : list R :=
-  [0; 2; 0].
-Definition Q31 : list R :=
-  [3; 2; 0].
 Definition statement : Prop :=
   dot [0; 0; 1] Q00 = 0 /\ dot [0; 0; 1] Q10 = 0 /\ dot [0; 0; 1] Q20 = 0 /\ dot [0; 0; 1] Q30 = 0 /\ dot [0; 0; 1] Q03 = 0 /\ dot [0; 0; 1] Q13 = 0 /\ dot [0; 0; 1] Q23 = 0 /\ dot [0; 0; 1] Q33 = 0 /\ dot [0; 0; 1] Q01 = 0 /\ dot [0; 0; 1] Q02 = 0 /\ dot [0; 0; 1] Q31 = 0 /\ dot [0; 0; 1] Q31 = 0.
 End ex_3_2_coplanar.
@@ -892,8 +706,6 @@ Module ex_3_2_noncoplanar_possible.
 (* gbt-surfaces/ex-3.2.noncoplanar.possible, Sect. 3.2, Example 3.2, last sentence
    printed: There are such surfaces: the four angular points need not lie in a plane, and all four boundaries are straight all the same.
    stated: not det([Km0 - K00, K0n - K00, Kmn - K00]) == 0 and sum(k, 0, m, f[k,m](z, mu, nu)*(K00 + t[k]*(Km0 - K00))) == K00 + sum(k, 0, m, f[k,m](z, mu, nu)*t[k])*(Km0 - K00) and sum(k, 0, m, f[k,m](z, mu, nu)*(K0n + t[k]*(Kmn - K0n))) == K0n + sum(k, 0, m, f[k,m](z, mu, nu)*t[k])*(Kmn - K0n) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*(K00 + t[l]*(K0n - K00))) == K00 + sum(l, 0, n, f[l,n](z1, mu1, nu1)*t[l])*(K0n - K00) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*(Km0 + t[l]*(Kmn - Km0))) == Km0 + sum(l, 0, n, f[l,n](z1, mu1, nu1)*t[l])*(Kmn - Km0) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (K00'1 K00'2 K00'3 : R) (K0n'1 K0n'2 K0n'3 : R) (Km0'1 Km0'2 Km0'3 : R) (Kmn'1 Kmn'2 Kmn'3 : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (t : Z -> R) (z : R) (z1 : R),
   let K00 := [K00'1; K00'2; K00'3] in

@@ -2,21 +2,55 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module sec_3_3_generatrix.
-(* gbt-surfaces/sec-3.3.generatrix, Sect. 3.3, first paragraph
-   printed: a ruled surface has an astonishing property that, for fixed z, T(z,z_1) is a line segment joining points b_1(z) and b_2(z)
-   read as: b_1 and b_2 are the guide lines (17), interpolated linearly.
-   stated: S(z, 0) == L0(z) and S(z, 1) == L1(z) and D(S(z, z1), z1, 2) == 0 *)
+Module Definitions.
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * A k).
 Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
-  (1 - IZR z1) * L0 A m mu nu z + IZR z1 * L1 B m mu1 nu1 z.
+Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  (1 - z1) * L0 A m mu nu z + z1 * L1 B m mu1 nu1 z.
 Definition S__ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   (1 - z1) * L0 A m mu nu z + z1 * L1 B m mu1 nu1 z.
+Definition b (z : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
+Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
+Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
+Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
+Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
+Definition c1 (n : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition pair (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : Z) : R :=
+  (1 - z1) * F Q m mu nu z + z1 * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition pair_ (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : R) : R :=
+  (1 - z1) * F_ Q m mu nu z + z1 * sum 0%Z m (fun k => f z mu nu k m * B k).
+Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
+Definition own4 (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
+  b (IZR z1) 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
+End Definitions.
+Import Definitions.
+
+Module sec_3_3_generatrix.
+(* gbt-surfaces/sec-3.3.generatrix, Sect. 3.3, first paragraph
+   printed: a ruled surface has an astonishing property that, for fixed z, T(z,z_1) is a line segment joining points b_1(z) and b_2(z)
+   read as: b_1 and b_2 are the guide lines (17), interpolated linearly.
+   stated: S(z, 0) == L0(z) and S(z, 1) == L1(z) and D(S(z, z1), z1, 2) == 0 *)
+Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
+  (1 - IZR z1) * L0 A m mu nu z + IZR z1 * L1 B m mu1 nu1 z.
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -43,14 +77,10 @@ Module sec_3_3_same_degree_literal.
    printed: The necessary condition to express the ruled surface into tensor product form is that both should have the same degree.
    read as: Guide lines of degrees that differ never give a tensor product surface. Tried with a cubic of the points P, R, R, W and any quartic, all shape parameters -1.
    stated: not (1 - z1)*cubic(z) + z1*quartic(z) == b[0,1](z1)*raised(z) + b[1,1](z1)*quartic(z) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition cubic (P : R) (R_ : R) (W : R) (z : R) : R :=
   f z (- 1) (- 1) 0%Z 3%Z * P + f z (- 1) (- 1) 1%Z 3%Z * R_ + f z (- 1) (- 1) 2%Z 3%Z * R_ + f z (- 1) (- 1) 3%Z 3%Z * W.
 Definition quartic (B : Z -> R) (z : R) : R :=
   sum 0%Z 4%Z (fun k => f z (- 1) (- 1) k 4%Z * B k).
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
 Definition raised (P : R) (R_ : R) (W : R) (z : R) : R :=
   f z (- 1) (- 1) 0%Z 4%Z * P + f z (- 1) (- 1) 1%Z 4%Z * (P + R_) / 2 + f z (- 1) (- 1) 2%Z 4%Z * R_ + f z (- 1) (- 1) 3%Z 4%Z * (R_ + W) / 2 + f z (- 1) (- 1) 4%Z 4%Z * W.
 Definition statement : Prop :=
@@ -68,8 +98,6 @@ Module sec_3_3_same_degree_in_general.
    printed: The necessary condition to express the ruled surface into tensor product form is that both should have the same degree.
    read as: Guide lines of degrees that differ do not in general give one, since a cubic is no quartic with the same shape parameters. Shown for vanishing shape parameters: the ends, the tangents there and a second derivative determine the quartic.
    stated: not cubic(z) == quartic(z) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition quartic (C_ : Z -> R) (z : Z) : R :=
   sum 0%Z 4%Z (fun k => f (IZR z) 0 0 k 4%Z * C_ k).
 Definition cubic (A : Z -> R) (z : Z) : R :=
@@ -109,10 +137,6 @@ Module eq_17_0.
    printed: F_{m,0}(z,μ,ν) = sum_{k=0}^{m} f^0_{k,m}(z) Q_{0,k}, 0 ≤ z ≤ 1
    read as: The formula, and the ends between which the first boundary of the surface runs.
    stated: L0(z) == sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) and L0(0) == A[0] and L0(1) == A[m] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
 Definition L0_ (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu nu k m * A k).
 Definition statement : Prop :=
@@ -135,10 +159,6 @@ Module eq_17_1.
    printed: F_{m,1}(z,μ_1,ν_1) = sum_{k=0}^{m} f^1_{k,m}(z) Q_{1,k}, 0 ≤ z ≤ 1
    read as: The formula, and the ends between which the second boundary of the surface runs.
    stated: L1(z) == sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) and L1(0) == B[0] and L1(1) == B[m] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition L1_ (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu1 nu1 k m * B k).
 Definition statement : Prop :=
@@ -161,14 +181,6 @@ Module sec_3_3_condition_1.
    printed: For fixed value of z, the curve T_ruled(z,z_1) is a line segment.
    read as: With one set of functions for both guide lines, and with a set for each.
    stated: D(printed(z, z1), z1, 2) == 0 and D(with_own(z, z1), z1, 2) == 0 *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -195,16 +207,8 @@ Module sec_3_3_condition_2_as_printed.
    printed: The guild lines fulfil the T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1).
    read as: (18) has one set of functions f_{k,m} for both guide lines.
    stated: printed(z, 0) == L0(z) and printed(z, 1) == L1(z) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (2 <= m)%Z ->
@@ -221,16 +225,8 @@ Module sec_3_3_condition_2_with_f_l.
    printed: The guild lines fulfil the T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1).
    read as: (18) has a set of functions f^l_{k,m} for each guide line, as (17) and (19) have.
    stated: with_own(z, 0) == L0(z) and with_own(z, 1) == L1(z) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (2 <= m)%Z ->
@@ -255,18 +251,6 @@ Module eq_18.
    printed: T_ruled(z,z_1,μ,ν,μ_1,ν_1) = sum_{l=0}^{1} ( f_{l,1}(z_1) sum_{k=0}^{m} f_{k,m}(z) Q_{l,k} ), 0 ≤ z, z_1 ≤ 1
    read as: The formula against the linear interpolation of the guide lines (17).
    stated: printed(z, z1) == S(z, z1) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  (1 - z1) * L0 A m mu nu z + z1 * L1 B m mu1 nu1 z.
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -284,16 +268,6 @@ Module eq_18_corrected.
    printed: T_ruled(z,z_1,μ,ν,μ_1,ν_1) = sum_{l=0}^{1} ( f_{l,1}(z_1) sum_{k=0}^{m} f_{k,m}(z) Q_{l,k} ), 0 ≤ z, z_1 ≤ 1
    read as: The formula against the linear interpolation of the guide lines (17).
    stated: b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) == S(z, z1) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  (1 - z1) * L0 A m mu nu z + z1 * L1 B m mu1 nu1 z.
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -319,16 +293,8 @@ Module eq_18_true.
 (* gbt-surfaces/eq-18.true, Sect. 3.3, eq. (18)
    printed: With a set of functions for each guide line (18) meets both conditions.
    stated: with_own(z, 0) == L0(z) and with_own(z, 1) == L1(z) and D(with_own(z, z1), z1, 2) == 0 *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition with_own_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
@@ -356,16 +322,8 @@ Module eq_18_sufficient.
 (* gbt-surfaces/eq-18.sufficient, Sect. 3.3, eq. (18)
    printed: As printed it meets them if both guide lines have the same shape parameters.
    stated: printed(z, 0) == L0(z) and printed(z, 1) == L1(z) and D(printed(z, z1), z1, 2) == 0 *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition printed__ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition statement : Prop :=
@@ -397,14 +355,8 @@ Module eq_18_necessary.
 (* gbt-surfaces/eq-18.necessary, Sect. 3.3, eq. (18)
    printed: How far the printed surface departs from the second guide line at its ends: it contains that line only if μ_1 = μ, or B_1 = B_0, and ν_1 = ν, or B_m = B_{m-1}.
    stated: at(D(printed(z, 1) - L1(z), z), z, 0) == pi/2*(mu - mu1)*(B[1] - B[0]) and at(D(printed(z, 1) - L1(z), z), z, 1) == pi/2*(nu - nu1)*(B[m] - B[m-1]) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (2 <= m)%Z ->
@@ -426,18 +378,6 @@ Module eq_18_defect.
 (* gbt-surfaces/eq-18.defect, Sect. 3.3, eq. (18)
    printed: What the printed (18) lacks of the surface between the guide lines, for every order.
    stated: printed(z, z1) - S(z, z1) == z1*((mu - mu1)*sin(pi/2*z)*(1 - sin(pi/2*z))*sum(k, 0, m - 2, e[k,m-2](z)*(B[k+1] - B[k])) - (nu - nu1)*cos(pi/2*z)*(1 - cos(pi/2*z))*sum(k, 0, m - 2, e[k,m-2](z)*(B[k+2] - B[k+1]))) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  (1 - z1) * L0 A m mu nu z + z1 * L1 B m mu1 nu1 z.
 Definition e (z : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [1] i k.
 Definition statement : Prop :=
@@ -468,14 +408,6 @@ Module eq_18_tensor_as_printed.
    printed: Equation (18) represents the tensor product GBT-Bézier surface in the form of a GBT-Bézier modified ruled surface.
    read as: (18) has one set of functions f_{k,m} for both guide lines.
    stated: printed(z, z1) == tensor(z, z1) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -498,14 +430,6 @@ Module eq_18_tensor_with_f_l.
    printed: Equation (18) represents the tensor product GBT-Bézier surface in the form of a GBT-Bézier modified ruled surface.
    read as: (18) has a set of functions f^l_{k,m} for each guide line, as (17) and (19) have.
    stated: with_own(z, z1) == tensor(z, z1) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -523,10 +447,6 @@ Module sec_3_3_benefits_a.
    printed: The GBT-Bézier ruled surfaces defined in (18) take over all characteristics and benefits of GBT-Bézier surfaces because these surfaces are expressed in the form of tensor product GBT-Bézier surfaces and the GLs are two GBT-Bézier curves that have the same degree.
    read as: Convex hull and affine invariance (nonnegative weights that sum to one), interpolation of the corners, change with the shape parameters; with one set of functions for both guide lines, and with a set for each.
    stated: nonnegative(f) and nonnegative(b) and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) == 1 and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu1, nu1)) == 1 and printed(0, 0) == A[0] and printed(1, 0) == A[m] and printed(0, 1) == B[0] and printed(1, 1) == B[m] and with_own(0, 0) == A[0] and with_own(1, 0) == A[m] and with_own(0, 1) == B[0] and with_own(1, 1) == B[m] and not D(at(D(printed(z, z1), z), z, 0), mu) == 0 and not D(at(D(printed(z, z1), z), z, 1), nu) == 0 and not D(at(D(with_own(z, z1), z), z, 0), mu) == 0 and not D(at(D(with_own(z, z1), z), z, 1), nu) == 0 and not D(at(D(with_own(z, z1), z), z, 0), mu1) == 0 and not D(at(D(with_own(z, z1), z), z, 1), nu1) == 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f (IZR z) mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
 Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
@@ -622,16 +542,8 @@ Module prop_3_3_a.
 (* gbt-surfaces/prop-3.3.a, Sect. 3.3, Proposition 3.3, first sentence
    printed: the straight generatrices of a GBT-Bézier ruled surfaces are the straight lines that are obtained by joining iso-parametric points, instead of joining the same length of an arc of the two GLs
    stated: S(z, 0) == L0(z) and S(z, 1) == L1(z) and D(S(z, z1), z1, 2) == 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
   (1 - IZR z1) * L0 A m mu nu z + IZR z1 * L1 B m mu1 nu1 z.
-Definition S__ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  (1 - z1) * L0 A m mu nu z + z1 * L1 B m mu1 nu1 z.
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -658,8 +570,6 @@ Module prop_3_3_b.
    printed: Generally, joining the same length of an arc of any two GLs gives us a different ruled surface.
    read as: Two straight guide lines of degree 2 with evenly spaced control points: the expressions are the lengths of arc from the start, as parts of the whole, at equal parameters.
    stated: not f[1,2](z, mu, nu)/2 + f[2,2](z, mu, nu) == f[1,2](z, mu1, nu1)/2 + f[2,2](z, mu1, nu1) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -688,14 +598,6 @@ Module prop_3_4_a_as_printed.
    printed: the GBT-Bézier ruled surface is a special case of tensor product GBT-Bézier surface
    read as: (18) has one set of functions f_{k,m} for both guide lines.
    stated: printed(z, z1) == tensor(z, z1) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -718,14 +620,6 @@ Module prop_3_4_a_with_f_l.
    printed: the GBT-Bézier ruled surface is a special case of tensor product GBT-Bézier surface
    read as: (18) has a set of functions f^l_{k,m} for each guide line, as (17) and (19) have.
    stated: with_own(z, z1) == tensor(z, z1) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -742,8 +636,6 @@ Module prop_3_4_a_net.
 (* gbt-surfaces/prop-3.4.a.net, Sect. 3.3, Proposition 3.4, first sentence
    printed: With a set of functions for each guide line no other net helps: the second guide line of order 2 is no curve with the functions of the first. The net is determined by the ends and one end tangent.
    stated: not line(z) == any(z) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition any (C_ : Z -> R) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z 2%Z (fun k => f (IZR z) mu nu k 2%Z * C_ k).
 Definition line (B : Z -> R) (mu1 : R) (nu1 : R) (z : Z) : R :=
@@ -789,20 +681,12 @@ Module prop_3_4_b.
    printed: the two adjacent GBT-Bézier ruled surfaces satisfy C1, C2, and C3 continuity conditions because both GLs of the ruled surfaces satisfy these conditions (see Fig. 10 and Fig. 11)
    read as: The jump of each derivative of the surface is the interpolation of the jumps of the guide lines, so it vanishes if and only if both of them do.
    stated: jump(0) == (1 - z1)*jump0(0) + z1*jump1(0) and at(jump(0), z1, 0) == jump0(0) and at(jump(0), z1, 1) == jump1(0) and jump(1) == (1 - z1)*jump0(1) + z1*jump1(1) and at(jump(1), z1, 0) == jump0(1) and at(jump(1), z1, 1) == jump1(1) and jump(2) == (1 - z1)*jump0(2) + z1*jump1(2) and at(jump(2), z1, 0) == jump0(2) and at(jump(2), z1, 1) == jump1(2) and jump(3) == (1 - z1)*jump0(3) + z1*jump1(3) and at(jump(3), z1, 0) == jump0(3) and at(jump(3), z1, 1) == jump1(3) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition M0 (C_ : Z -> R) (mu2 : R) (n : Z) (nu2 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu2 nu2 k n * C_ k).
 Definition M1 (E_ : Z -> R) (mu3 : R) (n : Z) (nu3 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu3 nu3 k n * E_ k).
 Definition S2 (C_ : Z -> R) (E_ : Z -> R) (mu2 : R) (mu3 : R) (n : Z) (nu2 : R) (nu3 : R) (z : R) (z1 : R) : R :=
   (1 - z1) * M0 C_ mu2 n nu2 z + z1 * M1 E_ mu3 n nu3 z.
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  (1 - z1) * L0 A m mu nu z + z1 * L1 B m mu1 nu1 z.
 Definition jump (A : Z -> R) (B : Z -> R) (C_ : Z -> R) (E_ : Z -> R) (m : Z) (mu : R) (mu1 : R) (mu2 : R) (mu3 : R) (n : Z) (nu : R) (nu1 : R) (nu2 : R) (nu3 : R) (z1 : R) (r : Z) : R :=
   (let z := 0%Z in Derive_n (fun z_ => S2 C_ E_ mu2 mu3 n nu2 nu3 z_ z1) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => S_ A B m mu mu1 nu nu1 z_ z1) (Z.to_nat r) (IZR z)).
 Definition jump0 (A : Z -> R) (C_ : Z -> R) (m : Z) (mu : R) (mu2 : R) (n : Z) (nu : R) (nu2 : R) (r : Z) : R :=
@@ -853,16 +737,8 @@ Module alg_3_a_as_printed.
    printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
    read as: Steps 2 and 3: the surface (18), with one set of functions for both guide lines, meets the conditions.
    stated: printed(z, 0) == L0(z) and printed(z, 1) == L1(z) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (2 <= m)%Z ->
@@ -879,14 +755,6 @@ Module alg_3_a_as_printed_corrected.
    printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
    read as: Steps 2 and 3: the surface (18), with one set of functions for both guide lines, meets the conditions.
    stated: b[0,1](0)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](0)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) == L0(z) and b[0,1](1)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](1)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) == L1(z) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (2 <= m)%Z ->
@@ -911,16 +779,8 @@ Module alg_3_a_with_f_l.
    printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
    read as: Steps 2 and 3: the surface (18), with a set of functions for each guide line, meets the conditions.
    stated: with_own(z, 0) == L0(z) and with_own(z, 1) == L1(z) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition L0 (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition L1 (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (2 <= m)%Z ->
@@ -951,8 +811,6 @@ Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
   Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
 Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
 Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
@@ -973,24 +831,14 @@ Definition third (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (
   p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3 mu1 n nu nu1 * (p - q)).
 Definition fourth (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) (s : R) : R :=
   p + 1 / b1 mu1 n nu1 * (b2 m nu * (p - 3 * q + 3 * r - s) + a2 m nu / a1 mu1 n nu1 * b3 mu1 n nu1 * (p - 2 * q + r) - PI ^ 2 * (1 - mu1) * b3 mu1 n nu1 / a1 mu1 n nu1 * (q - r) - b4 m mu1 n nu nu1 * (p - q)).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
   sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition other (E_ : Z -> R) (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) (z : Z) : R :=
   (1 - z1) * F1 Q1 mu1 n nu1 z + z1 * sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * E_ k).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
-Definition pair (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : Z) : R :=
-  (1 - z1) * F Q m mu nu z + z1 * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
 Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition other_ (E_ : Z -> R) (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) (z : R) : R :=
   (1 - z1) * F1_ Q1 mu1 n nu1 z + z1 * sum 0%Z n (fun k => f z mu1 nu1 k n * E_ k).
-Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition pair_ (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : R) : R :=
-  (1 - z1) * F_ Q m mu nu z + z1 * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (B : Z -> R) (E_ : Z -> R) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z1 : R),
   (3 <= m)%Z ->
@@ -1029,28 +877,16 @@ Module alg_3_b_there_are_such_connections.
    printed: 6. Two adjacent GBT-Bézier ruled surfaces can be connected by C1, C2, and C3 continuity conditions given in Theorem 2.
    read as: They can be connected so: exhibited for every first surface, with guide lines of degree 3 and vanishing shape parameters for the second.
    stated: other(0) == pair(1) and other'(0) == pair'(1) and other''(0) == pair''(1) and other'''(0) == pair'''(1) *)
-Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
-Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
 Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
   p + a m nu n mu1 * (p - q).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
 Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
   p + 1 / a1 n nu1 mu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m nu n nu1 mu1 * (p - q)).
 Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
   4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
-Definition c1 (n : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
-Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
 Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
   6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
 Definition b4_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
@@ -1061,18 +897,10 @@ Definition next (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : Z
   f (IZR t) 0 0 0%Z 3%Z * p + f (IZR t) 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f (IZR t) 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f (IZR t) 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
 Definition other (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : Z) : R :=
   (1 - z1) * next m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + z1 * next m mu nu (B m) (B (m - 1)%Z) (B (m - 2)%Z) (B (m - 3)%Z) z.
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
-Definition pair (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : Z) : R :=
-  (1 - z1) * F Q m mu nu z + z1 * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
 Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
   f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
 Definition other_ (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : R) : R :=
   (1 - z1) * next_ m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + z1 * next_ m mu nu (B m) (B (m - 1)%Z) (B (m - 2)%Z) (B (m - 3)%Z) z.
-Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition pair_ (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : R) : R :=
-  (1 - z1) * F_ Q m mu nu z + z1 * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (B : Z -> R) (Q : Z -> R) (mu : R) (nu : R) (z1 : R),
   (3 <= m)%Z ->
@@ -1109,12 +937,6 @@ Module ex_3_3_curves.
    printed: Let F_{4,l}(z,μ_1,ν_1) (l = 0, 1) be two GBT-Bézier curves of degree 4 in a 3-dimensional space
    read as: The two curves, both with the shape parameters mu_1 and nu_1, against the guide lines of (19), which have a pair each; those of the first are mu and nu here.
    stated: own4(z, 0) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*A[k]) and own4(z, 1) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*B[k]) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition own4 (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
-  b (IZR z1) 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
 Definition statement : Prop :=
 forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -1130,12 +952,6 @@ Module ex_3_3_curves_corrected.
    printed: Let F_{4,l}(z,μ_1,ν_1) (l = 0, 1) be two GBT-Bézier curves of degree 4 in a 3-dimensional space
    read as: The two curves, both with the shape parameters mu_1 and nu_1, against the guide lines of (19), which have a pair each; those of the first are mu and nu here.
    stated: own4(z, 0) == sum(k, 0, 4, f[k,4](z, mu, nu)*A[k]) and own4(z, 1) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*B[k]) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition own4 (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
-  b (IZR z1) 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
 Definition statement : Prop :=
 forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -1158,8 +974,6 @@ Module eq_19_literal.
    printed: T_ruled(z,z_1,μ_0,ν_0,μ_1,ν_1) = sum_{l=0}^{1} ( f_{l,1}(z_1) sum_{k=0}^{4} f^l_{k,m}(z) Q_{l,k} ), 0 ≤ z, z_1 ≤ 1
    read as: The order m of the functions is any, as in (17) and (18); the guide lines are the curves of degree 4 all the same.
    stated: sum(k, 0, 4, f[k,m](z, mu, nu)*A[k]) == sum(k, 0, 4, f[k,4](z, mu, nu)*A[k]) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (mu : R) (nu : R) (z : R),
   (2 <= m)%Z ->
@@ -1174,12 +988,6 @@ Module eq_19_m_is_4.
    printed: T_ruled(z,z_1,μ_0,ν_0,μ_1,ν_1) = sum_{l=0}^{1} ( f_{l,1}(z_1) sum_{k=0}^{4} f^l_{k,m}(z) Q_{l,k} ), 0 ≤ z, z_1 ≤ 1
    read as: The order m of the functions is 4, the degree of the curves; the shape parameters of the first guide line are mu and nu here.
    stated: own4(z, 0) == sum(k, 0, 4, f[k,4](z, mu, nu)*A[k]) and own4(z, 1) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*B[k]) and D(own4(z, z1), z1, 2) == 0 *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition own4 (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
-  b (IZR z1) 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
 Definition own4_ (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b z1 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
 Definition statement : Prop :=
@@ -1206,10 +1014,6 @@ Module eq_19_tensor_as_printed.
    printed: then from equation (18) the equation of the GBT-Bézier ruled surfaces formed by these GBT-Bézier curves as the GLs is given by (19)
    read as: (19) is (18) for degree 4, with one set of functions for both guide lines.
    stated: own4(z, z1) == tensor4(z, z1) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition own4 (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b z1 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
 Definition tensor4 (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
@@ -1230,10 +1034,6 @@ Module eq_19_tensor_with_f_l.
    printed: then from equation (18) the equation of the GBT-Bézier ruled surfaces formed by these GBT-Bézier curves as the GLs is given by (19)
    read as: (19) is (18) for degree 4, with a set of functions for each guide line.
    stated: own4(z, z1) == at(with_own(z, z1), m, 4) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition own4 (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b z1 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
 Definition with_own (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (m : Z) (z : R) (z1 : R) : R :=
@@ -1264,8 +1064,6 @@ Module ex_3_3_gl_0.
    printed: Q_{1,0} = (1, 0, 4), Q_{0,1} = (2, 0, 8), Q_{0,2} = (4, 0, 8), Q_{0,3} = (5, 0, 4), Q_{0,4} = (6, 0, 8)
    read as: The first guide line (17), whose points are Q_{0,0} to Q_{0,4}, against the curve of the points as they are labelled here.
    stated: f[0,4](z, mu, nu)*Q00 + f[1,4](z, mu, nu)*Q01 + f[2,4](z, mu, nu)*Q02 + f[3,4](z, mu, nu)*Q03 + f[4,4](z, mu, nu)*Q04 == f[0,4](z, mu, nu)*Q10 + f[1,4](z, mu, nu)*Q01 + f[2,4](z, mu, nu)*Q02 + f[3,4](z, mu, nu)*Q03 + f[4,4](z, mu, nu)*Q04 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (Q00 : R) (Q01 : R) (Q02 : R) (Q03 : R) (Q04 : R) (Q10 : R) (mu : R) (nu : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -1279,8 +1077,6 @@ Module ex_3_3_gl_0_corrected.
    printed: Q_{1,0} = (1, 0, 4), Q_{0,1} = (2, 0, 8), Q_{0,2} = (4, 0, 8), Q_{0,3} = (5, 0, 4), Q_{0,4} = (6, 0, 8)
    read as: The first guide line (17), whose points are Q_{0,0} to Q_{0,4}, against the curve of the points as they are labelled here.
    stated: f[0,4](z, mu, nu)*Q00 + f[1,4](z, mu, nu)*Q01 + f[2,4](z, mu, nu)*Q02 + f[3,4](z, mu, nu)*Q03 + f[4,4](z, mu, nu)*Q04 == f[0,4](z, mu, nu)*Q00 + f[1,4](z, mu, nu)*Q01 + f[2,4](z, mu, nu)*Q02 + f[3,4](z, mu, nu)*Q03 + f[4,4](z, mu, nu)*Q04 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (Q00 : R) (Q01 : R) (Q02 : R) (Q03 : R) (Q04 : R) (mu : R) (nu : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -1299,8 +1095,6 @@ Module ex_3_3_gl_1.
    printed: Q_{0,1} = (1, 6, 4), Q_{1,1} = (2, 6, 0), Q_{1,2} = (4, 6, 0), Q_{1,3} = (6, 6, 4), Q_{1,4} = (7, 6, 2)
    read as: The second guide line (17), whose points are Q_{1,0} to Q_{1,4}, against the curve of the points as they are labelled here.
    stated: f[0,4](z, mu1, nu1)*Q10 + f[1,4](z, mu1, nu1)*Q11 + f[2,4](z, mu1, nu1)*Q12 + f[3,4](z, mu1, nu1)*Q13 + f[4,4](z, mu1, nu1)*Q14 == f[0,4](z, mu1, nu1)*Q01 + f[1,4](z, mu1, nu1)*Q11 + f[2,4](z, mu1, nu1)*Q12 + f[3,4](z, mu1, nu1)*Q13 + f[4,4](z, mu1, nu1)*Q14 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (Q01 : R) (Q10 : R) (Q11 : R) (Q12 : R) (Q13 : R) (Q14 : R) (mu1 : R) (nu1 : R) (z : R),
   (-1) <= mu1 <= 1 ->
@@ -1314,8 +1108,6 @@ Module ex_3_3_gl_1_corrected.
    printed: Q_{0,1} = (1, 6, 4), Q_{1,1} = (2, 6, 0), Q_{1,2} = (4, 6, 0), Q_{1,3} = (6, 6, 4), Q_{1,4} = (7, 6, 2)
    read as: The second guide line (17), whose points are Q_{1,0} to Q_{1,4}, against the curve of the points as they are labelled here.
    stated: f[0,4](z, mu1, nu1)*Q10 + f[1,4](z, mu1, nu1)*Q11 + f[2,4](z, mu1, nu1)*Q12 + f[3,4](z, mu1, nu1)*Q13 + f[4,4](z, mu1, nu1)*Q14 == f[0,4](z, mu1, nu1)*Q10 + f[1,4](z, mu1, nu1)*Q11 + f[2,4](z, mu1, nu1)*Q12 + f[3,4](z, mu1, nu1)*Q13 + f[4,4](z, mu1, nu1)*Q14 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (Q10 : R) (Q11 : R) (Q12 : R) (Q13 : R) (Q14 : R) (mu1 : R) (nu1 : R) (z : R),
   (-1) <= mu1 <= 1 ->
@@ -1334,12 +1126,6 @@ Module ex_3_3_composite.
    printed: Two adjacent GBT-Bézier ruled surfaces satisfying the C1 and C2 continuity in z direction can be presented in Figs. 10 and 11 with third and fourth degree GBT-Bézier curves taken as GLs of the right and left GBT-Bézier ruled surface, respectively. Figure 12 shows the C3 continuity of two adjacent GBT-Bézier ruled surfaces that have forth degree GBT-Bézier curves as GLs in z direction.
    read as: The guide lines can join: for every quartic on the left, a cubic on the right joins with C2 and a quartic with C3, exhibited with vanishing shape parameters; the surfaces join with them.
    stated: cubic(0) == left(1) and cubic'(0) == left'(1) and cubic''(0) == left''(1) and quartic(0) == left(1) and quartic'(0) == left'(1) and quartic''(0) == left''(1) and quartic'''(0) == left'''(1) *)
-Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
-Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition a (nu : R) (m : Z) (n : Z) (mu1 : Z) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
 Definition join1 (nu : R) (m : Z) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
@@ -1352,10 +1138,6 @@ Definition join2 (mu : R) (nu : R) (m : Z) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (
   p + 1 / a1 n nu1 mu1 * (a2 nu m * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true nu m n nu1 mu1 * (p - q)).
 Definition b2_true (mu : R) (nu : R) (m : Z) : R :=
   4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
-Definition c1 (n : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
-Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
 Definition b5_true (mu : R) (nu : R) (m : Z) : R :=
   6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
 Definition b4_true (nu : R) (m : Z) (n : Z) (nu1 : Z) (mu1 : Z) : R :=

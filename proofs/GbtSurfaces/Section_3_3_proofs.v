@@ -1,6 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From GbtSurfaces Require Section_3_3.
+Import GbtSurfaces.Section_3_3.Definitions.
 Open Scope R_scope.
 
 Module sec_3_3_generatrix.
@@ -124,6 +125,14 @@ Proof. cbv beta zeta delta [statement f L0 L1 S_ S__]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f L0 L1 S_ S__]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End prop_3_3_a.
+
+Module prop_3_3_b.
+Import GbtSurfaces.Section_3_3.prop_3_3_b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; intros; intro no; refuting (no 1 0 0 0 (1 / 2)). Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End prop_3_3_b.
 
 Module prop_3_4_a_as_printed.
 Import GbtSurfaces.Section_3_3.prop_3_4_a_as_printed.

@@ -2,17 +2,47 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module eq_20_profile.
-(* gbt-surfaces/eq-20.profile, Sect. 3.4, eq. (20), first line
-   printed: F_m(z,μ,ν) = sum_{k=0}^{m} f_{k,m}(z) Q_{k,0}, 0 ≤ z ≤ 1, Q_{k,0} = (Q^X_{k,0}, 0, Q^Z_{k,0})
-   read as: The formula, whose curve lies in the plane XOZ.
-   stated: sum(k, 0, m, f[k,m](z, mu, nu)*[X[k], 0, Z[k]]) == [FX(z), 0, FZ(z)] and dot(sum(k, 0, m, f[k,m](z, mu, nu)*[X[k], 0, Z[k]]), [0, 1, 0]) == 0 *)
+Module Definitions.
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * X k).
 Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Z_ k).
+Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
+Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
+Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
+  [lambda * x * u; lambda * x * v; w].
+Definition turn (theta : R) : list (list R) :=
+  [[cos theta; - sin theta; 0]; [sin theta; cos theta; 0]; [0; 0; 1]].
+Definition net (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (k : Z) (l : Z) : list R :=
+  [lambda * X k * U l; lambda * X k * V l; Z_ k].
+Definition FX_ (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * X k).
+Definition FX2 (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * X2 k).
+Definition FZ2 (Z2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Z2 k).
+Definition along_profiles (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (u : R) (v : R) (r : Z) : list R :=
+  vsub (let z := 0%Z in vDerive 3 (fun z_ => swung lambda (FX2 X2 mu1 n nu1 z_) (FZ2 Z2 mu1 n nu1 z_) u v) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => swung lambda (FX X m mu nu z_) (FZ Z_ m mu nu z_) u v) (Z.to_nat r) (IZR z)).
+Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
+  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition FZ_ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
+Definition first_ (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : R) : list R :=
+  swung lambda (FX_ X m mu nu z) (FZ_ Z_ m mu nu z) u v.
+End Definitions.
+Import Definitions.
+
+Module eq_20_profile.
+(* gbt-surfaces/eq-20.profile, Sect. 3.4, eq. (20), first line
+   printed: F_m(z,μ,ν) = sum_{k=0}^{m} f_{k,m}(z) Q_{k,0}, 0 ≤ z ≤ 1, Q_{k,0} = (Q^X_{k,0}, 0, Q^Z_{k,0})
+   read as: The formula, whose curve lies in the plane XOZ.
+   stated: sum(k, 0, m, f[k,m](z, mu, nu)*[X[k], 0, Z[k]]) == [FX(z), 0, FZ(z)] and dot(sum(k, 0, m, f[k,m](z, mu, nu)*[X[k], 0, Z[k]]), [0, 1, 0]) == 0 *)
 Definition statement : Prop :=
 forall (m : Z) (X : Z -> R) (Z_ : Z -> R) (mu : R) (nu : R) (z : R),
   (2 <= m)%Z ->
@@ -33,8 +63,6 @@ Module eq_20_trajectory.
    printed: F_n(z_1,μ_1,ν_1) = sum_{l=0}^{n} f_{l,n}(z_1) Q_{1,l}, 0 ≤ z_1 ≤ 1, where Q_{l,1} = (Q^X_{l,1}, Q^Y_{l,1}, 0)
    read as: The curve of the control points Q_{l,1} of the line below (20) and of (24), against the printed sum over Q_{1,l}.
    stated: sum(l, 0, n, f[l,n](z1, mu1, nu1)*P[l,1]) == sum(l, 0, n, f[l,n](z1, mu1, nu1)*P[1,l]) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (n : Z) (P : Z -> Z -> R) (mu1 : R) (nu1 : R) (z1 : R),
   (-1) <= mu1 <= 1 ->
@@ -50,8 +78,6 @@ Module eq_20_trajectory_corrected.
    printed: F_n(z_1,μ_1,ν_1) = sum_{l=0}^{n} f_{l,n}(z_1) Q_{1,l}, 0 ≤ z_1 ≤ 1, where Q_{l,1} = (Q^X_{l,1}, Q^Y_{l,1}, 0)
    read as: The curve of the control points Q_{l,1} of the line below (20) and of (24), against the printed sum over Q_{1,l}.
    stated: sum(l, 0, n, f[l,n](z1, mu1, nu1)*P[l,1]) == sum(l, 0, n, f[l,n](z1, mu1, nu1)*P[l,1]) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (n : Z) (P : Z -> Z -> R) (mu1 : R) (nu1 : R) (z1 : R),
   (-1) <= mu1 <= 1 ->
@@ -73,16 +99,6 @@ Module eq_21.
 (* gbt-surfaces/eq-21, Sect. 3.4, eq. (21)
    printed: F_m(z,μ,ν) = {F^X_m(z), 0, F^Z_m(z)}, F_n(z_1,μ_1,ν_1) = {F^X_n(z_1), F^Y_n(z_1), 0}
    stated: sum(k, 0, m, f[k,m](z, mu, nu)*[X[k], 0, Z[k]]) == [FX(z), 0, FZ(z)] and sum(l, 0, n, f[l,n](z1, mu1, nu1)*[U[l], V[l], 0]) == [FU(z1), FV(z1), 0] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
-Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
-Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -111,22 +127,10 @@ Module eq_22.
    printed: T_swung(z,z_1) = (λ F^X_m(z) F^X_n(z_1), λ F^X_m(z) F^Y_n(z_1), F^Z_m(z)), λ (λ > 0) an arbitrary scaling factor
    read as: The formula, with the coordinates of the curves (20) in the vectors (21).
    stated: [lambda*profile[1]*trajectory[1], lambda*profile[1]*trajectory[2], profile[3]] == swung(FX(z), FZ(z), FU(z1), FV(z1)) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
-Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
-Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
 Definition profile (X : Z -> R) (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : list R :=
   vsum 3 0%Z m (fun k => vscale (f z mu nu k m) [X k; 0; Z_ k]).
 Definition trajectory (U : Z -> R) (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : list R :=
   vsum 3 0%Z n (fun l => vscale (f z1 mu1 nu1 l n) [U l; V l; 0]).
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda ->
@@ -157,10 +161,6 @@ Module prop_3_5.
    printed: if the profile curve F_m(z) is swung about z-axis and re-scale in the X and Y directions, the swung surface T_swung(z,z_1) is achieved in Fig. 13 with different values of scaling factor λ
    read as: A point (x, 0, w) of the profile, scaled by lambda r in X and Y and turned by theta about the Z axis, where (r, theta) are the polar coordinates of the point of the trajectory.
    stated: swung(x, w, r*cos(theta), r*sin(theta)) == turn*[lambda*r*x, 0, w] *)
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
-Definition turn (theta : R) : list (list R) :=
-  [[cos theta; - sin theta; 0]; [sin theta; cos theta; 0]; [0; 0; 1]].
 Definition statement : Prop :=
 forall (lambda : R) (r : R) (theta : R) (w : R) (x : R),
   0 < lambda ->
@@ -176,8 +176,6 @@ Module prop_3_6_1.
 (* gbt-surfaces/prop-3.6.1, Sect. 3.4, Proposition 3.6, item 1
    printed: If the z line is fixed, the curves T_swung(z,z_1) which have identical trajectory curve F_n(z_1) but are scaled as λF^X_m(z) in X and Y directions are produced.
    stated: swung(x, w, u, v) == lambda*x*[u, v, 0] + [0, 0, w] *)
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
 Definition statement : Prop :=
 forall (lambda : R) (u : R) (v : R) (w : R) (x : R),
   0 < lambda ->
@@ -192,10 +190,6 @@ Module prop_3_6_2.
    printed: The fixed z_1 line produces curves Z_swung(z,z_1) with the same profile curve F_m(z), and ... the resulting curves T_swung(z,z_1) are achieved by rotating the PCs F_m(z) into the plane with the vector (F^X_n(z_1), F^Y_n(z_1), 0), and use the scale factor λ|F_n(z_1)| to scale the rotated curve along X and Y coordinates while Z coordinate stays unscaled.
    read as: 'Zswung' is read as T_swung. The point of the trajectory is r (cos theta, sin theta), so |F_n| = r.
    stated: dot([r*cos(theta), r*sin(theta)], [r*cos(theta), r*sin(theta)]) == r^2 and swung(x, w, r*cos(theta), r*sin(theta)) == turn*[lambda*r*x, 0, w] *)
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
-Definition turn (theta : R) : list (list R) :=
-  [[cos theta; - sin theta; 0]; [sin theta; cos theta; 0]; [0; 0; 1]].
 Definition statement : Prop :=
 forall (lambda : R) (r : R) (theta : R) (w : R) (x : R),
   0 < lambda ->
@@ -211,20 +205,6 @@ Module eq_23.
 (* gbt-surfaces/eq-23, Sect. 3.4, Theorem 4, eq. (23)
    printed: T_swung(z,z_1,μ,ν,μ_1,ν_1) = sum_{k=0}^{m} sum_{l=0}^{n} Q_{k,l} f_{k,m}(z) f_{l,n}(z_1), Q_{k,l} = (λQ^X_{k,0}Q^X_{l,1}, λQ^X_{k,0}Q^Y_{l,1}, Q^Z_{k,0}), k = 0, 1, ..., m; l = 0, 1, ..., n
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*net(k, l))) == swung(FX(z), FZ(z), FU(z1), FV(z1)) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
-Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
-Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
-Definition net (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (k : Z) (l : Z) : list R :=
-  [lambda * X k * U l; lambda * X k * V l; Z_ k].
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda ->
@@ -255,8 +235,6 @@ Module thm_4_elements.
    printed: Q^X_{k,0}, Q^Z_{k,0} and Q^X_{l,1}, Q^Y_{k,1} are elements of the control points Q_{k,0} and Q_{l,1}
    read as: The net of (23), with which it is the swung surface, against the net with the printed index, whose second coordinate is λ Q^X_{k,0} Q^Y_{k,1}.
    stated: net(k, l) == [lambda*X[k]*U[l], lambda*X[k]*V[k], Z[k]] *)
-Definition net (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (k : Z) (l : Z) : list R :=
-  [lambda * X k * U l; lambda * X k * V l; Z_ k].
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R),
   (0 <= k <= m)%Z ->
@@ -272,8 +250,6 @@ Module thm_4_elements_corrected.
    printed: Q^X_{k,0}, Q^Z_{k,0} and Q^X_{l,1}, Q^Y_{k,1} are elements of the control points Q_{k,0} and Q_{l,1}
    read as: The net of (23), with which it is the swung surface, against the net with the printed index, whose second coordinate is λ Q^X_{k,0} Q^Y_{k,1}.
    stated: net(k, l) == [lambda*X[k]*U[l], lambda*X[k]*V[l], Z[k]] *)
-Definition net (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (k : Z) (l : Z) : list R :=
-  [lambda * X k * U l; lambda * X k * V l; Z_ k].
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R),
   (0 <= k <= m)%Z ->
@@ -295,20 +271,12 @@ Module thm_4_parameters.
 (* gbt-surfaces/thm-4.parameters, Sect. 3.4, Theorem 4, last sentence
    printed: The shapes of profile and trajectory curve are controlled by the shape parameters μ, ν and μ_1, ν_1, respectively.
    stated: not D(FX'(0), mu) == 0 and not D(FX'(1), nu) == 0 and D(FX(z), mu1) == 0 and D(FX(z), nu1) == 0 and D(FZ(z), mu1) == 0 and D(FZ(z), nu1) == 0 and not D(FU'(0), mu1) == 0 and not D(FU'(1), nu1) == 0 and D(FU(z1), mu) == 0 and D(FU(z1), nu) == 0 and D(FV(z1), mu) == 0 and D(FV(z1), nu) == 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition FX (X : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FX_ (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
 Definition FU (U : Z -> R) (n : Z) (nu1 : R) (mu1 : R) (z1 : R) : R :=
   sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
 Definition FU_ (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
   sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
-Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -376,16 +344,6 @@ Module eq_24.
 (* gbt-surfaces/eq-24, Sect. 3.4, proof of Theorem 4, eq. (24)
    printed: F^X_m(z) = sum_{k=0}^{m} Q^X_{k,0} f_{k,m}(z), F^Z_m(z) = sum_{k=0}^{m} Q^Z_{k,0} f_{k,m}(z), F^X_n(z_1) = sum_{l=0}^{n} Q^X_{l,1} f_{l,n}(z_1), F^Y_n(z_1) = sum_{l=0}^{n} Q^Y_{l,1} f_{l,n}(z_1)
    stated: [FX(z), 0, FZ(z)] == sum(k, 0, m, f[k,m](z, mu, nu)*[X[k], 0, Z[k]]) and [FU(z1), FV(z1), 0] == sum(l, 0, n, f[l,n](z1, mu1, nu1)*[U[l], V[l], 0]) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
-Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
-Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -413,8 +371,6 @@ Module thm_4_unity.
 (* gbt-surfaces/thm-4.unity, Sect. 3.4, proof of Theorem 4, sentence before eq. (25)
    printed: using the partition of unity property sum_{k=0}^{m} f_{k,m}(z) = 1
    stated: sum(k, 0, m, f[k,m](z, mu, nu)) == 1 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (mu : R) (nu : R) (z : R),
   (2 <= m)%Z ->
@@ -435,16 +391,6 @@ Module eq_25_1.
    printed: T_swung(z,z_1) = (λF^X_m(z)F^X_n(z_1), λF^X_m(z)F^Y_n(z_1), F^Z_m(z))
    read as: (22), which is linear in the profile, for the profile (20).
    stated: [[lambda*FU(z1), 0, 0], [lambda*FV(z1), 0, 0], [0, 0, 1]]*sum(k, 0, m, f[k,m](z, mu, nu)*[X[k], 0, Z[k]]) == [lambda*FX(z)*FU(z1), lambda*FX(z)*FV(z1), FZ(z)] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
-Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda ->
@@ -475,8 +421,6 @@ Module eq_25_2_a.
    printed: λ sum_{k=0}^{m} Q^X_{k,0} f_{k,m}(z) sum_{l=0}^{n} Q^X_{l,0} f_{l,n}(z_1)
    read as: The first coordinate, for any value x of F^X_m(z). By (24) F^X_n is the sum over Q^X_{l,1}.
    stated: lambda*x*sum(l, 0, n, U[l]*f[l,n](z1, mu1, nu1)) == lambda*x*sum(l, 0, n, f[l,n](z1, mu1, nu1)*X[l]) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (n : Z) (U : Z -> R) (X : Z -> R) (lambda : R) (mu1 : R) (nu1 : R) (x : R) (z1 : R),
   0 < lambda ->
@@ -492,8 +436,6 @@ Module eq_25_2_a_corrected.
    printed: λ sum_{k=0}^{m} Q^X_{k,0} f_{k,m}(z) sum_{l=0}^{n} Q^X_{l,0} f_{l,n}(z_1)
    read as: The first coordinate, for any value x of F^X_m(z). By (24) F^X_n is the sum over Q^X_{l,1}.
    stated: lambda*x*sum(l, 0, n, U[l]*f[l,n](z1, mu1, nu1)) == lambda*x*sum(l, 0, n, f[l,n](z1, mu1, nu1)*U[l]) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (n : Z) (U : Z -> R) (lambda : R) (mu1 : R) (nu1 : R) (x : R) (z1 : R),
   0 < lambda ->
@@ -516,8 +458,6 @@ Module eq_25_2_b.
    printed: λ sum_{k=0}^{m} Q^X_{k,0} f_{k,m}(z) sum_{l=0}^{n} Q^Y_{l,0} f_{l,n}(z_1)
    read as: The second coordinate, for any value x of F^X_m(z). By (24) F^Y_n is the sum over Q^Y_{l,1}; Y_l stands for Q^Y_{l,0}.
    stated: lambda*x*sum(l, 0, n, V[l]*f[l,n](z1, mu1, nu1)) == lambda*x*sum(l, 0, n, f[l,n](z1, mu1, nu1)*Y[l]) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (n : Z) (V : Z -> R) (Y : Z -> R) (lambda : R) (mu1 : R) (nu1 : R) (x : R) (z1 : R),
   0 < lambda ->
@@ -533,8 +473,6 @@ Module eq_25_2_b_corrected.
    printed: λ sum_{k=0}^{m} Q^X_{k,0} f_{k,m}(z) sum_{l=0}^{n} Q^Y_{l,0} f_{l,n}(z_1)
    read as: The second coordinate, for any value x of F^X_m(z). By (24) F^Y_n is the sum over Q^Y_{l,1}; Y_l stands for Q^Y_{l,0}.
    stated: lambda*x*sum(l, 0, n, V[l]*f[l,n](z1, mu1, nu1)) == lambda*x*sum(l, 0, n, f[l,n](z1, mu1, nu1)*V[l]) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (n : Z) (V : Z -> R) (lambda : R) (mu1 : R) (nu1 : R) (x : R) (z1 : R),
   0 < lambda ->
@@ -557,8 +495,6 @@ Module eq_25_2_c.
    printed: sum_{k=0}^{m} Q^Z_{k,0} f_{k,m}(z)
    read as: The third coordinate.
    stated: sum(k, 0, m, f[k,m](z, mu, nu)*[X[k], 0, Z[k]])[3] == sum(k, 0, m, Z[k]*f[k,m](z, mu, nu)) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (X : Z -> R) (Z_ : Z -> R) (mu : R) (nu : R) (z : R),
   (2 <= m)%Z ->
@@ -579,12 +515,6 @@ Module eq_25_3.
    printed: = ( sum_k sum_l f_{k,m}(z) f_{l,n}(z_1) (λQ^X_{k,0}Q^X_{l,0}), sum_k sum_l f_{k,m}(z) f_{l,n}(z_1) (λQ^X_{k,0}Q^Y_{l,0}), sum_k sum_l f_{k,m}(z) f_{l,n}(z_1) Q^z_{k,0} )
    read as: From the second line of (25) to the third, with the printed labels; Y_l stands for Q^Y_{l,0}. 'Q^z' is read as Q^Z.
    stated: [lambda*FX(z)*sum(l, 0, n, f[l,n](z1, mu1, nu1)*X[l]), lambda*FX(z)*sum(l, 0, n, f[l,n](z1, mu1, nu1)*Y[l]), FZ(z)] == [sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(lambda*X[k]*X[l]))), sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(lambda*X[k]*Y[l]))), sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*Z[k]))] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (X : Z -> R) (Y : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda ->
@@ -615,8 +545,6 @@ Module eq_25_4_a.
    printed: λQ^X_{k,0}Q^X_{l,0}
    read as: The last line is to be (23): the first coordinate of its net.
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*lambda*X[k]*U[l])) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*lambda*X[k]*X[l])) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (X : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda ->
@@ -636,8 +564,6 @@ Module eq_25_4_a_corrected.
    printed: λQ^X_{k,0}Q^X_{l,0}
    read as: The last line is to be (23): the first coordinate of its net.
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*lambda*X[k]*U[l])) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*lambda*X[k]*U[l])) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (X : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda ->
@@ -668,8 +594,6 @@ Module eq_25_4_b.
    printed: λQ^X_{k,0}Q^Y_{l,0}
    read as: The second coordinate; Y_l stands for Q^Y_{l,0}.
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*lambda*X[k]*V[l])) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*lambda*X[k]*Y[l])) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (V : Z -> R) (X : Z -> R) (Y : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda ->
@@ -689,8 +613,6 @@ Module eq_25_4_b_corrected.
    printed: λQ^X_{k,0}Q^Y_{l,0}
    read as: The second coordinate; Y_l stands for Q^Y_{l,0}.
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*lambda*X[k]*V[l])) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*lambda*X[k]*V[l])) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (V : Z -> R) (X : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda ->
@@ -721,18 +643,6 @@ Module eq_25_4_c.
    printed: Q^Z_{k,0}
    read as: The third coordinate.
    stated: swung(FX(z), FZ(z), FU(z1), FV(z1))[3] == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*Z[k])) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
-Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
-Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda ->
@@ -763,8 +673,6 @@ Module sec_3_4_features_a.
    printed: the GBT-Bézier swung surface carried all the characteristics and benefits of GBT-Bézier surface. The shape parameters are used to modify GBT-Bézier swung surface by keeping control net points fixed.
    read as: Convex hull and affine invariance (nonnegative weights that sum to one), interpolation of the corners, change with the shape parameters.
    stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and swung(FX(0), FZ(0), FU(0), FV(0)) == net(0, 0) and swung(FX(1), FZ(1), FU(0), FV(0)) == net(m, 0) and swung(FX(0), FZ(0), FU(1), FV(1)) == net(0, n) and swung(FX(1), FZ(1), FU(1), FV(1)) == net(m, n) and not D(FX'(0), mu) == 0 and not D(FX'(1), nu) == 0 and not D(FU'(0), mu1) == 0 and not D(FU'(1), nu1) == 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu nu k m * X k).
 Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
@@ -773,10 +681,6 @@ Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * U l).
 Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * V l).
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
-Definition net (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (k : Z) (l : Z) : list R :=
-  [lambda * X k * U l; lambda * X k * V l; Z_ k].
 Definition FX_ (X : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * X k).
 Definition FX__ (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
@@ -859,24 +763,10 @@ Module sec_3_4_continuity_pc.
    printed: if the PCs or the TCs are combined by C1 or C2 continuity for GBT-Bézier curve, then the resulting GBT-Bézier swung surface is also a C1 or C2 continuous surface in the direction of profile or trajectory curve   (profile curves)
    read as: With one trajectory and one lambda the jump of each derivative by z is the swung image of the jump of the profiles, so it vanishes with that.
    stated: along_profiles(0) == swung(jumpX(0), jumpZ(0), u, v) and along_profiles(1) == swung(jumpX(1), jumpZ(1), u, v) and along_profiles(2) == swung(jumpX(2), jumpZ(2), u, v) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition FX2 (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * X2 k).
-Definition FZ2 (Z2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Z2 k).
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
 Definition jumpX (X : Z -> R) (X2 : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (r : Z) : R :=
   (let z := 0%Z in Derive_n (fun z_ => FX2 X2 mu1 n nu1 z_) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => FX X m mu nu z_) (Z.to_nat r) (IZR z)).
 Definition jumpZ (Z_ : Z -> R) (Z2 : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (r : Z) : R :=
   (let z := 0%Z in Derive_n (fun z_ => FZ2 Z2 mu1 n nu1 z_) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => FZ Z_ m mu nu z_) (Z.to_nat r) (IZR z)).
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
-Definition along_profiles (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (u : R) (v : R) (r : Z) : list R :=
-  vsub (let z := 0%Z in vDerive 3 (fun z_ => swung lambda (FX2 X2 mu1 n nu1 z_) (FZ2 Z2 mu1 n nu1 z_) u v) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => swung lambda (FX X m mu nu z_) (FZ Z_ m mu nu z_) u v) (Z.to_nat r) (IZR z)).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (u : R) (v : R),
   0 < lambda ->
@@ -903,18 +793,10 @@ Module sec_3_4_continuity_tc.
    printed: if the PCs or the TCs are combined by C1 or C2 continuity for GBT-Bézier curve, then the resulting GBT-Bézier swung surface is also a C1 or C2 continuous surface in the direction of profile or trajectory curve   (trajectory curves)
    read as: With one profile and one lambda the jump of each derivative by z_1 is a multiple of the jump of the trajectories, so it vanishes with that.
    stated: along_trajectories(0) == lambda*x*[jumpU(0), jumpV(0), 0] and along_trajectories(1) == lambda*x*[jumpU(1), jumpV(1), 0] and along_trajectories(2) == lambda*x*[jumpU(2), jumpV(2), 0] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition FU2 (U2 : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) : R :=
   sum 0%Z m (fun k => f z1 mu nu k m * U2 k).
 Definition FV2 (V2 : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) : R :=
   sum 0%Z m (fun k => f z1 mu nu k m * V2 k).
-Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
-Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
 Definition along_trajectories (U : Z -> R) (U2 : Z -> R) (V : Z -> R) (V2 : Z -> R) (lambda : R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (w : R) (x : R) (r : Z) : list R :=
   vsub (let z1 := 0%Z in vDerive 3 (fun z1_ => swung lambda x w (FU2 U2 m mu nu z1_) (FV2 V2 m mu nu z1_)) (Z.to_nat r) (IZR z1)) (let z1 := 1%Z in vDerive 3 (fun z1_ => swung lambda x w (FU U mu1 n nu1 z1_) (FV V mu1 n nu1 z1_)) (Z.to_nat r) (IZR z1)).
 Definition jumpU (U : Z -> R) (U2 : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (r : Z) : R :=
@@ -947,8 +829,6 @@ Module sec_3_4_closed.
    printed: if the swung surface T_swung(z,z_1) is either open or close in z and z_1 directions, then the corresponding profile curve F_m(z) and the trajectory curve F_n(z_1) both will be either open or closed
    read as: Where the surface is closed in z, at a point of the trajectory with polar coordinates (r, theta), the profile from (x0, w0) to (x1, w1) is closed; where it is closed in z_1, at a point (x, w) of the profile, the trajectory from (u0, v0) to (u1, v1) is. If the curves are closed, so is the surface: it is open only if they are.
    stated: x1 == x0 and w1 == w0 and u1 == u0 and v1 == v0 and at(at(gapz, x1, x0), w1, w0) == 0 and at(at(gapz1, u1, u0), v1, v0) == 0 *)
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
 Definition gapz (lambda : R) (r : R) (theta : R) (w0 : R) (w1 : R) (x0 : R) (x1 : R) : list R :=
   vsub (swung lambda x1 w1 (r * cos theta) (r * sin theta)) (swung lambda x0 w0 (r * cos theta) (r * sin theta)).
 Definition gapz1 (lambda : R) (u0 : R) (u1 : R) (v0 : R) (v1 : R) (w : R) (x : R) : list R :=
@@ -984,10 +864,6 @@ Module sec_3_4_revolution.
 (* gbt-surfaces/sec-3.4.revolution, Sect. 3.4, paragraph after the proof
    printed: if the scale factor λ = 1 and the trajectory curve F_n(z_1) circle with a unit radius with a center at the origin, then the GBT-Bézier swung surface is a surface of revolution
    stated: swung(x, w, cos(theta), sin(theta)) == turn*[x, 0, w] *)
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
-Definition turn (theta : R) : list (list R) :=
-  [[cos theta; - sin theta; 0]; [sin theta; cos theta; 0]; [0; 0; 1]].
 Definition statement : Prop :=
 forall (lambda : R) (theta : R) (w : R) (x : R),
   0 < lambda ->
@@ -1003,8 +879,6 @@ Module sec_3_4_revolution_not_tensor_quarter.
 (* gbt-surfaces/sec-3.4.revolution-not-tensor.quarter, Sect. 3.4, paragraph after the proof
    printed: A quarter of every surface of revolution is a tensor product swung surface: the quarter of the unit circle is the curve of (1, 0), (1, 1), (0, 1) of order 2 with vanishing shape parameters. Four patches make the whole surface.
    stated: f[0,2](z1, 0, 0)*swung(x, w, 1, 0) + f[1,2](z1, 0, 0)*swung(x, w, 1, 1) + f[2,2](z1, 0, 0)*swung(x, w, 0, 1) == [lambda*x*cos(pi/2*z1), lambda*x*sin(pi/2*z1), w] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition swung (lambda : R) (x : R) (w : R) (u : Z) (v : Z) : list R :=
   [lambda * x * IZR u; lambda * x * IZR v; w].
 Definition statement : Prop :=
@@ -1022,8 +896,6 @@ Module sec_3_4_revolution_not_tensor_cubic.
 (* gbt-surfaces/sec-3.4.revolution-not-tensor.cubic, Sect. 3.4, paragraph after the proof
    printed: A trajectory of order 3 that leaves the point (1, 0) of the unit circle along the circle and comes back to it along the circle does not leave the line X = 1: it is no circle.
    stated: K(z1) == 1 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition K (c0 : R) (c1 : R) (c2 : R) (c3 : R) (mu1 : R) (nu1 : R) (t : Z) : R :=
   f (IZR t) mu1 nu1 0%Z 3%Z * c0 + f (IZR t) mu1 nu1 1%Z 3%Z * c1 + f (IZR t) mu1 nu1 2%Z 3%Z * c2 + f (IZR t) mu1 nu1 3%Z 3%Z * c3.
 Definition K_ (c0 : R) (c1 : R) (c2 : R) (c3 : R) (mu1 : R) (nu1 : R) (t : R) : R :=
@@ -1054,20 +926,6 @@ Module alg_4_a.
    printed: 1. Take a profile curve in XOZ and a trajectory curve in the XOY plane in the form of GBT-Bézier curves. 2. Define a GBT-Bézier swung surface by using (23). 3. Take the control net points in the pattern Q_{k,l} = (λQ^X_{k,0}Q^X_{l,1}, λQ^X_{k,0}Q^Y_{l,1}, Q^Z_{k,0}), where Q^X_{k,0}, Q^Z_{k,0} and Q^X_{l,1}, Q^Y_{k,1} are elements of Q_{k,0} and Q_{l,1}. 4. Construct with suitable λ, μ, ν, μ_1, ν_1.
    read as: The pattern of step 3 gives the swung surface for every scale factor; the index of Q^Y_{k,1} in the explanation of step 3 is gbt-surfaces/thm-4.elements.
    stated: at(sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*net(k, l))), lambda, lambda2) == at(swung(FX(z), FZ(z), FU(z1), FV(z1)), lambda, lambda2) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
-Definition FU (U : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * U l).
-Definition FV (V : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * V l).
-Definition net (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (k : Z) (l : Z) : list R :=
-  [lambda * X k * U l; lambda * X k * V l; Z_ k].
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lambda2 : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   0 < lambda2 ->
@@ -1098,18 +956,12 @@ Module alg_4_b_by_the_printed_conditions.
    printed: 5. Two adjacent GBT-Bézier swung surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
    read as: The profiles are joined with Theorem 2 as printed, with one trajectory and one λ.
    stated: second(0) == first(1) and second'(0) == first'(1) and second''(0) == first''(1) *)
-Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
 Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
 Definition third (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
   p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3 mu1 n nu nu1 * (p - q)).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition FX2 (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
   sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * X2 k).
 Definition FZ2 (Z2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
@@ -1122,20 +974,12 @@ Definition FX2_ (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * X2 k).
 Definition FZ2_ (Z2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * Z2 k).
-Definition FX_ (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ_ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
 Definition second (X2 : Z -> R) (Z2 : Z -> R) (lambda : R) (mu1 : R) (n : Z) (nu1 : R) (u : R) (v : R) (z : Z) : list R :=
   swung lambda (FX2 X2 mu1 n nu1 z) (FZ2 Z2 mu1 n nu1 z) u v.
 Definition first (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : Z) : list R :=
   swung lambda (FX X m mu nu z) (FZ Z_ m mu nu z) u v.
 Definition second_ (X2 : Z -> R) (Z2 : Z -> R) (lambda : R) (mu1 : R) (n : Z) (nu1 : R) (u : R) (v : R) (z : R) : list R :=
   swung lambda (FX2_ X2 mu1 n nu1 z) (FZ2_ Z2 mu1 n nu1 z) u v.
-Definition first_ (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : R) : list R :=
-  swung lambda (FX_ X m mu nu z) (FZ_ Z_ m mu nu z) u v.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (u : R) (v : R),
   0 < lambda ->
@@ -1167,14 +1011,10 @@ Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
 Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
 Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
   p + a m nu n mu1 * (p - q).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
 Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
@@ -1199,20 +1039,12 @@ Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu nu k m * Z_ k).
 Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
   f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
-Definition FX_ (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ_ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
 Definition second (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : Z) : list R :=
   swung lambda (next m mu nu (X m) (X (m - 1)%Z) (X (m - 2)%Z) (X (m - 3)%Z) z) (next m mu nu (Z_ m) (Z_ (m - 1)%Z) (Z_ (m - 2)%Z) (Z_ (m - 3)%Z) z) u v.
 Definition first (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : Z) : list R :=
   swung lambda (FX X m mu nu z) (FZ Z_ m mu nu z) u v.
 Definition second_ (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : R) : list R :=
   swung lambda (next_ m mu nu (X m) (X (m - 1)%Z) (X (m - 2)%Z) (X (m - 3)%Z) z) (next_ m mu nu (Z_ m) (Z_ (m - 1)%Z) (Z_ (m - 2)%Z) (Z_ (m - 3)%Z) z) u v.
-Definition first_ (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : R) : list R :=
-  swung lambda (FX_ X m mu nu z) (FZ_ Z_ m mu nu z) u v.
 Definition statement : Prop :=
 forall (m : Z) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (nu : R) (u : R) (v : R),
   0 < lambda ->
@@ -1254,8 +1086,6 @@ Module ex_3_4_scaling.
    printed: the scaling of swung surfaces in both directions is handled by scale factor λ keeping shape parameters μ and ν same and fixed
    read as: Another scale factor scales the surface in both directions of the plane XOY, and leaves the heights.
    stated: at(swung(x, w, u, v), lambda, lambda2) == [[lambda2/lambda, 0, 0], [0, lambda2/lambda, 0], [0, 0, 1]]*swung(x, w, u, v) *)
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
 Definition statement : Prop :=
 forall (lambda : R) (lambda2 : R) (u : R) (v : R) (w : R) (x : R),
   0 < lambda ->
@@ -1274,22 +1104,6 @@ Module fig_16_lambda_between_the_panels.
    printed: C1 continuous connection among two GBT-Bézier swung surfaces with different scale factor λ
    read as: Each panel has one λ; profiles that join with (4) give surfaces that join with C1.
    stated: along_profiles(0) == 0 and along_profiles(1) == 0 *)
-Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition FX2 (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * X2 k).
-Definition FZ2 (Z2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Z2 k).
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
-Definition swung (lambda : R) (x : R) (w : R) (u : R) (v : R) : list R :=
-  [lambda * x * u; lambda * x * v; w].
-Definition along_profiles (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (u : R) (v : R) (r : Z) : list R :=
-  vsub (let z := 0%Z in vDerive 3 (fun z_ => swung lambda (FX2 X2 mu1 n nu1 z_) (FZ2 Z2 mu1 n nu1 z_) u v) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => swung lambda (FX X m mu nu z_) (FZ Z_ m mu nu z_) u v) (Z.to_nat r) (IZR z)).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (u : R) (v : R),
   0 < lambda ->
@@ -1330,8 +1144,6 @@ Module fig_16_lambda_between_the_surfaces.
    printed: C1 continuous connection among two GBT-Bézier swung surfaces with different scale factor λ
    read as: The two adjacent surfaces have different λ and profiles that join.
    stated: lambda2*FX2(0)*u == lambda*FX(1)*u *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition FX2 (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
   sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * X2 k).
 Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=

@@ -1,6 +1,8 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From GbtSurfaces Require Section_3_4.
+Import GbtSurfaces.Section_3_4.Definitions.
+From GbtSurfaces Require Import Section_3_4_closed.
 Open Scope R_scope.
 
 Module eq_20_profile.
@@ -222,6 +224,14 @@ Proof. cbv beta zeta delta [statement f swung]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f swung]; first [(exists (1), (3), (4), (1 / 3); met) | (exists (1), (0), (0), (1 / 2); met) | (exists (13), (8), (8), (1 / 3); met) | (exists (1), (1), (1), (1 / 3); met) | (exists (1), (1), (0), (1 / 3); met)]. Qed.
 End sec_3_4_revolution_not_tensor_quarter.
+
+Module sec_3_4_revolution_not_tensor_cubic.
+Import GbtSurfaces.Section_3_4.sec_3_4_revolution_not_tensor_cubic.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f K K_]; prepared; unknown c0; unknown c1; unknown c2; unknown c3; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f K K_]; exists 1, 1, 1, 1, 0, 0, 0; met. Qed.
+End sec_3_4_revolution_not_tensor_cubic.
 
 Module alg_4_a.
 Import GbtSurfaces.Section_3_4.alg_4_a.

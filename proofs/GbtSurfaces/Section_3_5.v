@@ -2,19 +2,51 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * A k).
+Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
+  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
+Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  trajectory B mu1 n nu1 z1 + section A m mu nu z.
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition before (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  F Q m mu nu z + W.
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition before_ (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  F_ Q m mu nu z + W.
+Definition S1 : list (list R) :=
+  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
+Definition S2 : list (list R) :=
+  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
+Definition T1 : list (list R) :=
+  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
+Definition T2 : list (list R) :=
+  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
+Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
+  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
+Definition first_ (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
+  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
+End Definitions.
+Import Definitions.
+
 Module eq_27.
 (* gbt-surfaces/eq-27, Sect. 3.5, eq. (27)
    printed: F_m(z;μ,ν) = sum_{k=0}^{m} f_{k,m}(z) Q_{k,m}, 0 ≤ z ≤ 1; F_n(z_1;μ_1,ν_1) = sum_{l=0}^{n} f_{l,n}(z_1) Q_{l,n}, 0 ≤ z_1 ≤ 1
    read as: The formulas, and the ends of the curves. The points of the two curves are kept apart.
    stated: section(z) == sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) and section(0) == A[0] and section(1) == A[m] and trajectory(z1) == sum(l, 0, n, f[l,n](z1, mu1, nu1)*B[l]) and trajectory(0) == B[0] and trajectory(1) == B[n] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
 Definition section_ (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu nu k m * A k).
-Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
 Definition trajectory_ (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * B l).
 Definition statement : Prop :=
@@ -56,8 +88,6 @@ Module sec_3_5_not_expressible_sine.
 (* gbt-surfaces/sec-3.5.not-expressible.sine, Sect. 3.5, paragraph after eq. (28)
    printed: With both shape parameters -1 the cubic of (0, 0), (1, 0), (0, 1), (1, 1) is the graph of sin^2(π/2 x).
    stated: f[1,3](z, -1, -1) + f[3,3](z, -1, -1) == z and f[2,3](z, -1, -1) + f[3,3](z, -1, -1) == sin(pi/2*z)^2 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (z : R),
   0 <= z <= 1 ->
@@ -72,8 +102,6 @@ Module eq_29.
    printed: T_swept(z,z_1;μ,ν,μ_1,ν_1) = F_n(z_1) + F_m(z)
    read as: (28) with the identity matrix.
    stated: moved(identity(3)) == sum(l, 0, n, f[l,n](z1, mu1, nu1)*B3[l]) + sum(k, 0, m, f[k,m](z, mu, nu)*A3[k]) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition moved (A3 : Z -> list R) (B3 : Z -> list R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) (M : list (list R)) : list R :=
   vadd (vsum 3 0%Z n (fun l => vscale (f z1 mu1 nu1 l n) (B3 l))) (mvec M (vsum 3 0%Z m (fun k => vscale (f z mu nu k m) (A3 k)))).
 Definition statement : Prop :=
@@ -107,14 +135,6 @@ Module eq_30.
 (* gbt-surfaces/eq-30, Sect. 3.5, Theorem 5, eq. (30)
    printed: T_swept(z,z_1,μ,ν,μ_1,ν_1) = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Qhat_{k,l}, z, z_1 ∈ [0,1], Qhat_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n)
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) == T(z, z1) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
-Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  trajectory B mu1 n nu1 z1 + section A m mu nu z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -142,14 +162,6 @@ Module eq_31_2.
 (* gbt-surfaces/eq-31.2, Sect. 3.5, proof of Theorem 5, eq. (31), second line
    printed: F_n(z_1) + F_m(z) = sum_{l=0}^{n} Q_{l,n} f_{l,n}(z_1) + sum_{k=0}^{m} Q_{k,m} f_{k,m}(z)
    stated: T(z, z1) == sum(l, 0, n, B[l]*f[l,n](z1, mu1, nu1)) + sum(k, 0, m, A[k]*f[k,m](z, mu, nu)) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
-Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  trajectory B mu1 n nu1 z1 + section A m mu nu z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -177,8 +189,6 @@ Module eq_31_3.
 (* gbt-surfaces/eq-31.3, Sect. 3.5, proof of Theorem 5, eq. (31), third line
    printed: = sum_{k=0}^{m} f_{k,m}(z) sum_{l=0}^{n} Q_{l,n} f_{l,n}(z_1) + sum_{l=0}^{n} f_{l,n}(z_1) sum_{k=0}^{m} Q_{k,m} f_{k,m}(z)
    stated: sum(l, 0, n, B[l]*f[l,n](z1, mu1, nu1)) + sum(k, 0, m, A[k]*f[k,m](z, mu, nu)) == sum(k, 0, m, f[k,m](z, mu, nu))*sum(l, 0, n, B[l]*f[l,n](z1, mu1, nu1)) + sum(l, 0, n, f[l,n](z1, mu1, nu1))*sum(k, 0, m, A[k]*f[k,m](z, mu, nu)) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -206,8 +216,6 @@ Module eq_31_4.
 (* gbt-surfaces/eq-31.4, Sect. 3.5, proof of Theorem 5, eq. (31), fourth line
    printed: = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Q_{l,n} + sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Q_{k,m}
    stated: sum(k, 0, m, f[k,m](z, mu, nu))*sum(l, 0, n, B[l]*f[l,n](z1, mu1, nu1)) + sum(l, 0, n, f[l,n](z1, mu1, nu1))*sum(k, 0, m, A[k]*f[k,m](z, mu, nu)) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*B[l])) + sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*A[k])) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -235,8 +243,6 @@ Module eq_31_5.
 (* gbt-surfaces/eq-31.5, Sect. 3.5, proof of Theorem 5, eq. (31), fifth and sixth line
    printed: = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) (Q_{l,n} + Q_{k,m}) = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Qhat_{k,l}
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*B[l])) + sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*A[k])) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(B[l] + A[k]))) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -265,8 +271,6 @@ Module prop_3_7_1_a.
    printed: As the tensor product GBT-Bézier surface is used to express the GBT-Bézier swept surface, so it holds all the characteristics and benefits of the GBT-Bézier surface.
    read as: Convex hull and affine invariance (nonnegative weights that sum to one) and interpolation of the corners.
    stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and T(0, 0) == A[0] + B[0] and T(1, 0) == A[m] + B[0] and T(0, 1) == A[0] + B[n] and T(1, 1) == A[m] + B[n] *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * B l).
 Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
@@ -300,10 +304,6 @@ Module prop_3_7_2a.
 (* gbt-surfaces/prop-3.7.2a, Sect. 3.5, Proposition 3.7, item 2, first sentence
    printed: By keeping control mesh fixed and varying the values of shape control parameters, the shape of the GBT-Bézier swept surface can be modified.
    stated: not D(at(D(T(z, z1), z), z, 0), mu) == 0 and not D(at(D(T(z, z1), z), z, 1), nu) == 0 and not D(at(D(T(z, z1), z1), z1, 0), mu1) == 0 and not D(at(D(T(z, z1), z1), z1, 1), nu1) == 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
 Definition section (A : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * A k).
 Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (mu : R) (z : R) (z1 : R) : R :=
@@ -390,20 +390,14 @@ Module prop_3_7_2b.
    printed: the composite GBT-Bézier swept surfaces can also be constructed like the previous surfaces
    read as: The jump of each derivative of the surface is the jump of the sections (trajectories), so it vanishes if and only if that does.
    stated: along_sections(0) == jump_section(0) and along_sections(1) == jump_section(1) and along_sections(2) == jump_section(2) and along_trajectories(0) == jump_trajectory(0) and along_trajectories(1) == jump_trajectory(1) and along_trajectories(2) == jump_trajectory(2) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition section2 (A2 : Z -> R) (mu2 : R) (n : Z) (nu2 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu2 nu2 k n * A2 k).
-Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
 Definition along_sections (A : Z -> R) (A2 : Z -> R) (W : R) (m : Z) (mu : R) (mu2 : R) (n : Z) (nu : R) (nu2 : R) (r : Z) : R :=
   (let z := 0%Z in Derive_n (fun z_ => section2 A2 mu2 n nu2 z_ + W) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => section A m mu nu z_ + W) (Z.to_nat r) (IZR z)).
 Definition jump_section (A : Z -> R) (A2 : Z -> R) (m : Z) (mu : R) (mu2 : R) (n : Z) (nu : R) (nu2 : R) (r : Z) : R :=
   (let z := 0%Z in Derive_n (fun z_ => section2 A2 mu2 n nu2 z_) (Z.to_nat r) (IZR z)) - (let z := 1%Z in Derive_n (fun z_ => section A m mu nu z_) (Z.to_nat r) (IZR z)).
 Definition trajectory2 (B2 : Z -> R) (m : Z) (mu2 : R) (nu2 : R) (z1 : R) : R :=
   sum 0%Z m (fun l => f z1 mu2 nu2 l m * B2 l).
-Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
 Definition along_trajectories (B : Z -> R) (B2 : Z -> R) (W : R) (m : Z) (mu1 : R) (mu2 : R) (n : Z) (nu1 : R) (nu2 : R) (r : Z) : R :=
   (let z1 := 0%Z in Derive_n (fun z1_ => W + trajectory2 B2 m mu2 nu2 z1_) (Z.to_nat r) (IZR z1)) - (let z1 := 1%Z in Derive_n (fun z1_ => W + trajectory B mu1 n nu1 z1_) (Z.to_nat r) (IZR z1)).
 Definition jump_trajectory (B : Z -> R) (B2 : Z -> R) (m : Z) (mu1 : R) (mu2 : R) (n : Z) (nu1 : R) (nu2 : R) (r : Z) : R :=
@@ -436,14 +430,6 @@ Module alg_5_a.
    printed: 1. Consider a SC which sweeps to the trajectory curve (both GBT-Bézier curves). 2. Construct by using (30). 3. Follow the pattern Qhat_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n), where Q_{k,m}, Q_{l,n} are the control points of section and TCs. 4. Draw with different values of μ, ν in [-1, 1].
    read as: The pattern of step 3 gives the swept surface.
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) == T(z, z1) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
-  sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
-Definition section (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * A k).
-Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  trajectory B mu1 n nu1 z1 + section A m mu nu z.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -478,30 +464,18 @@ Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
   Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
 Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
 Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   Q m + 1 / a1 mu1 n nu1 * (a2 m nu * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu) * (Q (m - 1)%Z - Q (m - 2)%Z) + a3 mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
   sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition after (Q1 : Z -> R) (W : R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
   F1 Q1 mu1 n nu1 z + W.
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
-Definition before (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  F Q m mu nu z + W.
 Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition after_ (Q1 : Z -> R) (W : R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   F1_ Q1 mu1 n nu1 z + W.
-Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition before_ (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  F_ Q m mu nu z + W.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (W : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -535,14 +509,10 @@ Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
 Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
 Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
   p + a m nu n mu1 * (p - q).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
 Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
@@ -563,18 +533,10 @@ Definition next (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : Z
   f (IZR t) 0 0 0%Z 3%Z * p + f (IZR t) 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f (IZR t) 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f (IZR t) 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
 Definition after (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   next m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + W.
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
-Definition before (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  F Q m mu nu z + W.
 Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
   f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
 Definition after_ (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   next_ m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + W.
-Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition before_ (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  F_ Q m mu nu z + W.
 Definition statement : Prop :=
 forall (m : Z) (Q : Z -> R) (W : R) (mu : R) (nu : R),
   (3 <= m)%Z ->
@@ -609,10 +571,6 @@ Module ex_3_5_sections.
    printed: (2, 0, 2), (1, 0, 3), (5, 0, 4), (6, 0, 3) and (6, 0, 3), (7, 0, 2), (3, 0, 1), (2, 0, 2)
    read as: The curves are contiguous and lie in the plane XOZ.
    stated: S1[4] == S2[1] and S1*[0, 1, 0] == [0, 0, 0, 0] and S2*[0, 1, 0] == [0, 0, 0, 0] *)
-Definition S1 : list (list R) :=
-  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
-Definition S2 : list (list R) :=
-  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
 Definition statement : Prop :=
   row S1 4 = row S2 1 /\ mvec S1 [0; 1; 0] = [0; 0; 0; 0] /\ mvec S2 [0; 1; 0] = [0; 0; 0; 0].
 End ex_3_5_sections.
@@ -622,10 +580,6 @@ Module ex_3_5_trajectories.
    printed: (4, 0, 0), (0, 1, 0), (0, 2, 0), (4, 3, 0) and (4, 3, 0), (8, 4, 0), (8, 5, 0), (4, 6, 0)
    read as: The curves are contiguous and lie in the plane XOY.
    stated: T1[4] == T2[1] and T1*[0, 0, 1] == [0, 0, 0, 0] and T2*[0, 0, 1] == [0, 0, 0, 0] *)
-Definition T1 : list (list R) :=
-  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
-Definition T2 : list (list R) :=
-  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
 Definition statement : Prop :=
   row T1 4 = row T2 1 /\ mvec T1 [0; 0; 1] = [0; 0; 0; 0] /\ mvec T2 [0; 0; 1] = [0; 0; 0; 0].
 End ex_3_5_trajectories.
@@ -635,18 +589,6 @@ Module ex_3_5_c1_sections.
    printed: Figure 19 and Fig. 20 depict the composite curves of two contiguous GBT-Bézier swept surfaces with different shape parameters which can be connected by C1 and C2 continuity constraints, respectively.
    read as: There are admissible shape parameters: mu_1 of the second section from nu of the first.
    stated: gap(S1, S2, 0) == 0 and mu1 == nu and -1 <= mu1 and mu1 <= 1 *)
-Definition S1 : list (list R) :=
-  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
-Definition S2 : list (list R) :=
-  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
-  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
 Definition statement : Prop :=
 forall (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (-1) <= mu <= 1 ->
@@ -669,18 +611,6 @@ Module ex_3_5_c1_trajectories.
    printed: Figure 19 and Fig. 20 depict the composite curves of two contiguous GBT-Bézier swept surfaces with different shape parameters which can be connected by C1 and C2 continuity constraints, respectively.
    read as: There are admissible shape parameters: mu_1 of the second trajectory from nu of the first.
    stated: gap(T1, T2, 0) == 0 and mu1 == nu and -1 <= mu1 and mu1 <= 1 *)
-Definition T1 : list (list R) :=
-  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
-Definition T2 : list (list R) :=
-  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
-  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
 Definition statement : Prop :=
 forall (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (-1) <= mu <= 1 ->
@@ -703,18 +633,6 @@ Module ex_3_5_c2_sections.
    printed: Figure 19 and Fig. 20 depict the composite curves of two contiguous GBT-Bézier swept surfaces with different shape parameters which can be connected by C1 and C2 continuity constraints, respectively.
    read as: There are admissible shape parameters: mu_1, nu and nu_1 from the conditions for C1 and C2, for any mu.
    stated: gap(S1, S2, 0) == 0 and nu == -2/(2 + pi) and mu1 == nu and -1 <= nu and nu <= 1 and nu1 == mu and -1 <= nu1 and nu1 <= 1 *)
-Definition S1 : list (list R) :=
-  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
-Definition S2 : list (list R) :=
-  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
-  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
 Definition statement : Prop :=
 forall (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (-1) <= mu <= 1 ->
@@ -737,18 +655,6 @@ Module ex_3_5_c2_trajectories.
    printed: Figure 19 and Fig. 20 depict the composite curves of two contiguous GBT-Bézier swept surfaces with different shape parameters which can be connected by C1 and C2 continuity constraints, respectively.
    read as: There are admissible shape parameters: mu_1, nu and nu_1 from the conditions for C1 and C2, for any mu.
    stated: gap(T1, T2, 0) == 0 and -1 <= nu and nu <= 1 and nu1 <= 1 *)
-Definition T1 : list (list R) :=
-  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
-Definition T2 : list (list R) :=
-  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
-  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
 Definition statement : Prop :=
 forall (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (-1) <= mu <= 1 ->
@@ -762,18 +668,6 @@ Module ex_3_5_c2_trajectories_true.
 (* gbt-surfaces/ex-3.5.c2-trajectories.true, Sect. 3.5, Example 3.5, last sentence (C2, trajectory curves)
    printed: The shape parameters with which the trajectories would join with C2: the last is outside of its range for every μ.
    stated: nu == -2/(2 + pi) and mu1 == nu and nu1 == 2 + 8/(2 + pi) - mu and nu1 > 1 *)
-Definition T1 : list (list R) :=
-  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
-Definition T2 : list (list R) :=
-  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition gap (mu : R) (mu1 : R) (nu : R) (nu1 : R) (M : list (list R)) (N_ : list (list R)) (r : Z) : list R :=
-  vsub (let z := 0%Z in vDerive 3 (fun z_ => second mu1 nu1 N_ z_) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => first mu nu M z_) (Z.to_nat r) (IZR z)).
 Definition statement : Prop :=
 forall (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (-1) <= mu <= 1 ->
@@ -796,20 +690,8 @@ Module ex_3_5_contiguous_each_with_its_own.
    printed: two contiguous GBT-Bézier swept surfaces
    read as: The first section goes along the first trajectory, the second along the second; contiguous surfaces share a boundary curve.
    stated: first(S1, 1) + first(T1, z1) == second(S2, 0) + second(T2, z1) *)
-Definition S1 : list (list R) :=
-  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
-Definition T1 : list (list R) :=
-  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
-Definition S2 : list (list R) :=
-  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
-Definition T2 : list (list R) :=
-  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition first (mu : R) (nu : R) (M : list (list R)) (z : Z) : list R :=
   vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition first_ (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
 Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : Z) : list R :=
   vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
 Definition second_ (mu1 : R) (nu1 : R) (M : list (list R)) (z : R) : list R :=
@@ -830,18 +712,8 @@ Module ex_3_5_contiguous_one_trajectory.
    printed: two contiguous GBT-Bézier swept surfaces
    read as: Both sections go along the first trajectory.
    stated: first(S1, 1) + first(T1, z1) == second(S2, 0) + first(T1, z1) *)
-Definition S1 : list (list R) :=
-  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
-Definition T1 : list (list R) :=
-  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
-Definition S2 : list (list R) :=
-  [[6; 0; 3]; [7; 0; 2]; [3; 0; 1]; [2; 0; 2]].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition first (mu : R) (nu : R) (M : list (list R)) (z : Z) : list R :=
   vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
-Definition first_ (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
 Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : Z) : list R :=
   vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu1 nu1 k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
 Definition statement : Prop :=
@@ -868,16 +740,6 @@ Module ex_3_5_contiguous_one_section.
    printed: two contiguous GBT-Bézier swept surfaces
    read as: The first section goes along both trajectories.
    stated: first(S1, z) + first(T1, 1) == first(S1, z) + second(T2, 0) *)
-Definition S1 : list (list R) :=
-  [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
-Definition T1 : list (list R) :=
-  [[4; 0; 0]; [0; 1; 0]; [0; 2; 0]; [4; 3; 0]].
-Definition T2 : list (list R) :=
-  [[4; 3; 0]; [8; 4; 0]; [8; 5; 0]; [4; 6; 0]].
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition first (mu : R) (nu : R) (M : list (list R)) (z : R) : list R :=
-  vsum 3 0%Z 3%Z (fun k => vscale (f z mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
 Definition first_ (mu : R) (nu : R) (M : list (list R)) (z : Z) : list R :=
   vsum 3 0%Z 3%Z (fun k => vscale (f (IZR z) mu nu k 3%Z) (row M (Z.to_nat (k + 1)%Z))).
 Definition second (mu1 : R) (nu1 : R) (M : list (list R)) (z : Z) : list R :=

@@ -1,6 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From GbtSurfaces Require Section_3_6.
+Import GbtSurfaces.Section_3_6.Definitions.
 Open Scope R_scope.
 
 Module eq_32_matrix.
@@ -33,6 +34,22 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance cosine sine]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End sec_3_6_rounding_rational.
 
+Module eq_33_T.
+Import GbtSurfaces.Section_3_6.eq_33_T.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement at_angle at_angle_ T cosine sine]; intros q w x Q N M A B; refine (conj _ (conj _ (conj _ _))); [ rewrite (arc_cos _ _ (square_sum _) N), (arc_sin _ _ (square_sum _) N), half_cos, half_sin; reflexivity | special; field; special; lra | special; field; special; lra | apply arc_range; assumption ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance at_angle cosine sine T at_angle_]; first [(exists (1 / 3), (3), (4); met) | (exists (1 / 2), (0), (0); met) | (exists (1 / 3), (8), (8); met) | (exists (1 / 3), (1), (1); met) | (exists (1 / 3), (1), (0); met)]. Qed.
+End eq_33_T.
+
+Module eq_33_Ttilde.
+Import GbtSurfaces.Section_3_6.eq_33_Ttilde.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement at_angle at_angle_ Tm cosine sine]; intros q w x Q N M A B; refine (conj _ (conj _ (conj _ _))); [ rewrite (arc_cos _ _ (square_sum _) N), (arc_sin _ _ (square_sum _) N), half_cos, half_sin; reflexivity | special; field; special; lra | special; field; special; lra | apply arc_range; assumption ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance at_angle cosine sine Tm at_angle_]; first [(exists (1 / 3), (3), (4); met) | (exists (1 / 2), (0), (0); met) | (exists (1 / 3), (8), (8); met) | (exists (1 / 3), (1), (1); met) | (exists (1 / 3), (1), (0); met)]. Qed.
+End eq_33_Ttilde.
+
 Module eq_33_circle.
 Import GbtSurfaces.Section_3_6.eq_33_circle.
 Theorem proved : statement.
@@ -48,6 +65,14 @@ Proof. cbv beta zeta delta [statement cosine sine T Tm]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance cosine sine T Tm]; first [(exists (2), (3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists (13), (8), (1 / 3); met) | (exists (1), (1), (1 / 3); met) | (exists (1), (0), (1 / 3); met)]. Qed.
 End thm_6_symmetric.
+
+Module thm_6_complete.
+Import GbtSurfaces.Section_3_6.thm_6_complete.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement at_angle T Tm cosine sine]; intros q w x Q N M L; refine (conj _ (conj _ _)); [ rewrite (arc_cos _ _ (square_sum _) N), (arc_sin _ _ (square_sum _) N), half_cos, half_sin; reflexivity | rewrite (arc_cos _ _ (square_sum _) N), (arc_sin _ _ (square_sum _) N), half_cos, half_sin; reflexivity | destruct (arc_range q Q N); repeat split; try assumption; apply arc_rate; exact N ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance at_angle cosine sine T Tm]; first [(exists (1 / 3), (3), (4); met) | (exists (1 / 2), (0), (0); met) | (exists (1 / 3), (8), (8); met) | (exists (1 / 3), (1), (1); met) | (exists (1 / 3), (1), (0); met)]. Qed.
+End thm_6_complete.
 
 Module eq_34.
 Import GbtSurfaces.Section_3_6.eq_34.
@@ -72,6 +97,28 @@ Proof. cbv beta zeta delta [statement cosine sine T]; intros; conjuncts; first [
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance cosine sine T]; first [(exists (1 / 3), (3), (4); met) | (exists (1 / 2), (0), (0); met) | (exists (1 / 3), (8), (8); met) | (exists (1 / 3), (1), (1); met) | (exists (1 / 3), (1), (0); met)]. Qed.
 End prop_3_8_a_linear.
+
+Module prop_3_8_a_true.
+Import GbtSurfaces.Section_3_6.prop_3_8_a_true.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement at_angle at_angle_ T cosine sine]; intros q w x Q N M A B L; refine (conj _ (conj _ (conj _ _))); [ rewrite (arc_cos _ _ (square_sum _) N), (arc_sin _ _ (square_sum _) N), half_cos, half_sin; reflexivity | special; field; special; lra | special; field; special; lra | apply arc_rate; assumption ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance at_angle cosine sine T at_angle_]; first [(exists (1 / 3), (3), (4); met) | (exists (1 / 2), (0), (0); met) | (exists (1 / 3), (8), (8); met) | (exists (1 / 3), (1), (1); met) | (exists (1 / 3), (1), (0); met)]. Qed.
+End prop_3_8_a_true.
+
+Module prop_3_8_b.
+Import GbtSurfaces.Section_3_6.prop_3_8_b.
+Theorem refuted : ~ statement.
+Proof. cbv beta zeta delta [statement not Tm cosine sine]; intro no; specialize (no (1 / 3) 0 1 ltac:(lra) ltac:(lra)); injection no; intros _ H; revert H; replace (PI * (2 - 1 / 3)) with (2 * PI - PI / 3) by field; rewrite cos_2PI_minus, cos_PI3; match goal with |- ?a = ?b -> _ => change (a <> b) end; numeric. Qed.
+End prop_3_8_b.
+
+Module prop_3_8_b_true.
+Import GbtSurfaces.Section_3_6.prop_3_8_b_true.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement at_angle at_angle_ Tm cosine sine]; intros q w x Q N M A B L; refine (conj _ (conj _ (conj _ _))); [ rewrite (arc_cos _ _ (square_sum _) N), (arc_sin _ _ (square_sum _) N); replace (PI * (2 - q)) with (2 * PI - PI * q) by ring; rewrite cos_2PI_minus, sin_2PI_minus, half_cos, half_sin; parts; ring | special; field; special; lra | special; field; special; lra | apply arc_rate; assumption ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance at_angle cosine sine Tm at_angle_]; first [(exists (1 / 3), (3), (4); met) | (exists (1 / 2), (0), (0); met) | (exists (1 / 3), (8), (8); met) | (exists (1 / 3), (1), (1); met) | (exists (1 / 3), (1), (0); met)]. Qed.
+End prop_3_8_b_true.
 
 Module prop_3_8_b_exact.
 Import GbtSurfaces.Section_3_6.prop_3_8_b_exact.

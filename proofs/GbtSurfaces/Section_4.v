@@ -2,15 +2,25 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition b (z : R) (i : Z) (k : Z) : R :=
+  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
+Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
+End Definitions.
+Import Definitions.
+
 Module abs_features_the_features_of_Sect__2_2.
 (* gbt-surfaces/abs.features.the features of Sect. 2.2, Abstract; repeated in Sect. 4
    printed: All geometric features of the proposed GBT-Bézier curves and surfaces are similar to the traditional Bézier curves and surfaces, but the shape-adjustment is the additional feature that the traditional Bézier curves and surfaces do not hold
    read as: The features are those that Sect. 2.2 lists, but for variation diminution, which is a claim of its own: convex hull, affine invariance, end points, symmetry for equal parameters; and the shape changes.
    stated: nonnegative(f) and sum(k, 0, m, f[k,m](z)) == 1 and F(0) == Q[0] and F(1) == Q[m] and f[m-k,m](z, mu, mu) == f[k,m](1 - z, mu, mu) and not D(F'(0), mu) == 0 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
 Definition F_ (Q : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
@@ -46,10 +56,6 @@ Module abs_features_every_feature.
    printed: All geometric features of the proposed GBT-Bézier curves and surfaces are similar to the traditional Bézier curves and surfaces, but the shape-adjustment is the additional feature that the traditional Bézier curves and surfaces do not hold
    read as: Every feature of Bézier curves, linear precision among them: evenly spaced points of a segment give the segment with even speed.
    stated: sum(k, 0, m, b[k,m](z)*k/m) == z and sum(k, 0, m, f[k,m](z, mu, nu)*k/m) == z *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition statement : Prop :=
 forall (m : Z) (mu : R) (nu : R) (z : R),
   (2 <= m)%Z ->
@@ -66,8 +72,6 @@ Module sec_4_six_tensor_with_rotation_surfaces.
    printed: six different types of tensor product GBT-Bézier engineering surfaces including GBT-Bézier cylinders, GBT-Bézier bilinear surfaces, GBT-Bézier ruled surfaces, GBT-Bézier swung surfaces, GBT-Bézier swept, and GBT-Bézier rotation surfaces are constructed
    read as: The rotation surface (33) is a tensor product surface: its coefficient is a combination of the functions of order 3 in z_1, determined by values and derivatives at the ends.
    stated: cosine(z1) == blend(z1) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition blend (k0 : R) (k1 : R) (k2 : R) (k3 : R) (mu1 : R) (nu1 : R) (t : Z) : R :=
   f (IZR t) mu1 nu1 0%Z 3%Z * k0 + f (IZR t) mu1 nu1 1%Z 3%Z * k1 + f (IZR t) mu1 nu1 2%Z 3%Z * k2 + f (IZR t) mu1 nu1 3%Z 3%Z * k3.
 Definition cosine (t : Z) : R :=
@@ -98,14 +102,8 @@ Module sec_4_six_tensor_without.
    printed: six different types of tensor product GBT-Bézier engineering surfaces including GBT-Bézier cylinders, GBT-Bézier bilinear surfaces, GBT-Bézier ruled surfaces, GBT-Bézier swung surfaces, GBT-Bézier swept, and GBT-Bézier rotation surfaces are constructed
    read as: As the last sentence of the paragraph says, the rotation surfaces are excepted: cylinder, ruled surface (18) as printed, swung surface, in its first coordinate, which is as the second, and in its third, and swept surface; the bi-linear surface (16) is one by its formula.
    stated: sum(k, 0, m, (Q[k] + z1*V)*f[k,m](z, mu, nu)) == sum(k, 0, m, sum(l, 0, 1, (Q[k] + l*V)*f[k,m](z, mu, nu)*b[l,1](z1))) and printed18(z, z1) == tensor(z, z1) and sum(k, 0, m, f[k,m](z, mu, nu)*X[k])*sum(l, 0, n, f[l,n](z1, mu1, nu1)*U[l]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*X[k]*U[l])) and sum(k, 0, m, f[k,m](z, mu, nu)*Z[k]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*Z[k])) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*B[l]) + sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
 Definition printed18 (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (Q : Z -> R) (U : Z -> R) (V : R) (X : Z -> R) (Z_ : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (3 <= m)%Z ->
@@ -150,8 +148,6 @@ Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
   Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
 Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
 Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
@@ -168,8 +164,6 @@ Definition b4 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   a3 mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 - a m mu1 n nu * (c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - 4 * nu1) + PI ^ 3 * (1 + mu1)) + PI ^ 3 * (1 + nu).
 Definition printed13 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   Q m + 1 / b1 mu1 n nu1 * (b2 m nu * (Q m - 3 * Q (m - 1)%Z + 3 * Q (m - 2)%Z - Q (m - 3)%Z) + a2 m nu / a1 mu1 n nu1 * b3 mu1 n nu1 * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu1) * b3 mu1 n nu1 / a1 mu1 n nu1 * (Q (m - 1)%Z - Q (m - 2)%Z) - b4 m mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
@@ -211,14 +205,10 @@ Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
 Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
 Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
   p + a m nu n mu1 * (p - q).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
 Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
@@ -237,8 +227,6 @@ Definition join3 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (
   p + 1 / b1 n nu1 mu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 n nu1 mu1 * b3_true n nu1 mu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true n nu1 mu1 / a1 n nu1 mu1 * (q - r) - b4_true m nu n nu1 mu1 * (p - q)).
 Definition next (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : Z) : R :=
   f (IZR t) 0 0 0%Z 3%Z * p + f (IZR t) 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f (IZR t) 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f (IZR t) 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
 Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
   f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
 Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
@@ -277,10 +265,6 @@ Module sec_4_tensor_as_printed.
    printed: These special engineering surfaces not only have some parameters for their shape control but can also be expressed in terms of tensor product GBT-Bézier surface design (excluding rotation surfaces).
    read as: Of the classes that are not excluded the ruled surface is examined: (18) has one set of functions f_{k,m} for both guide lines.
    stated: printed18(z, z1) == tensor(z, z1) *)
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition printed18 (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
@@ -311,14 +295,8 @@ Module sec_4_tensor_with_f_l.
    printed: These special engineering surfaces not only have some parameters for their shape control but can also be expressed in terms of tensor product GBT-Bézier surface design (excluding rotation surfaces).
    read as: Of the classes that are not excluded the ruled surface is examined: (18) has a set of functions f^l_{k,m} for each guide line, as (17) and (19) have.
    stated: ruled(z, z1) == tensor(z, z1) *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
 Definition ruled (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   (1 - z1) * sum 0%Z m (fun k => f z mu nu k m * A k) + z1 * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (3 <= m)%Z ->
@@ -338,10 +316,6 @@ Module sec_4_convex_hull.
    printed: the designed GBT-Bézier surfaces can approach their convex hull better than the traditional Bézier surfaces approaches
    read as: They can: exhibited with all shape parameters 1 in the middle, where the inner control points have more weight than in the Bézier curve and surface of the same net: curves of degrees 2 and 3, surfaces of degrees (2, 2) and (3, 3).
    stated: f[0,2](1/2, 1, 1) < b[0,2](1/2) and f[2,2](1/2, 1, 1) < b[2,2](1/2) and f[1,2](1/2, 1, 1) > b[1,2](1/2) and f[1,3](1/2, 1, 1) + f[2,3](1/2, 1, 1) > b[1,3](1/2) + b[2,3](1/2) and f[1,2](1/2, 1, 1)^2 > b[1,2](1/2)^2 and (f[1,3](1/2, 1, 1) + f[2,3](1/2, 1, 1))^2 > (b[1,3](1/2) + b[2,3](1/2))^2 *)
-Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.
-Definition b (z : R) (i : Z) (k : Z) : R :=
-  basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
 Definition statement : Prop :=
   f (1 / 2) 1 1 0%Z 2%Z < b (1 / 2) 0%Z 2%Z /\ f (1 / 2) 1 1 2%Z 2%Z < b (1 / 2) 2%Z 2%Z /\ f (1 / 2) 1 1 1%Z 2%Z > b (1 / 2) 1%Z 2%Z /\ f (1 / 2) 1 1 1%Z 3%Z + f (1 / 2) 1 1 2%Z 3%Z > b (1 / 2) 1%Z 3%Z + b (1 / 2) 2%Z 3%Z /\ f (1 / 2) 1 1 1%Z 2%Z ^ 2 > b (1 / 2) 1%Z 2%Z ^ 2 /\ (f (1 / 2) 1 1 1%Z 3%Z + f (1 / 2) 1 1 2%Z 3%Z) ^ 2 > (b (1 / 2) 1%Z 3%Z + b (1 / 2) 2%Z 3%Z) ^ 2.
 End sec_4_convex_hull.

@@ -1,6 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From GbtSurfaces Require Section_4.
+Import GbtSurfaces.Section_4.Definitions.
 Open Scope R_scope.
 
 Module abs_features_the_features_of_Sect__2_2.

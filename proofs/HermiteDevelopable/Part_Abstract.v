@@ -2,6 +2,36 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition q0 (h : R) (y2 : R) (z2 : R) : list R :=
+  [h; y2; z2].
+Definition q1 (h : R) (y3 : R) (z3 : R) : list R :=
+  [h; y3; z3].
+Definition q0u (y4 : R) (z4 : R) : list R :=
+  [0; y4; z4].
+Definition q1u (y5 : R) (z5 : R) : list R :=
+  [0; y5; z5].
+Definition p0 (l : R) (y0 : R) (z0 : R) : list R :=
+  [l; y0; z0].
+Definition pm (l : R) (y1 : R) (z1 : R) : list R :=
+  [l; y1; z1].
+Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
+  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
+Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
+  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
+Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
+  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
+Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
+  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
+Definition quintic_criterion_ : R :=
+  0.
+End Definitions.
+Import Definitions.
+
 Module abs_construct_a.
 (* hermite-developable/abs.construct.a, Abstract, second and last-but-one sentences
    printed: this paper introduces the construction of cubic, quartic, and quintic developable Hermite surfaces with their boundary curves placed in two parallel and oblique planes
@@ -91,14 +121,6 @@ Module abs_construct_b.
    printed: this paper introduces the construction of cubic, quartic, and quintic developable Hermite surfaces with their boundary curves placed in two parallel and oblique planes
    read as: quartic patches between parallel planes, by the system (3.6): the given data of q are in a plane x = h, those of p in a plane x = l, the rest is solved for
    stated: q4'(u)[1] == 0 and p4'(u)[1] == 0 and det([p4'(u), q4'(u), q4(u) - p4(u)]) == 0 *)
-Definition q0 (h : R) (y2 : R) (z2 : R) : list R :=
-  [h; y2; z2].
-Definition q1 (h : R) (y3 : R) (z3 : R) : list R :=
-  [h; y3; z3].
-Definition q0u (y4 : R) (z4 : R) : list R :=
-  [0; y4; z4].
-Definition q1u (y5 : R) (z5 : R) : list R :=
-  [0; y5; z5].
 Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
   A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
 Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
@@ -107,10 +129,6 @@ Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R
   [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
 Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
   mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition p0 (l : R) (y0 : R) (z0 : R) : list R :=
-  [l; y0; z0].
-Definition pm (l : R) (y1 : R) (z1 : R) : list R :=
-  [l; y1; z1].
 Definition blend5 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) : list R :=
   vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e).
 Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -187,32 +205,8 @@ Module abs_construct_c.
    printed: this paper introduces the construction of cubic, quartic, and quintic developable Hermite surfaces with their boundary curves placed in two parallel and oblique planes
    read as: quintic patches between parallel planes, by the system (3.7): the given data of q are in a plane x = h, those of p in a plane x = l, the rest is solved for
    stated: q5'(u)[1] == 0 and p5'(u)[1] == 0 and det([p5'(u), q5'(u), q5(u) - p5(u)]) == 0 *)
-Definition q0 (h : R) (y2 : R) (z2 : R) : list R :=
-  [h; y2; z2].
-Definition q1 (h : R) (y3 : R) (z3 : R) : list R :=
-  [h; y3; z3].
-Definition q0u (y4 : R) (z4 : R) : list R :=
-  [0; y4; z4].
-Definition q1u (y5 : R) (z5 : R) : list R :=
-  [0; y5; z5].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition p0 (l : R) (y0 : R) (z0 : R) : list R :=
-  [l; y0; z0].
-Definition pm (l : R) (y1 : R) (z1 : R) : list R :=
-  [l; y1; z1].
 Definition pu (y6 : R) (z6 : R) : list R :=
   [0; y6; z6].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (qm : list R) (qu : list R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u (q0 h y2 z2) qm (q1 h y3 z3) (q0u y4 z4) qu (q1u y5 z5).
 Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (l : R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y6 : R) (z0 : R) (z1 : R) (z6 : R) (u : R) : list R :=
@@ -223,8 +217,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R) : list R :=
   quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R) : list R :=
   quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R) : list R :=
@@ -305,18 +297,6 @@ Definition qu : list R :=
   [0; - 50; 70].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
@@ -331,8 +311,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : 
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G p0 p0u p1 p1u pm pu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=

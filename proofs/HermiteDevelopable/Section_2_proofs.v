@@ -1,6 +1,8 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From HermiteDevelopable Require Section_2.
+Import HermiteDevelopable.Section_2.Definitions.
+From HermiteDevelopable Require Import Section_2_closed.
 Open Scope R_scope.
 
 Module sec_2_cubic_equations.

@@ -2,16 +2,58 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module def_3_1.
-(* hermite-developable/def-3.1, Sect. 3, Definition 3.1
-   printed: A regular ruled surface R(u,v) is a surface constructed by a one parameter of lines R(u,v) = p(u) + v . g(u) with p(u) and g(u) of class C^n and [(p'(u) + v . g'(u)) /\ g(u)] != 0
-   stated: D(ruled(u, v), v, 2) == 0 and ruled(u, 0) == p(u) *)
+Module Definitions.
+Definition q (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
+  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) b5) (vscale (u ^ 4) b4)) (vscale (u ^ 3) b3)) (vscale (u ^ 2) b2)) (vscale u b1)) b0.
+Definition dq (y3 : R) (z3 : R) : list R :=
+  [0; y3; z3].
+Definition dp (y2 : R) (z2 : R) : list R :=
+  [0; y2; z2].
+Definition q_ (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : Z) : list R :=
+  vadd (vadd (vadd (vadd (vadd (vscale (IZR u ^ 5) b5) (vscale (IZR u ^ 4) b4)) (vscale (IZR u ^ 3) b3)) (vscale (IZR u ^ 2) b2)) (vscale (IZR u) b1)) b0.
+Definition p_ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : Z) : list R :=
+  vadd (vadd (vadd (vadd (vadd (vscale (IZR u ^ 5) a5) (vscale (IZR u ^ 4) a4)) (vscale (IZR u ^ 3) a3)) (vscale (IZR u ^ 2) a2)) (vscale (IZR u) a1)) a0.
+Definition criterion_ : R :=
+  0.
+Definition Q (P : list R) (lam : R) (o : list R) : list R :=
+  vadd o (vscale lam (vsub P o)).
+Definition P (o : list R) (x : list R) : list R :=
+  vadd o x.
+Definition f (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (u : R) : R :=
+  f5 * u ^ 5 + f4 * u ^ 4 + f3 * u ^ 3 + f2 * u ^ 2 + f1 * u + f0.
+Definition cone_normal (dx : list R) (x : list R) : list R :=
+  cross dx x.
+Definition cone_gap (dlam : R) (dx : list R) (k : R) (lam : R) (x : list R) : list R :=
+  vsub (vadd (vscale lam x) (vadd (vscale dlam x) (vscale lam dx))) (vscale k (vadd x dx)).
 Definition p (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : R) : list R :=
   vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) a5) (vscale (u ^ 4) a4)) (vscale (u ^ 3) a3)) (vscale (u ^ 2) a2)) (vscale u a1)) a0.
 Definition g (g0 : list R) (g1 : list R) (g2 : list R) (g3 : list R) (g4 : list R) (g5 : list R) (u : R) : list R :=
   vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) g5) (vscale (u ^ 4) g4)) (vscale (u ^ 3) g3)) (vscale (u ^ 2) g2)) (vscale u g1)) g0.
 Definition ruled (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (g0 : list R) (g1 : list R) (g2 : list R) (g3 : list R) (g4 : list R) (g5 : list R) (u : R) (v : R) : list R :=
   vadd (p a0 a1 a2 a3 a4 a5 u) (vscale v (g g0 g1 g2 g3 g4 g5 u)).
+Definition gap (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) (u : R) : list R :=
+  vsub (vsub (vadd (q b0 b1 b2 b3 b4 b5 u) (vDerive 3 (fun u_ => q b0 b1 b2 b3 b4 b5 u_) 1 u)) (vscale k (vadd (p a0 a1 a2 a3 a4 a5 u) (vDerive 3 (fun u_ => p a0 a1 a2 a3 a4 a5 u_) 1 u)))) (vscale (1 - k) o).
+Definition part (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) (n : Z) : list R :=
+  let u := 0%Z in vdiv (vDerive 3 (fun u_ => gap a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o u_) (Z.to_nat n) (IZR u)) (factorial n).
+Definition criterion (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
+  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 5%Z.
+Definition criterion__ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
+  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 4%Z.
+Definition criterion___ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
+  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 3%Z.
+Definition criterion____ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
+  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 2%Z.
+Definition criterion_____ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
+  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 1%Z.
+Definition criterion______ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
+  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 0%Z.
+End Definitions.
+Import Definitions.
+
+Module def_3_1.
+(* hermite-developable/def-3.1, Sect. 3, Definition 3.1
+   printed: A regular ruled surface R(u,v) is a surface constructed by a one parameter of lines R(u,v) = p(u) + v . g(u) with p(u) and g(u) of class C^n and [(p'(u) + v . g'(u)) /\ g(u)] != 0
+   stated: D(ruled(u, v), v, 2) == 0 and ruled(u, 0) == p(u) *)
 Definition ruled_ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (g0 : list R) (g1 : list R) (g2 : list R) (g3 : list R) (g4 : list R) (g5 : list R) (u : R) (v : Z) : list R :=
   vadd (p a0 a1 a2 a3 a4 a5 u) (vscale (IZR v) (g g0 g1 g2 g3 g4 g5 u)).
 Definition statement : Prop :=
@@ -52,12 +94,6 @@ Module def_3_1_normal.
    printed: [(p'(u) + v . g'(u)) /\ g(u)] != 0
    read as: the vector that must not vanish is the normal vector of R: the vector product of its derivatives by u and by v
    stated: cross(D(ruled(u, v), u), D(ruled(u, v), v)) == cross(p'(u) + v*g'(u), g(u)) *)
-Definition p (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) a5) (vscale (u ^ 4) a4)) (vscale (u ^ 3) a3)) (vscale (u ^ 2) a2)) (vscale u a1)) a0.
-Definition g (g0 : list R) (g1 : list R) (g2 : list R) (g3 : list R) (g4 : list R) (g5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) g5) (vscale (u ^ 4) g4)) (vscale (u ^ 3) g3)) (vscale (u ^ 2) g2)) (vscale u g1)) g0.
-Definition ruled (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (g0 : list R) (g1 : list R) (g2 : list R) (g3 : list R) (g4 : list R) (g5 : list R) (u : R) (v : R) : list R :=
-  vadd (p a0 a1 a2 a3 a4 a5 u) (vscale v (g g0 g1 g2 g3 g4 g5 u)).
 Definition statement : Prop :=
 forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (g0'1 g0'2 g0'3 : R) (g1'1 g1'2 g1'3 : R) (g2'1 g2'2 g2'3 : R) (g3'1 g3'2 g3'3 : R) (g4'1 g4'2 g4'3 : R) (g5'1 g5'2 g5'3 : R) (u : R) (v : R),
   let a0 := [a0'1; a0'2; a0'3] in
@@ -120,10 +156,6 @@ Module sec_3_g_boundary.
 (* hermite-developable/sec-3.g-boundary, Sect. 3, paragraph before (3.1)
    printed: g(u) = q(u) - p(u)
    stated: ruled(u, 1) == q(u) and ruled(u, v) == (1 - v)*p(u) + v*q(u) *)
-Definition p (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) a5) (vscale (u ^ 4) a4)) (vscale (u ^ 3) a3)) (vscale (u ^ 2) a2)) (vscale u a1)) a0.
-Definition q (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) b5) (vscale (u ^ 4) b4)) (vscale (u ^ 3) b3)) (vscale (u ^ 2) b2)) (vscale u b1)) b0.
 Definition g (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
   vsub (q b0 b1 b2 b3 b4 b5 u) (p a0 a1 a2 a3 a4 a5 u).
 Definition ruled (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) (v : Z) : list R :=
@@ -348,16 +380,8 @@ Module eq_3_1_rho_constant.
 (* hermite-developable/eq-3.1.rho-constant, Sect. 3, third sentence after (3.1)
    printed: rho(u) real constant for modeling a cylinder and cone Hermite surfaces
    stated: q(u) - p(u) == q(0) - rho*p(0) - (1 - rho)*p(u) *)
-Definition q (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) b5) (vscale (u ^ 4) b4)) (vscale (u ^ 3) b3)) (vscale (u ^ 2) b2)) (vscale u b1)) b0.
-Definition p (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) a5) (vscale (u ^ 4) a4)) (vscale (u ^ 3) a3)) (vscale (u ^ 2) a2)) (vscale u a1)) a0.
 Definition parallel (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (rho : R) (n : Z) : list R :=
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => vsub (let u__ := u_ in vDerive 3 (fun u___ => q b0 b1 b2 b3 b4 b5 u___) 1 u__) (vscale rho (let u___ := u_ in vDerive 3 (fun u____ => p a0 a1 a2 a3 a4 a5 u____) 1 u___))) (Z.to_nat n) (IZR u)) (factorial n).
-Definition q_ (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : Z) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (IZR u ^ 5) b5) (vscale (IZR u ^ 4) b4)) (vscale (IZR u ^ 3) b3)) (vscale (IZR u ^ 2) b2)) (vscale (IZR u) b1)) b0.
-Definition p_ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : Z) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (IZR u ^ 5) a5) (vscale (IZR u ^ 4) a4)) (vscale (IZR u ^ 3) a3)) (vscale (IZR u ^ 2) a2)) (vscale (IZR u) a1)) a0.
 Definition statement : Prop :=
 forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2 b3'3 : R) (b4'1 b4'2 b4'3 : R) (b5'1 b5'2 b5'3 : R) (rho : R) (u : R),
   let a0 := [a0'1; a0'2; a0'3] in
@@ -417,32 +441,6 @@ Module eq_3_1_difficulties_same.
 (* hermite-developable/eq-3.1.difficulties.same, Sect. 3, fourth sentence after (3.1)
    printed: The criterion (3.3) ties the points of both curves in the same way as the tangent vector criterion with rho = k constant: its Hermite curves are those with q' = k p' whose start points satisfy q(0) - o = k (p(0) - o).
    stated: q'(u) == k*p'(u) and q(0) - o == k*(p(0) - o) and q(1/2) - q(0) == k*(p(1/2) - p(0)) and q(1) - q(0) == k*(p(1) - p(0)) *)
-Definition q (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) b5) (vscale (u ^ 4) b4)) (vscale (u ^ 3) b3)) (vscale (u ^ 2) b2)) (vscale u b1)) b0.
-Definition p (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) a5) (vscale (u ^ 4) a4)) (vscale (u ^ 3) a3)) (vscale (u ^ 2) a2)) (vscale u a1)) a0.
-Definition gap (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) (u : R) : list R :=
-  vsub (vsub (vadd (q b0 b1 b2 b3 b4 b5 u) (vDerive 3 (fun u_ => q b0 b1 b2 b3 b4 b5 u_) 1 u)) (vscale k (vadd (p a0 a1 a2 a3 a4 a5 u) (vDerive 3 (fun u_ => p a0 a1 a2 a3 a4 a5 u_) 1 u)))) (vscale (1 - k) o).
-Definition part (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) (n : Z) : list R :=
-  let u := 0%Z in vdiv (vDerive 3 (fun u_ => gap a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o u_) (Z.to_nat n) (IZR u)) (factorial n).
-Definition criterion (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 5%Z.
-Definition criterion_ : R :=
-  0.
-Definition criterion__ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 4%Z.
-Definition criterion___ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 3%Z.
-Definition criterion____ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 2%Z.
-Definition criterion_____ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 1%Z.
-Definition criterion______ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 0%Z.
-Definition q_ (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : Z) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (IZR u ^ 5) b5) (vscale (IZR u ^ 4) b4)) (vscale (IZR u ^ 3) b3)) (vscale (IZR u ^ 2) b2)) (vscale (IZR u) b1)) b0.
-Definition p_ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : Z) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (IZR u ^ 5) a5) (vscale (IZR u ^ 4) a4)) (vscale (IZR u ^ 3) a3)) (vscale (IZR u ^ 2) a2)) (vscale (IZR u) a1)) a0.
 Definition statement : Prop :=
 forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2 b3'3 : R) (b4'1 b4'2 b4'3 : R) (b5'1 b5'2 b5'3 : R) (k : R) (o'1 o'2 o'3 : R) (u : R),
   let a0 := [a0'1; a0'2; a0'3] in
@@ -556,10 +554,6 @@ Module eq_3_2_planes_a_generatrix.
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is q - p, as it is defined before (3.1) and used in (3.4)
    stated: not h == 0 *)
-Definition dq (y3 : R) (z3 : R) : list R :=
-  [0; y3; z3].
-Definition dp (y2 : R) (z2 : R) : list R :=
-  [0; y2; z2].
 Definition Q (h : R) (x0 : R) (y1 : R) (z1 : R) : list R :=
   [x0 + h; y1; z1].
 Definition P (x0 : R) (y0 : R) (z0 : R) : list R :=
@@ -581,10 +575,6 @@ Module eq_3_2_planes_a_direction.
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is the vector that the next sentence determines
    stated: not h == 0 *)
-Definition dq (y3 : R) (z3 : R) : list R :=
-  [0; y3; z3].
-Definition dp (y2 : R) (z2 : R) : list R :=
-  [0; y2; z2].
 Definition Q (h : R) (x0 : R) (y1 : R) (z1 : R) : list R :=
   [x0 + h; y1; z1].
 Definition P (x0 : R) (y0 : R) (z0 : R) : list R :=
@@ -614,8 +604,6 @@ Module eq_3_2_planes_b_generatrix.
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is q - p, as it is defined before (3.1) and used in (3.4): the component of (3.2) across the plane of q is f + k f' = 0
    stated: not f'(u) == 0 *)
-Definition f (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (u : R) : R :=
-  f5 * u ^ 5 + f4 * u ^ 4 + f3 * u ^ 3 + f2 * u ^ 2 + f1 * u + f0.
 Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R) : R :=
   f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u.
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (n : Z) : R :=
@@ -661,8 +649,6 @@ Module eq_3_2_planes_b_direction.
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is the vector that the next sentence determines: the component of (3.2) across the plane of q is k f + k f' = (1 - k) s, where s is the distance of that plane from the summit
    stated: not f'(u) == 0 *)
-Definition f (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (u : R) : R :=
-  f5 * u ^ 5 + f4 * u ^ 4 + f3 * u ^ 3 + f2 * u ^ 2 + f1 * u + f0.
 Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
   k * f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u - (1 - k) * s.
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (n : Z) : R :=
@@ -787,8 +773,6 @@ Module eq_3_3_g_generatrix.
    printed: If the generatrix lines g(u) of developable surface are defined from the summit point O of the cone developable surface [...], then we can determine g(u) = [q(u) - o] - k [p(u) - o]
    read as: g is q - p, as it is defined before (3.1) and used in (3.4); q is on the cone through p with the summit o
    stated: Q - P == Q - o - k*(P - o) *)
-Definition Q (P : list R) (lam : R) (o : list R) : list R :=
-  vadd o (vscale lam (vsub P o)).
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (dp'1 dp'2 dp'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -806,8 +790,6 @@ Module eq_3_3_g_direction.
    printed: If the generatrix lines g(u) of developable surface are defined from the summit point O of the cone developable surface [...], then we can determine g(u) = [q(u) - o] - k [p(u) - o]
    read as: g is any vector along the generatrix of the cone
    stated: cross(Q - o - k*(P - o), Q - P) == 0 *)
-Definition Q (P : list R) (lam : R) (o : list R) : list R :=
-  vadd o (vscale lam (vsub P o)).
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -819,8 +801,6 @@ Module eq_3_3_g_true.
 (* hermite-developable/eq-3.3.g.true, Sect. 3, sentence before (3.3a)
    printed: On a cone with the summit o, q - o = lam (p - o), the generatrix is q - p = (q - o) - (p - o) = (lam - 1) (p - o); the vector (q - o) - k (p - o) is (lam - k) (p - o).
    stated: Q - P == (lam - 1)*(P - o) and Q - P == Q - o - (P - o) and Q - o - k*(P - o) == (lam - k)*(P - o) *)
-Definition Q (P : list R) (lam : R) (o : list R) : list R :=
-  vadd o (vscale lam (vsub P o)).
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -954,28 +934,6 @@ Module eq_3_3_developable_Hermite.
    printed: developable surface criteria of Equation (3.3)
    read as: p and q are Hermite curves, as where the criterion is used; q is what the criterion gives for p, and the patch a cone
    stated: det([p'(u), q'(u), q(u) - p(u)]) == 0 and cross(q(u) - p(u), p(u) - o) == 0 *)
-Definition q (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) b5) (vscale (u ^ 4) b4)) (vscale (u ^ 3) b3)) (vscale (u ^ 2) b2)) (vscale u b1)) b0.
-Definition p (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) a5) (vscale (u ^ 4) a4)) (vscale (u ^ 3) a3)) (vscale (u ^ 2) a2)) (vscale u a1)) a0.
-Definition gap (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) (u : R) : list R :=
-  vsub (vsub (vadd (q b0 b1 b2 b3 b4 b5 u) (vDerive 3 (fun u_ => q b0 b1 b2 b3 b4 b5 u_) 1 u)) (vscale k (vadd (p a0 a1 a2 a3 a4 a5 u) (vDerive 3 (fun u_ => p a0 a1 a2 a3 a4 a5 u_) 1 u)))) (vscale (1 - k) o).
-Definition part (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) (n : Z) : list R :=
-  let u := 0%Z in vdiv (vDerive 3 (fun u_ => gap a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o u_) (Z.to_nat n) (IZR u)) (factorial n).
-Definition criterion (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 5%Z.
-Definition criterion_ : R :=
-  0.
-Definition criterion__ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 4%Z.
-Definition criterion___ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 3%Z.
-Definition criterion____ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 2%Z.
-Definition criterion_____ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 1%Z.
-Definition criterion______ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 0%Z.
 Definition statement : Prop :=
 forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2 b3'3 : R) (b4'1 b4'2 b4'3 : R) (b5'1 b5'2 b5'3 : R) (k : R) (o'1 o'2 o'3 : R) (u : R),
   let a0 := [a0'1; a0'2; a0'3] in
@@ -1085,10 +1043,6 @@ Module eq_3_3_multiples_cone.
    printed: Equation (3.3a) shows that the vectors oq and q'(u) are orderly the multiplication of the vectors op and p'(u)
    read as: the curves are on a regular cone with the summit O, as the sentence before presupposes: q - o = lam x, p - o = x; (3.3a) is multiplied by x and by its derivative, and by the normal of the cone
    stated: lam*x == k*x and dlam*x + lam*dx == k*dx *)
-Definition cone_normal (dx : list R) (x : list R) : list R :=
-  cross dx x.
-Definition cone_gap (dlam : R) (dx : list R) (k : R) (lam : R) (x : list R) : list R :=
-  vsub (vadd (vscale lam x) (vadd (vscale dlam x) (vscale lam dx))) (vscale k (vadd x dx)).
 Definition statement : Prop :=
 forall (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (x'1 x'2 x'3 : R),
   let dx := [dx'1; dx'2; dx'3] in
@@ -1111,28 +1065,6 @@ Module eq_3_3_multiples_Hermite.
    printed: Equation (3.3a) shows that the vectors oq and q'(u) are orderly the multiplication of the vectors op and p'(u)
    read as: p and q are Hermite curves, no cone is presupposed
    stated: q(u) - o == k*(p(u) - o) and q'(u) == k*p'(u) *)
-Definition q (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) b5) (vscale (u ^ 4) b4)) (vscale (u ^ 3) b3)) (vscale (u ^ 2) b2)) (vscale u b1)) b0.
-Definition p (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) a5) (vscale (u ^ 4) a4)) (vscale (u ^ 3) a3)) (vscale (u ^ 2) a2)) (vscale u a1)) a0.
-Definition gap (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) (u : R) : list R :=
-  vsub (vsub (vadd (q b0 b1 b2 b3 b4 b5 u) (vDerive 3 (fun u_ => q b0 b1 b2 b3 b4 b5 u_) 1 u)) (vscale k (vadd (p a0 a1 a2 a3 a4 a5 u) (vDerive 3 (fun u_ => p a0 a1 a2 a3 a4 a5 u_) 1 u)))) (vscale (1 - k) o).
-Definition part (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) (n : Z) : list R :=
-  let u := 0%Z in vdiv (vDerive 3 (fun u_ => gap a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o u_) (Z.to_nat n) (IZR u)) (factorial n).
-Definition criterion (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 5%Z.
-Definition criterion_ : R :=
-  0.
-Definition criterion__ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 4%Z.
-Definition criterion___ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 3%Z.
-Definition criterion____ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 2%Z.
-Definition criterion_____ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 1%Z.
-Definition criterion______ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (k : R) (o : list R) : list R :=
-  part a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 k o 0%Z.
 Definition statement : Prop :=
 forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2 b3'3 : R) (b4'1 b4'2 b4'3 : R) (b5'1 b5'2 b5'3 : R) (k : R) (o'1 o'2 o'3 : R) (u : R),
   let a0 := [a0'1; a0'2; a0'3] in
@@ -1218,14 +1150,8 @@ Module eq_3_3_k_below_1.
    printed: If the value k is in interval 0 < k < 1 the curve q(u) will lay between the summit point O and the curve p(u)
    read as: the curves are on the cone with the summit O, q - o = lam (p - o); x is p - o at one u; (3.3a) is multiplied by x and by its derivative, and by the normal of the cone. Between: on the line through both, and seen from q in opposite directions
    stated: cross(o - Q, P - Q) == 0 and dot(o - Q, P - Q) < 0 *)
-Definition cone_normal (dx : list R) (x : list R) : list R :=
-  cross dx x.
-Definition cone_gap (dlam : R) (dx : list R) (k : R) (lam : R) (x : list R) : list R :=
-  vsub (vadd (vscale lam x) (vadd (vscale dlam x) (vscale lam dx))) (vscale k (vadd x dx)).
 Definition Q (lam : R) (o : list R) (x : list R) : list R :=
   vadd o (vscale lam x).
-Definition P (o : list R) (x : list R) : list R :=
-  vadd o x.
 Definition statement : Prop :=
 forall (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 x'2 x'3 : R),
   let dx := [dx'1; dx'2; dx'3] in
@@ -1254,14 +1180,8 @@ Module eq_3_3_k_equal_1.
    printed: When k = 1, both curves p(u) and q(u) will be identical
    read as: the curves are on the cone with the summit O, q - o = lam (p - o); x is p - o at one u; (3.3a) is multiplied by x and by its derivative, and by the normal of the cone
    stated: Q == P *)
-Definition cone_normal (dx : list R) (x : list R) : list R :=
-  cross dx x.
-Definition cone_gap (dlam : R) (dx : list R) (k : R) (lam : R) (x : list R) : list R :=
-  vsub (vadd (vscale lam x) (vadd (vscale dlam x) (vscale lam dx))) (vscale k (vadd x dx)).
 Definition Q (lam : R) (o : list R) (x : list R) : list R :=
   vadd o (vscale lam x).
-Definition P (o : list R) (x : list R) : list R :=
-  vadd o x.
 Definition statement : Prop :=
 forall (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 x'2 x'3 : R),
   let dx := [dx'1; dx'2; dx'3] in
@@ -1290,12 +1210,6 @@ Module eq_3_3_k_above_1.
    printed: If k > 1, then the curve p(u) will be placed between the summit point O and the curve q(u)
    read as: the curves are on the cone with the summit O, q - o = lam (p - o); x is p - o at one u; (3.3a) is multiplied by x and by its derivative, and by the normal of the cone. Between: on the line through both, and seen from p in opposite directions
    stated: cross(o - P, Q - P) == 0 and dot(o - P, Q - P) < 0 *)
-Definition cone_normal (dx : list R) (x : list R) : list R :=
-  cross dx x.
-Definition cone_gap (dlam : R) (dx : list R) (k : R) (lam : R) (x : list R) : list R :=
-  vsub (vadd (vscale lam x) (vadd (vscale dlam x) (vscale lam dx))) (vscale k (vadd x dx)).
-Definition P (o : list R) (x : list R) : list R :=
-  vadd o x.
 Definition Q (lam : R) (o : list R) (x : list R) : list R :=
   vadd o (vscale lam x).
 Definition statement : Prop :=
@@ -1326,8 +1240,6 @@ Module sec_3_summit_outside.
    printed: the curves p(u) and q(u) respectively placed in the parallel planes Gamma_1 // Gamma_2 with the summit point O of the cone developable surface positioned outer the planes
    read as: the summit is not between the planes nor on them: both planes are on one side of it; with the k > 0 that the paper elects
    stated: q'(u)[1] == 0 and (p(u)[1] - o[1])*(q(u)[1] - o[1]) > 0 *)
-Definition q (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) b5) (vscale (u ^ 4) b4)) (vscale (u ^ 3) b3)) (vscale (u ^ 2) b2)) (vscale u b1)) b0.
 Definition a5 (y5 : R) (z5 : R) : list R :=
   [0; y5; z5].
 Definition a4 (y4 : R) (z4 : R) : list R :=
@@ -1348,8 +1260,6 @@ Definition part (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : li
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => gap b0 b1 b2 b3 b4 b5 h k o y0 y1 y2 y3 y4 y5 z0 z1 z2 z3 z4 z5 u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition criterion (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (h : R) (k : R) (o : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) : list R :=
   part b0 b1 b2 b3 b4 b5 h k o y0 y1 y2 y3 y4 y5 z0 z1 z2 z3 z4 z5 5%Z.
-Definition criterion_ : R :=
-  0.
 Definition criterion__ (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (h : R) (k : R) (o : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) : list R :=
   part b0 b1 b2 b3 b4 b5 h k o y0 y1 y2 y3 y4 y5 z0 z1 z2 z3 z4 z5 4%Z.
 Definition criterion___ (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (h : R) (k : R) (o : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) : list R :=
@@ -1418,10 +1328,6 @@ Module eq_3_4.
    printed: D(u,v) = p(u) + v . g = (1 - v) p(u) + v q(u)
    read as: g is the generatrix q - p of the paragraph before (3.1), not the vector (q - o) - k (p - o) of the sentence before (3.3a)
    stated: ruled(u, v) == (1 - v)*p(u) + v*q(u) *)
-Definition p (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) a5) (vscale (u ^ 4) a4)) (vscale (u ^ 3) a3)) (vscale (u ^ 2) a2)) (vscale u a1)) a0.
-Definition q (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) b5) (vscale (u ^ 4) b4)) (vscale (u ^ 3) b3)) (vscale (u ^ 2) b2)) (vscale u b1)) b0.
 Definition g (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
   vsub (q b0 b1 b2 b3 b4 b5 u) (p a0 a1 a2 a3 a4 a5 u).
 Definition ruled (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) (v : R) : list R :=

@@ -2,15 +2,57 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition first (a1 : R) (b1 : R) (c1 : R) (d1 : R) (u : R) : R :=
+  a1 * u ^ 3 + b1 * u ^ 2 + c1 * u + d1.
+Definition second (a2 : R) (b2 : R) (c2 : R) (d2 : R) (u : R) : R :=
+  a2 * u ^ 3 + b2 * u ^ 2 + c2 * u + d2.
+Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
+  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
+Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
+  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
+Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
+  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
+Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
+  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
+Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
+  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
+Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
+  blend4 (cubic_basis A B C_ E_ u) a b s t.
+Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u p0 p1 p0u p1u.
+Definition A35 (k : R) : list (list R) :=
+  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
+Definition right_ (c1 : R) (c2 : R) (c3 : R) (c4 : R) : list R :=
+  [c1; c2; c3; c4].
+Definition x (x1 : R) (x2 : R) (x3 : R) (x4 : R) : list R :=
+  [x1; x2; x3; x4].
+Definition cubic_criterion_ : R :=
+  0.
+Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  hermite3 A B C_ E_ u q0 q1 q0u q1u.
+Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
+  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
+Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
+  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
+Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
+Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
+Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
+Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
+  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
+End Definitions.
+Import Definitions.
+
 Module sec_3_1_polynomials.
 (* hermite-developable/sec-3.1.polynomials, Sect. 3.1, first sentence (display missing)
    printed: Two cubic Hermite curves p_3(u) and q_3(u) in the parallel plane Gamma_1 / Gamma_2 are presented in the polynomial formula and their first derivations, respectively, as follows [display missing in our copy]
    read as: p_3 = a_1 u^3 + b_1 u^2 + c_1 u + d_1, p_3' = 3 a_1 u^2 + 2 b_1 u + c_1, and q_3, q_3' with index 2: the only reading that gives the next display
    stated: first'(u) == 3*a1*u^2 + 2*b1*u + c1 and second'(u) == 3*a2*u^2 + 2*b2*u + c2 *)
-Definition first (a1 : R) (b1 : R) (c1 : R) (d1 : R) (u : R) : R :=
-  a1 * u ^ 3 + b1 * u ^ 2 + c1 * u + d1.
-Definition second (a2 : R) (b2 : R) (c2 : R) (d2 : R) (u : R) : R :=
-  a2 * u ^ 3 + b2 * u ^ 2 + c2 * u + d2.
 Definition statement : Prop :=
 forall (a1 : R) (a2 : R) (b1 : R) (b2 : R) (c1 : R) (c2 : R) (d1 : R) (d2 : R) (u : R),
   0 <= u <= 1 ->
@@ -24,10 +66,6 @@ Module sec_3_1_substituted.
 (* hermite-developable/sec-3.1.substituted, Sect. 3.1, unnumbered display
    printed: a_2 u^3 + (b_2 + 3 a_2) u^2 + (c_2 + 2 b_2) u + (d_2 + c_2) = k [a_1 u^3 + (b_1 + 3 a_1) u^2 + (c_1 + 2 b_1) u + (d_1 + c_1)] + (1 - k) o
    stated: second(u) + second'(u) - k*(first(u) + first'(u)) - (1 - k)*o == a2*u^3 + (b2 + 3*a2)*u^2 + (c2 + 2*b2)*u + (d2 + c2) - k*(a1*u^3 + (b1 + 3*a1)*u^2 + (c1 + 2*b1)*u + (d1 + c1)) - (1 - k)*o *)
-Definition second (a2 : R) (b2 : R) (c2 : R) (d2 : R) (u : R) : R :=
-  a2 * u ^ 3 + b2 * u ^ 2 + c2 * u + d2.
-Definition first (a1 : R) (b1 : R) (c1 : R) (d1 : R) (u : R) : R :=
-  a1 * u ^ 3 + b1 * u ^ 2 + c1 * u + d1.
 Definition statement : Prop :=
 forall (a1 : R) (a2 : R) (b1 : R) (b2 : R) (c1 : R) (c2 : R) (d1 : R) (d2 : R) (k : R) (o : R) (u : R),
   0 <= u <= 1 ->
@@ -42,10 +80,6 @@ Module sec_3_1_coefficients.
    printed: a_2 = k . a_1; b_2 + 3 a_2 = k . (b_1 + 3 a_1); c_2 + 2 b_2 = k . (c_1 + 2 b_1); d_2 + c_2 = k . (d_1 + c_1) + (1 - k) o
    read as: in the third equation our copy repeats a meaningless run 'k b_1 + 3 a_2 = k b_2 + 3 a_2 = ...' between 'c_2 + 2 b_2 =' and 'k.(c_1 + 2 b_1)'; the run is an artefact of the extraction and is left out
    stated: part(3) == a2 - k*a1 and part(2) == b2 + 3*a2 - k*(b1 + 3*a1) and part(1) == c2 + 2*b2 - k*(c1 + 2*b1) and part(0) == d2 + c2 - k*(d1 + c1) - (1 - k)*o *)
-Definition second (a2 : R) (b2 : R) (c2 : R) (d2 : R) (u : R) : R :=
-  a2 * u ^ 3 + b2 * u ^ 2 + c2 * u + d2.
-Definition first (a1 : R) (b1 : R) (c1 : R) (d1 : R) (u : R) : R :=
-  a1 * u ^ 3 + b1 * u ^ 2 + c1 * u + d1.
 Definition gap (a1 : R) (a2 : R) (b1 : R) (b2 : R) (c1 : R) (c2 : R) (d1 : R) (d2 : R) (k : R) (o : R) (u : R) : R :=
   second a2 b2 c2 d2 u + Derive_n (fun u_ => second a2 b2 c2 d2 u_) 1 u - k * (first a1 b1 c1 d1 u + Derive_n (fun u_ => first a1 b1 c1 d1 u_) 1 u) - (1 - k) * o.
 Definition part (a1 : R) (a2 : R) (b1 : R) (b2 : R) (c1 : R) (c2 : R) (d1 : R) (d2 : R) (k : R) (o : R) (n : Z) : R :=
@@ -77,26 +111,6 @@ Module sec_3_1_hermite_1.
 (* hermite-developable/sec-3.1.hermite.1, Sect. 3.1, equations with points and tangent vectors, first
    printed: 2 q_0 - 2 q_1 + q_0^u + q_1^u = k (2 p_0 - 2 p_1 + p_0^u + p_1^u)
    stated: cubic_part(3) == 2*q0 - 2*q1 + q0u + q1u - k*(2*p0 - 2*p1 + p0u + p1u) *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -115,26 +129,6 @@ Module sec_3_1_hermite_2.
    printed: 3 q_0 - 3 q_1 + q_0^u + 2 q_1^u = k (3 p_0 - 3 p_1 + p_0^u + 2 p_1^u)
    read as: the copy runs the three equations together on one line; they are split before each left-hand side
    stated: cubic_part(2) == 3*q0 - 3*q1 + q0u + 2*q1u - k*(3*p0 - 3*p1 + p0u + 2*p1u) *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -152,26 +146,6 @@ Module sec_3_1_hermite_3.
 (* hermite-developable/sec-3.1.hermite.3, Sect. 3.1, equations with points and tangent vectors, third
    printed: -6 q_0 + 6 q_1 - 3 q_0^u - 2 q_1^u = k (-6 p_0 + 6 p_1 - 3 p_0^u - 2 p_1^u)
    stated: cubic_part(1) == -6*q0 + 6*q1 - 3*q0u - 2*q1u - k*(-6*p0 + 6*p1 - 3*p0u - 2*p1u) *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -189,26 +163,6 @@ Module sec_3_1_hermite_4.
 (* hermite-developable/sec-3.1.hermite.4, Sect. 3.1, equations with points and tangent vectors, fourth
    printed: q_0 + q_0^u = k (p_0 + p_0^u) + (1 - k) o
    stated: cubic_part(0) == q0 + q0u - k*(p0 + p0u) - (1 - k)*o *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -227,28 +181,6 @@ Module eq_3_5_A_r1.
    printed: (2k, -k, -k, -2k)
    read as: the copy merges two columns: '2k - k & -k & -2k'
    stated: cubic_system[1] == [2*k, -k, -k, -2*k] *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
-  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -279,28 +211,6 @@ Module eq_3_5_A_r2.
    printed: (3k, -k, -2k, -3k)
    read as: the copy merges two columns: '3k - k & -2k & -3k'
    stated: cubic_system[2] == [3*k, -k, -2*k, -3*k] *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
-  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -330,28 +240,6 @@ Module eq_3_5_A_r3.
 (* hermite-developable/eq-3.5.A.r3, Sect. 3.1, eq. (3.5), matrix A, row 3
    printed: (-6k, 3k, 2k, 6k)
    stated: cubic_system[3] == [-6*k, 3*k, 2*k, 6*k] *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
-  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -381,28 +269,6 @@ Module eq_3_5_A_r4.
 (* hermite-developable/eq-3.5.A.r4, Sect. 3.1, eq. (3.5), matrix A, row 4
    printed: (0, -k, 0, -k)
    stated: cubic_system[4] == [0, -k, 0, -k] *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
-  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -432,30 +298,6 @@ Module eq_3_5_B.
 (* hermite-developable/eq-3.5.B, Sect. 3.1, eq. (3.5), column of unknowns
    printed: B = (p_1, p_0^u, p_1^u, p_0^u)
    stated: cubic_system*[p1, p0u, p1u, p0] == A35*[p1, p0u, p1u, p0u] *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
-  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   0 < k ->
@@ -476,30 +318,6 @@ Module eq_3_5_B_corrected.
 (* hermite-developable/eq-3.5.B (corrected), Sect. 3.1, eq. (3.5), column of unknowns
    printed: B = (p_1, p_0^u, p_1^u, p_0^u)
    stated: cubic_system*[p1, p0u, p1u, p0] == A35*[p1, p0u, p1u, p0] *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
-  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   0 < k ->
@@ -533,28 +351,6 @@ Module eq_3_5_C_r1.
 (* hermite-developable/eq-3.5.C.r1, Sect. 3.1, eq. (3.5), right-hand side, row 1
    printed: 2 q_1 - 2 q_0 - q_0^u - q_1^u
    stated: blend4(A35[1], p1, p0u, p1u, p0) - cubic_part(3) == 2*q1 - 2*q0 - q0u - q1u *)
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -572,28 +368,6 @@ Module eq_3_5_C_r2.
 (* hermite-developable/eq-3.5.C.r2, Sect. 3.1, eq. (3.5), right-hand side, row 2
    printed: 3 q_1 - 3 q_0 - q_0^u - 2 q_1^u
    stated: blend4(A35[2], p1, p0u, p1u, p0) - cubic_part(2) == 3*q1 - 3*q0 - q0u - 2*q1u *)
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -611,28 +385,6 @@ Module eq_3_5_C_r3.
 (* hermite-developable/eq-3.5.C.r3, Sect. 3.1, eq. (3.5), right-hand side, row 3
    printed: -6 q_1 + 6 q_0 + 3 q_0^u + 2 q_1^u
    stated: blend4(A35[3], p1, p0u, p1u, p0) - cubic_part(1) == -6*q1 + 6*q0 + 3*q0u + 2*q1u *)
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -650,28 +402,6 @@ Module eq_3_5_C_r4.
 (* hermite-developable/eq-3.5.C.r4, Sect. 3.1, eq. (3.5), right-hand side, row 4
    printed: (1 - k) o - q_0 - q_0^u
    stated: blend4(A35[4], p1, p0u, p1u, p0) - cubic_part(0) == (1 - k)*o - q0 - q0u *)
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   det (cubic_data A B C_ E_) <> 0 ->
@@ -690,12 +420,6 @@ Module eq_3_5_unique.
    printed: This equation system (3.5) has a unique solution if the determinant value of the coefficient matrix A is different from zero
    read as: one coordinate of each vector: the system is the same in all of them
    stated: A35*solve(A35, right) == right and solve(A35, A35*x) == x *)
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
-Definition right_ (c1 : R) (c2 : R) (c3 : R) (c4 : R) : list R :=
-  [c1; c2; c3; c4].
-Definition x (x1 : R) (x2 : R) (x3 : R) (x4 : R) : list R :=
-  [x1; x2; x3; x4].
 Definition statement : Prop :=
 forall (c1 : R) (c2 : R) (c3 : R) (c4 : R) (k : R) (x1 : R) (x2 : R) (x3 : R) (x4 : R),
   det (A35 k) <> 0 ->
@@ -709,8 +433,6 @@ Module eq_3_5_det.
 (* hermite-developable/eq-3.5.det, Sect. 3.1, sentence after (3.5)
    printed: det(A) = k^4
    stated: det(A35) == k^4 *)
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
 Definition statement : Prop :=
 forall (k : R),
   det (A35 k) = k ^ 4.
@@ -721,14 +443,6 @@ Module eq_3_5_k.
    printed: Due to det(A) = k^4 and the defined developable surfaces are positioned in the same side to the summit point O, we elect the value k > 0 and k != 1
    read as: the points of both curves on one generatrix are on the same side of the summit for k > 0, and only then; the curves are apart for k != 1, and only then
    stated: dot(q3(u) - o, p3(u) - o) == k*dot(p3(u) - o, p3(u) - o) and cross(q3(u) - o, p3(u) - o) == 0 and q3(u) - p3(u) == (k - 1)*(p3(u) - o) *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -743,8 +457,6 @@ Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
   cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
 Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
   cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
 Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) : list R :=
@@ -802,36 +514,6 @@ Module eq_3_5_sol_p1.
 (* hermite-developable/eq-3.5.sol.p1, Sect. 3.1, solutions of (3.5)
    printed: p_1 = (q_1 + (k - 1) o)/k
    stated: p1 == (q1 + (k - 1)*o)/k *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
-Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
-Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
-Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   k > 0 ->
@@ -867,36 +549,6 @@ Module eq_3_5_sol_p0u.
 (* hermite-developable/eq-3.5.sol.p0u, Sect. 3.1, solutions of (3.5)
    printed: p_0^u = q_0^u/k
    stated: p0u == q0u/k *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
-Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
-Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
-Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   k > 0 ->
@@ -932,36 +584,6 @@ Module eq_3_5_sol_p1u.
 (* hermite-developable/eq-3.5.sol.p1u, Sect. 3.1, solutions of (3.5)
    printed: p_1^u = q_1^u/k
    stated: p1u == q1u/k *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
-Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
-Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
-Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   k > 0 ->
@@ -997,36 +619,6 @@ Module eq_3_5_sol_p0.
 (* hermite-developable/eq-3.5.sol.p0, Sect. 3.1, solutions of (3.5)
    printed: p_0 = (q_0 + (k - 1) o)/k
    stated: p0 == (q0 + (k - 1)*o)/k *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
-Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
-Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
-Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
   k > 0 ->
@@ -1071,14 +663,6 @@ Definition q0u (y2 : R) (z2 : R) : list R :=
   [0; y2; z2].
 Definition q1u (y3 : R) (z3 : R) : list R :=
   [0; y3; z3].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -1093,8 +677,6 @@ Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o : lis
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
   cubic_part A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
 Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
   cubic_part A B C_ E_ h k o p0 p0u p1 p1u y0 y1 y2 y3 z0 z1 z2 z3 2%Z.
 Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
@@ -1149,24 +731,6 @@ Module alg_3_1_step1.
    printed: 1. Substitute p_3(u), p'(u), q_3(u), q'(u) in the developable surface criteria of Equation (3.3)
    read as: the result of the step are the four equations printed above the steps
    stated: cubic_gap(u) == (2*q0 - 2*q1 + q0u + q1u - k*(2*p0 - 2*p1 + p0u + p1u))*u^3 + (3*q0 - 3*q1 + q0u + 2*q1u - k*(3*p0 - 3*p1 + p0u + 2*p1u))*u^2 + (-6*q0 + 6*q1 - 3*q0u - 2*q1u - k*(-6*p0 + 6*p1 - 3*p0u - 2*p1u))*u + (q0 + q0u - k*(p0 + p0u) - (1 - k)*o) *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
   0 <= u <= 1 ->
@@ -1183,32 +747,6 @@ Module alg_3_1_step2.
    printed: 2. Determine the values for the summit point O, the control points and the tangent vectors q_0, q_1, q_0^u, q_1^u in the polynomial coefficient equations of the step result (1)
    read as: these five vectors may be any: for each choice the four equations determine the four data of p
    stated: cubic_system*solve(cubic_system, right) == right and solve(cubic_system, cubic_system*x) == x *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_system (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list (list R) :=
-  [[Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z) 1 p0]; [Derive_n (fun p1 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1; Derive_n (fun p0u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0u; Derive_n (fun p1u => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p1u; Derive_n (fun p0 => cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z) 1 p0]].
-Definition right_ (c1 : R) (c2 : R) (c3 : R) (c4 : R) : list R :=
-  [c1; c2; c3; c4].
-Definition x (x1 : R) (x2 : R) (x3 : R) (x4 : R) : list R :=
-  [x1; x2; x3; x4].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (c1 : R) (c2 : R) (c3 : R) (c4 : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (x1 : R) (x2 : R) (x3 : R) (x4 : R),
   k > 0 ->
@@ -1243,24 +781,8 @@ Module alg_3_1_step3.
    printed: 3. Determine the value k > 0 and k != 1, after that, calculate Equation (3.5) to find the control points p_0, p_1 and the tangent vectors p_0^u, p_1^u
    read as: one coordinate of each vector: the system is the same in all of them
    stated: q3(u) + q3'(u) == k*(p(u) + p'(u)) + (1 - k)*o *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition A35 (k : R) : list (list R) :=
-  [[2 * k; - k; - k; - 2 * k]; [3 * k; - k; - 2 * k; - 3 * k]; [- 6 * k; 3 * k; 2 * k; 6 * k]; [0; - k; 0; - k]].
 Definition X (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list R :=
   solve (A35 k) [2 * q1 - 2 * q0 - q0u - q1u; 3 * q1 - 3 * q0 - q0u - 2 * q1u; - 6 * q1 + 6 * q0 + 3 * q0u + 2 * q1u; (1 - k) * o - q0 - q0u].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
 Definition p (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
   hermite3 A B C_ E_ u (entry (X k o q0 q0u q1 q1u) 4) (entry (X k o q0 q0u q1 q1u) 1) (entry (X k o q0 q0u q1 q1u) 2) (entry (X k o q0 q0u q1 q1u) 3).
 Definition statement : Prop :=
@@ -1282,30 +804,14 @@ Module sec_3_1_tension.
 (* hermite-developable/sec-3.1.tension, Sect. 3.1, paragraph after the steps
    printed: q_0^{u*} = k_1 q_0^u and q_1^{u*} = k_2 q_1^u, then in step (3), it finds the values p_0^u = [k_1 q_0^u]/k and p_1^u = [k_2 q_1^u]/k
    stated: p0u == k1*q0u/k and p1u == k2*q1u/k *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
 Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (k1 : R) (k2 : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
   hermite3 A B C_ E_ u q0 q1 (k1 * q0u) (k2 * q1u).
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
 Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
   q3 A B C_ E_ k1 k2 q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ k1 k2 q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
 Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
   let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
   cubic_part A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
 Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
   cubic_part A B C_ E_ k k1 k2 o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
 Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (k1 : R) (k2 : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
@@ -1347,36 +853,6 @@ Module ex_3_1_arrange.
 (* hermite-developable/ex-3.1.arrange, Sect. 3.1, last paragraph
    printed: the determination of the point O and the parameter k can arrange the position of control points p_0, p_1, and the measure of generatrix g between the parallel planes Gamma_1 // Gamma_2
    stated: p0 == solved0 and p1 == solved1 and coefficients([p0, p1], [o]) == [[(k - 1)/k], [(k - 1)/k]] and not D(solved0, k) == 0 and not D(solved1, k) == 0 and q3(u) - p3(u) == (1 - 1/k)*(q3(u) - o) *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
-Definition blend4 (w : list R) (a : R) (b : R) (c : R) (d : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d.
-Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : R) (b : R) (s : R) (t : R) : R :=
-  blend4 (cubic_basis A B C_ E_ u) a b s t.
-Definition q3 (A : R) (B : R) (C_ : R) (E_ : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u q0 q1 q0u q1u.
-Definition p3 (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) : R :=
-  hermite3 A B C_ E_ u p0 p1 p0u p1u.
-Definition cubic_gap (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) : R :=
-  q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u - k * (p3 A B C_ E_ p0 p0u p1 p1u u + Derive_n (fun u_ => p3 A B C_ E_ p0 p0u p1 p1u u_) 1 u) - (1 - k) * o.
-Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
-Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 2%Z.
-Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 1%Z.
-Definition cubic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : R :=
-  cubic_part A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u 0%Z.
 Definition solved0 (k : R) (o : R) (q0 : R) : R :=
   (q0 + (k - 1) * o) / k.
 Definition solved1 (k : R) (o : R) (q1 : R) : R :=
@@ -1461,14 +937,6 @@ Module ex_3_1_tension_effect.
    printed: giving tensions to the tangent vectors q_0^u and q_1^u will effect the surface tangent form, sharply or weakly, in area near the control points q_0 and q_1 (Figure (2d))
    read as: the bending of the boundary curve q: the curvature at q_0 is |q' x q''| / |q'|^3, and so at q_1
    stated: tense'(0) == k1*q0u and start == k1*at(start, k1, 1) and not at(start, k1, 1) == 0 and tense'(1) == k2*q1u and end == k2*at(end, k2, 1) and not at(end, k2, 1) == 0 *)
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -1528,14 +996,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -1554,8 +1014,6 @@ Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : lis
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
   cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
 Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
   cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
 Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
@@ -1609,14 +1067,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -1635,8 +1085,6 @@ Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : lis
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
   cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
 Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
   cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
 Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
@@ -1690,14 +1138,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -1716,8 +1156,6 @@ Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : lis
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
   cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
 Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
   cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
 Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
@@ -1771,14 +1209,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -1797,8 +1227,6 @@ Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : lis
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
   cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
 Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
   cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
 Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
@@ -1853,14 +1281,6 @@ Definition q0u (y2 : R) (z2 : R) : list R :=
   [0; y2; z2].
 Definition q1u (y3 : R) (z3 : R) : list R :=
   [0; y3; z3].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -1875,8 +1295,6 @@ Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
   cubic_part A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
 Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
   cubic_part A B C_ E_ k o p0 p0u p1 p1u y1 y2 y3 z1 z2 z3 2%Z.
 Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (y1 : R) (y2 : R) (y3 : R) (z1 : R) (z2 : R) (z3 : R) : list R :=
@@ -1944,14 +1362,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -1970,8 +1380,6 @@ Definition cubic_part (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : lis
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => cubic_gap A B C_ E_ p0 p0u p1 p1u u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition cubic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
   cubic_part A B C_ E_ p0 p0u p1 p1u 3%Z.
-Definition cubic_criterion_ : R :=
-  0.
 Definition cubic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
   cubic_part A B C_ E_ p0 p0u p1 p1u 2%Z.
 Definition cubic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) : list R :=
@@ -2051,14 +1459,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition cubic (A : R) (B : R) (C_ : R) (E_ : R) (u : Z) : R :=
-  A * IZR u ^ 3 + B * IZR u ^ 2 + C_ * IZR u + E_.
-Definition cubic_ (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : R :=
-  A * u ^ 3 + B * u ^ 2 + C_ * u + E_.
-Definition cubic_data (A : R) (B : R) (C_ : R) (E_ : R) : list (list R) :=
-  [[Derive_n (fun A => cubic A B C_ E_ 0%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 0%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 0%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 0%Z) 1 E_]; [Derive_n (fun A => cubic A B C_ E_ 1%Z) 1 A; Derive_n (fun B => cubic A B C_ E_ 1%Z) 1 B; Derive_n (fun C_ => cubic A B C_ E_ 1%Z) 1 C_; Derive_n (fun E_ => cubic A B C_ E_ 1%Z) 1 E_]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => cubic_ A B C_ E_ u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => cubic_ A B C_ E_ u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => cubic_ A B C_ E_ u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => cubic_ A B C_ E_ u____) 1 (IZR u___)) 1 E_]; [Derive_n (fun A => let u____ := 1%Z in Derive_n (fun u_____ => cubic_ A B C_ E_ u_____) 1 (IZR u____)) 1 A; Derive_n (fun B => let u_____ := 1%Z in Derive_n (fun u______ => cubic_ A B C_ E_ u______) 1 (IZR u_____)) 1 B; Derive_n (fun C_ => let u______ := 1%Z in Derive_n (fun u_______ => cubic_ A B C_ E_ u_______) 1 (IZR u______)) 1 C_; Derive_n (fun E_ => let u_______ := 1%Z in Derive_n (fun u________ => cubic_ A B C_ E_ u________) 1 (IZR u_______)) 1 E_]].
-Definition cubic_basis (A : R) (B : R) (C_ : R) (E_ : R) (u : R) : list R :=
-  mvec (transpose (inverse (cubic_data A B C_ E_))) [u ^ 3; u ^ 2; u; 1].
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=

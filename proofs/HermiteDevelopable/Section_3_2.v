@@ -2,11 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module sec_3_2_curves.
-(* hermite-developable/sec-3.2.curves, Sect. 3.2, first sentences
-   printed: p_4(u) = a_1 u^4 + b_1 u^3 + c_1 u^2 + d_1 u + e_1 and q_4(u) = a_2 u^4 + b_2 u^3 + c_2 u^2 + d_2 u + e_2 in the parallel plane Gamma_1 // Gamma_2; D(u,v) = (1-v) p_4(u) + v q_4(u); determining q_0, q_1, q_0^u, q_1^u, p_0, and p
-   read as: the six data named last are given, the five others follow: the equations of the criterion determine them
-   stated: quartic_system*solve(quartic_system, right) == right and solve(quartic_system, quartic_system*x) == x *)
+Module Definitions.
 Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
   A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
 Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
@@ -19,6 +15,10 @@ Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
   entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
 Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
   blend5 (quartic_basis A B C_ E_ F u) a m b s t.
+Definition quartic_criterion_ : R :=
+  0.
+Definition A36 (k : R) : list (list R) :=
+  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
 Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
   hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
 Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
@@ -29,6 +29,24 @@ Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R
   let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
   [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
+Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
+Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
+Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
+Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
+Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
+  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
+End Definitions.
+Import Definitions.
+
+Module sec_3_2_curves.
+(* hermite-developable/sec-3.2.curves, Sect. 3.2, first sentences
+   printed: p_4(u) = a_1 u^4 + b_1 u^3 + c_1 u^2 + d_1 u + e_1 and q_4(u) = a_2 u^4 + b_2 u^3 + c_2 u^2 + d_2 u + e_2 in the parallel plane Gamma_1 // Gamma_2; D(u,v) = (1-v) p_4(u) + v q_4(u); determining q_0, q_1, q_0^u, q_1^u, p_0, and p
+   read as: the six data named last are given, the five others follow: the equations of the criterion determine them
+   stated: quartic_system*solve(quartic_system, right) == right and solve(quartic_system, quartic_system*x) == x *)
 Definition right_ (c1 : R) (c2 : R) (c3 : R) (c4 : R) (c5 : R) : list R :=
   [c1; c2; c3; c4; c5].
 Definition x (x1 : R) (x2 : R) (x3 : R) (x4 : R) (x5 : R) : list R :=
@@ -72,28 +90,6 @@ Module eq_3_6_A_r1.
 (* hermite-developable/eq-3.6.A.r1, Sect. 3.2, eq. (3.6), matrix A, row 1
    printed: (16, 8k, 2k, -2k, 0)
    stated: quartic_system[1] == [16, 8*k, 2*k, -2*k, 0] *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
-  [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -127,28 +123,6 @@ Module eq_3_6_A_r2.
 (* hermite-developable/eq-3.6.A.r2, Sect. 3.2, eq. (3.6), matrix A, row 2
    printed: (32, 18k, 3k, -5k, 0)
    stated: quartic_system[2] == [32, 18*k, 3*k, -5*k, 0] *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
-  [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -183,28 +157,6 @@ Module eq_3_6_A_r3.
    printed: (-80, -37k, -11k, 8k, 0)
    read as: the copy merges three columns: '-80 - 37k - 11k & 8k & 0'
    stated: quartic_system[3] == [-80, -37*k, -11*k, 8*k, 0] *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
-  [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -238,28 +190,6 @@ Module eq_3_6_A_r4.
 (* hermite-developable/eq-3.6.A.r4, Sect. 3.2, eq. (3.6), matrix A, row 4
    printed: (32, 10k, 7k, -2k, 0)
    stated: quartic_system[4] == [32, 10*k, 7*k, -2*k, 0] *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
-  [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -293,28 +223,6 @@ Module eq_3_6_A_r5.
 (* hermite-developable/eq-3.6.A.r5, Sect. 3.2, eq. (3.6), matrix A, row 5
    printed: (0, 0, -k, 0, k - 1)
    stated: quartic_system[5] == [0, 0, -k, 0, k - 1] *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
-  [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -349,30 +257,6 @@ Module eq_3_6_B.
    printed: B = (q, p_1, p_1^u, q)
    read as: the copy lists four symbols for a matrix of five columns; at least one line is lost. The solutions are printed below the system in the order q, p_1, p_0^u, p_1^u, o
    stated: quartic_system*[qm, p1, p0u, p1u, o] == A36*[qm, p1, p0u, p1u, qm] *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
-  [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -396,30 +280,6 @@ Module eq_3_6_B_corrected.
    printed: B = (q, p_1, p_1^u, q)
    read as: the copy lists four symbols for a matrix of five columns; at least one line is lost. The solutions are printed below the system in the order q, p_1, p_0^u, p_1^u, o
    stated: quartic_system*[qm, p1, p0u, p1u, o] == A36*[qm, p1, p0u, p1u, o] *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
-  [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -457,28 +317,6 @@ Module eq_3_6_C_r1.
 (* hermite-developable/eq-3.6.C.r1, Sect. 3.2, eq. (3.6), right-hand side, row 1
    printed: -8 k p_0 + 16 k p + 8 q_1 + 8 q_0 - 2 q_1^u + 2 q_0^u
    stated: blend5(A36[1], qm, p1, p0u, p1u, o) - quartic_part(4) == -8*k*p0 + 16*k*pm + 8*q1 + 8*q0 - 2*q1u + 2*q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -496,28 +334,6 @@ Module eq_3_6_C_r2.
 (* hermite-developable/eq-3.6.C.r2, Sect. 3.2, eq. (3.6), right-hand side, row 2
    printed: -14 p_0 + 32 k p + 18 q_1 + 14 q_0 - 5 q_1^u + 3 q_0^u
    stated: blend5(A36[2], qm, p1, p0u, p1u, o) - quartic_part(3) == -14*p0 + 32*k*pm + 18*q1 + 14*q0 - 5*q1u + 3*q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -532,28 +348,6 @@ Module eq_3_6_C_r2_corrected.
 (* hermite-developable/eq-3.6.C.r2 (corrected), Sect. 3.2, eq. (3.6), right-hand side, row 2
    printed: -14 p_0 + 32 k p + 18 q_1 + 14 q_0 - 5 q_1^u + 3 q_0^u
    stated: blend5(A36[2], qm, p1, p0u, p1u, o) - quartic_part(3) == k*(-14*p0) + 32*k*pm + 18*q1 + 14*q0 - 5*q1u + 3*q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -575,28 +369,6 @@ Module eq_3_6_C_r3.
 (* hermite-developable/eq-3.6.C.r3, Sect. 3.2, eq. (3.6), right-hand side, row 3
    printed: 43 k p_0 - 80 k p - 37 q_1 - 43 q_0 + 8 q_1^u - 11 q_0^u
    stated: blend5(A36[3], qm, p1, p0u, p1u, o) - quartic_part(2) == 43*k*p0 - 80*k*pm - 37*q1 - 43*q0 + 8*q1u - 11*q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -614,28 +386,6 @@ Module eq_3_6_C_r4.
 (* hermite-developable/eq-3.6.C.r4, Sect. 3.2, eq. (3.6), right-hand side, row 4
    printed: -22 k p_0 + 32 k p + 10 q_1 + 22 q_0 - 2 q_1^u + 7 q_0^u
    stated: blend5(A36[4], qm, p1, p0u, p1u, o) - quartic_part(1) == -22*k*p0 + 32*k*pm + 10*q1 + 22*q0 - 2*q1u + 7*q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -653,28 +403,6 @@ Module eq_3_6_C_r5.
 (* hermite-developable/eq-3.6.C.r5, Sect. 3.2, eq. (3.6), right-hand side, row 5
    printed: k p_0 - q_0 - q_1^u
    stated: blend5(A36[5], qm, p1, p0u, p1u, o) - quartic_part(0) == k*p0 - q0 - q1u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -689,28 +417,6 @@ Module eq_3_6_C_r5_corrected.
 (* hermite-developable/eq-3.6.C.r5 (corrected), Sect. 3.2, eq. (3.6), right-hand side, row 5
    printed: k p_0 - q_0 - q_1^u
    stated: blend5(A36[5], qm, p1, p0u, p1u, o) - quartic_part(0) == k*p0 - q0 - q0u *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -732,8 +438,6 @@ Module eq_3_6_det.
 (* hermite-developable/eq-3.6.det, Sect. 3.2, sentence after (3.6)
    printed: det(A) = -2176 k^5 + 4336 k^4 - 2160 k^3
    stated: det(A36) == -2176*k^5 + 4336*k^4 - 2160*k^3 *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
 Definition statement : Prop :=
 forall (k : R),
   det (A36 k) = - 2176 * k ^ 5 + 4336 * k ^ 4 - 2160 * k ^ 3.
@@ -743,8 +447,6 @@ Module eq_3_6_det_corrected.
 (* hermite-developable/eq-3.6.det (corrected), Sect. 3.2, sentence after (3.6)
    printed: det(A) = -2176 k^5 + 4336 k^4 - 2160 k^3
    stated: det(A36) == 16*k^3*(1 - k) *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
 Definition statement : Prop :=
 forall (k : R),
   det (A36 k) = 16 * k ^ 3 * (1 - k).
@@ -754,30 +456,6 @@ Module eq_3_6_det_true.
 (* hermite-developable/eq-3.6.det.true, Sect. 3.2, sentence after (3.6)
    printed: The determinant of the printed matrix, which is that of the criterion, is -16 k^3 (k - 1): it has degree 4 and vanishes at k = 0 and k = 1 only.
    stated: det(A36) == -16*k^3*(k - 1) and det(quartic_system) == -16*k^3*(k - 1) *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_system (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : list (list R) :=
-  [[Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z) 1 o]; [Derive_n (fun qm => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 qm; Derive_n (fun p1 => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1; Derive_n (fun p0u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p0u; Derive_n (fun p1u => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 p1u; Derive_n (fun o => quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z) 1 o]].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -831,38 +509,6 @@ Module eq_3_6_k.
 (* hermite-developable/eq-3.6.k, Sect. 3.2, sentence before the solutions
    printed: If we choice k > 0, k != 1 and k != (135/136), then it obtains the solutions
    stated: qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -908,38 +554,6 @@ Module eq_3_6_k_every.
 (* hermite-developable/eq-3.6.k.every, Sect. 3.2, sentence before the solutions
    printed: The third exclusion is not needed: the solutions hold for every k > 0 other than 1, at k = 135/136 too.
    stated: qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -983,32 +597,14 @@ Module eq_3_6_k_135_136.
 (* hermite-developable/eq-3.6.k.135-136, Sect. 3.2, sentence before the solutions
    printed: At k = 135/136 the system has one solution, the printed one.
    stated: det(A36) != 0 and qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
 Definition k : R :=
   135 / 136.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
 Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
   q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
 Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
   let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
   quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
 Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
   quartic_part A B C_ E_ F o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
 Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
@@ -1058,38 +654,6 @@ Module eq_3_6_sol_q.
 (* hermite-developable/eq-3.6.sol.q, Sect. 3.2, solutions of (3.6)
    printed: q = -k p_0 + q_0 + k p
    stated: qm == -k*p0 + q0 + k*pm *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -1129,38 +693,6 @@ Module eq_3_6_sol_p1.
 (* hermite-developable/eq-3.6.sol.p1, Sect. 3.2, solutions of (3.6)
    printed: p_1 = (k p_0 + q_1 - q_0)/k
    stated: p1 == (k*p0 + q1 - q0)/k *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -1202,38 +734,6 @@ Module eq_3_6_sol_p0u.
 (* hermite-developable/eq-3.6.sol.p0u, Sect. 3.2, solutions of (3.6)
    printed: p_0^u = (q_0^u)/k
    stated: p0u == q0u/k *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -1275,38 +775,6 @@ Module eq_3_6_sol_p1u.
 (* hermite-developable/eq-3.6.sol.p1u, Sect. 3.2, solutions of (3.6)
    printed: p_1^u = q_1^u/k
    stated: p1u == q1u/k *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -1348,38 +816,6 @@ Module eq_3_6_sol_o.
 (* hermite-developable/eq-3.6.sol.o, Sect. 3.2, solutions of (3.6)
    printed: o = (k p_0 - q_0)/(k - 1)
    stated: o == (k*p0 - q0)/(k - 1) *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -1421,8 +857,6 @@ Module eq_3_6_system.
 (* hermite-developable/eq-3.6.system, Sect. 3.2, solutions of (3.6)
    printed: With k p_0 for p_0 in row 2 and q_0^u for q_1^u in row 5 of the right-hand side the printed system has the printed solutions; as it stands its first unknown has another value, by 133/4 (k - 1) p_0.
    stated: solve(A36, right(k*p0, q0u)) == [-k*p0 + q0 + k*pm, (k*p0 + q1 - q0)/k, q0u/k, q1u/k, (k*p0 - q0)/(k - 1)] and solve(A36, right(p0, q1u))[1] == -k*p0 + q0 + k*pm + 133/4*(k - 1)*p0 *)
-Definition A36 (k : R) : list (list R) :=
-  [[16; 8 * k; 2 * k; - 2 * k; 0]; [32; 18 * k; 3 * k; - 5 * k; 0]; [- 80; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
 Definition right_ (k : R) (p0 : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (first : R) (last : R) : list R :=
   [- 8 * k * p0 + 16 * k * pm + 8 * q1 + 8 * q0 - 2 * q1u + 2 * q0u; - 14 * first + 32 * k * pm + 18 * q1 + 14 * q0 - 5 * q1u + 3 * q0u; 43 * k * p0 - 80 * k * pm - 37 * q1 - 43 * q0 + 8 * q1u - 11 * q0u; - 22 * k * p0 + 32 * k * pm + 10 * q1 + 22 * q0 - 2 * q1u + 7 * q0u; k * p0 - q0 - last].
 Definition statement : Prop :=
@@ -1446,38 +880,6 @@ Module sec_3_2_advantage.
 (* hermite-developable/sec-3.2.advantage, Sect. 3.2, last sentence
    printed: we can move the intermediate control point p or q for changing the shape of the middle part of the developable surface (Figure (3b))
    stated: coefficients([p4(u), q4(u)], [pm]) == [[bump(u)], [k*bump(u)]] and bump(0) == 0 and bump(1) == 0 and bump'(0) == 0 and bump'(1) == 0 and bump(1/2) == 1 and 0 <= bump(u) <= 1 *)
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend5 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) : R :=
-  entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e.
-Definition hermite4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) (a : R) (m : R) (b : R) (s : R) (t : R) : R :=
-  blend5 (quartic_basis A B C_ E_ F u) a m b s t.
-Definition q4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u q0 qm q1 q0u q1u.
-Definition p4 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) : R :=
-  hermite4 A B C_ E_ F u p0 pm p1 p0u p1u.
-Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
-  q4 A B C_ E_ F q0 q0u q1 q1u qm u + Derive_n (fun u_ => q4 A B C_ E_ F q0 q0u q1 q1u qm u_) 1 u - k * (p4 A B C_ E_ F p0 p0u p1 p1u pm u + Derive_n (fun u_ => p4 A B C_ E_ F p0 p0u p1 p1u pm u_) 1 u) - (1 - k) * o.
-Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (n : Z) : R :=
-  let u := 0%Z in Derive_n (fun u_ => quartic_gap A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u_) (Z.to_nat n) (IZR u) / factorial n.
-Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
-Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 3%Z.
-Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 2%Z.
-Definition quartic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 1%Z.
-Definition quartic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) : R :=
-  quartic_part A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm 0%Z.
 Definition bump (u : R) : R :=
   16 * u ^ 2 * (1 - u) ^ 2.
 Definition bump_ (u : Z) : R :=
@@ -1543,14 +945,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
 Definition p0 : list R :=
   [40; 40; 45].
 Definition pm : list R :=
@@ -1571,8 +965,6 @@ Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quartic_gap A B C_ E_ F o p0u p1 p1u qm u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
 Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm 3%Z.
 Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
@@ -1634,14 +1026,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
 Definition p0 : list R :=
   [40; 40; 45].
 Definition pm : list R :=
@@ -1662,8 +1046,6 @@ Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quartic_gap A B C_ E_ F o p0u p1 p1u qm u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
 Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm 3%Z.
 Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
@@ -1725,14 +1107,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
 Definition p0 : list R :=
   [40; 40; 45].
 Definition pm : list R :=
@@ -1753,8 +1127,6 @@ Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quartic_gap A B C_ E_ F o p0u p1 p1u qm u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
 Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm 3%Z.
 Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
@@ -1816,14 +1188,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
 Definition p0 : list R :=
   [40; 40; 45].
 Definition pm : list R :=
@@ -1844,8 +1208,6 @@ Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quartic_gap A B C_ E_ F o p0u p1 p1u qm u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
 Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm 3%Z.
 Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
@@ -1907,14 +1269,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
 Definition p0 : list R :=
   [40; 40; 45].
 Definition pm : list R :=
@@ -1935,8 +1289,6 @@ Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quartic_gap A B C_ E_ F o p0u p1 p1u qm u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
 Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm 3%Z.
 Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) : list R :=
@@ -1998,14 +1350,6 @@ Definition q0u : list R :=
   [0; - 30; 60].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
-  A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
-Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
-  A * u ^ 4 + B * u ^ 3 + C_ * u ^ 2 + E_ * u + F.
-Definition quartic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) : list (list R) :=
-  [[Derive_n (fun A => quartic A B C_ E_ F 0%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 0%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 0%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 0%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 0%Z) 1 F]; [Derive_n (fun A => quartic_ A B C_ E_ F (1 / 2)) 1 A; Derive_n (fun B => quartic_ A B C_ E_ F (1 / 2)) 1 B; Derive_n (fun C_ => quartic_ A B C_ E_ F (1 / 2)) 1 C_; Derive_n (fun E_ => quartic_ A B C_ E_ F (1 / 2)) 1 E_; Derive_n (fun F => quartic_ A B C_ E_ F (1 / 2)) 1 F]; [Derive_n (fun A => quartic A B C_ E_ F 1%Z) 1 A; Derive_n (fun B => quartic A B C_ E_ F 1%Z) 1 B; Derive_n (fun C_ => quartic A B C_ E_ F 1%Z) 1 C_; Derive_n (fun E_ => quartic A B C_ E_ F 1%Z) 1 E_; Derive_n (fun F => quartic A B C_ E_ F 1%Z) 1 F]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quartic_ A B C_ E_ F u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quartic_ A B C_ E_ F u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quartic_ A B C_ E_ F u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quartic_ A B C_ E_ F u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quartic_ A B C_ E_ F u_____) 1 (IZR u____)) 1 F]; [Derive_n (fun A => let u_____ := 1%Z in Derive_n (fun u______ => quartic_ A B C_ E_ F u______) 1 (IZR u_____)) 1 A; Derive_n (fun B => let u______ := 1%Z in Derive_n (fun u_______ => quartic_ A B C_ E_ F u_______) 1 (IZR u______)) 1 B; Derive_n (fun C_ => let u_______ := 1%Z in Derive_n (fun u________ => quartic_ A B C_ E_ F u________) 1 (IZR u_______)) 1 C_; Derive_n (fun E_ => let u________ := 1%Z in Derive_n (fun u_________ => quartic_ A B C_ E_ F u_________) 1 (IZR u________)) 1 E_; Derive_n (fun F => let u_________ := 1%Z in Derive_n (fun u__________ => quartic_ A B C_ E_ F u__________) 1 (IZR u_________)) 1 F]].
-Definition quartic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
-  mvec (transpose (inverse (quartic_data A B C_ E_ F))) [u ^ 4; u ^ 3; u ^ 2; u; 1].
 Definition p0 : list R :=
   [40; 40; 45].
 Definition pm (y : R) (z : R) : list R :=
@@ -2026,8 +1370,6 @@ Definition quartic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quartic_gap A B C_ E_ F o p0u p1 p1u qm y z u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quartic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (y : R) (z : R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm y z 4%Z.
-Definition quartic_criterion_ : R :=
-  0.
 Definition quartic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (y : R) (z : R) : list R :=
   quartic_part A B C_ E_ F o p0u p1 p1u qm y z 3%Z.
 Definition quartic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (y : R) (z : R) : list R :=

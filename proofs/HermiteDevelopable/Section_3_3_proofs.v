@@ -1,7 +1,119 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From HermiteDevelopable Require Section_3_3.
+Import HermiteDevelopable.Section_3_3.Definitions.
+From HermiteDevelopable Require Import Section_3_3_closed.
 Open Scope R_scope.
+
+Module eq_3_7_A_r1.
+Import HermiteDevelopable.Section_3_3.eq_3_7_A_r1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_A_r1.
+
+Module eq_3_7_A_r2.
+Import HermiteDevelopable.Section_3_3.eq_3_7_A_r2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_A_r2.
+
+Module eq_3_7_A_r3.
+Import HermiteDevelopable.Section_3_3.eq_3_7_A_r3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_A_r3.
+
+Module eq_3_7_A_r4.
+Import HermiteDevelopable.Section_3_3.eq_3_7_A_r4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_A_r4.
+
+Module eq_3_7_A_r5.
+Import HermiteDevelopable.Section_3_3.eq_3_7_A_r5.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_A_r5.
+
+Module eq_3_7_A_r6.
+Import HermiteDevelopable.Section_3_3.eq_3_7_A_r6.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; staged_goal quintic_system; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_A_r6.
+
+Module eq_3_7_B.
+Import HermiteDevelopable.Section_3_3.eq_3_7_B.
+Theorem refuted : ~ statement.
+Proof. unfold not; cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_system; staged_goal A37; unstaged; intro no; refuting (no 0 0 0 0 0 0 (2) (0) 0 (0) (0) (0) 0 0 0 0 0 0 (1) (0)). Qed.
+End eq_3_7_B.
+
+Module eq_3_7_B_corrected.
+Import HermiteDevelopable.Section_3_3.eq_3_7_B_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_system; staged_goal A37; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_system; staged_goal A37; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (1), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (1), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
+End eq_3_7_B_corrected.
+
+Module eq_3_7_C_r1.
+Import HermiteDevelopable.Section_3_3.eq_3_7_C_r1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_C_r1.
+
+Module eq_3_7_C_r2.
+Import HermiteDevelopable.Section_3_3.eq_3_7_C_r2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_C_r2.
+
+Module eq_3_7_C_r3.
+Import HermiteDevelopable.Section_3_3.eq_3_7_C_r3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_C_r3.
+
+Module eq_3_7_C_r4.
+Import HermiteDevelopable.Section_3_3.eq_3_7_C_r4.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_C_r4.
+
+Module eq_3_7_C_r5.
+Import HermiteDevelopable.Section_3_3.eq_3_7_C_r5.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_C_r5.
+
+Module eq_3_7_C_r6.
+Import HermiteDevelopable.Section_3_3.eq_3_7_C_r6.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage A37; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; staged_goal quintic_part; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, (9), 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9; met) | (exists 1, 1, 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+End eq_3_7_C_r6.
 
 Module eq_3_7_det.
 Import HermiteDevelopable.Section_3_3.eq_3_7_det.
@@ -9,10 +121,58 @@ Theorem proved : statement.
 Proof. cbv beta zeta delta [statement A37]; identity. Qed.
 End eq_3_7_det.
 
+Module eq_3_7_k.
+Import HermiteDevelopable.Section_3_3.eq_3_7_k.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); known (qu) (k*pu) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), ((((8))*(10) - (16)) / (((8)) - 1)), 10, (((17)) / (((8)))), ((((8))*(10) - (16) + (18)) / (((8)))), (((19)) / (((8)))), 14, 15, 16, 17, 18, 19, ((-((8))*(10) + ((8))*(14) + (16)) / (1)), ((((8))*(15)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)); met) | (exists 13, 8, 8, 6, 8, 7, (9), ((((9))*(7) - (8)) / (((9)) - 1)), 7, (((8)) / (((9)))), ((((9))*(7) - (8) + (6)) / (((9)))), (((8)) / (((9)))), 4, 13, 8, 8, 6, 8, ((-((9))*(7) + ((9))*(4) + (8)) / (1)), ((((9))*(13)) / (1)); met) | (exists 1, 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met)]. Qed.
+End eq_3_7_k.
+
+Module eq_3_7_sol_p0u.
+Import HermiteDevelopable.Section_3_3.eq_3_7_sol_p0u.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); known (qu) (k*pu) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), ((((8))*(10) - (16)) / (((8)) - 1)), 10, (((17)) / (((8)))), ((((8))*(10) - (16) + (18)) / (((8)))), (((19)) / (((8)))), 14, 15, 16, 17, 18, 19, ((-((8))*(10) + ((8))*(14) + (16)) / (1)), ((((8))*(15)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)); met) | (exists 13, 8, 8, 6, 8, 7, (9), ((((9))*(7) - (8)) / (((9)) - 1)), 7, (((8)) / (((9)))), ((((9))*(7) - (8) + (6)) / (((9)))), (((8)) / (((9)))), 4, 13, 8, 8, 6, 8, ((-((9))*(7) + ((9))*(4) + (8)) / (1)), ((((9))*(13)) / (1)); met) | (exists 1, 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met)]. Qed.
+End eq_3_7_sol_p0u.
+
+Module eq_3_7_sol_qu.
+Import HermiteDevelopable.Section_3_3.eq_3_7_sol_qu.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); known (qu) (k*pu) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), ((((8))*(10) - (16)) / (((8)) - 1)), 10, (((17)) / (((8)))), ((((8))*(10) - (16) + (18)) / (((8)))), (((19)) / (((8)))), 14, 15, 16, 17, 18, 19, ((-((8))*(10) + ((8))*(14) + (16)) / (1)), ((((8))*(15)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)); met) | (exists 13, 8, 8, 6, 8, 7, (9), ((((9))*(7) - (8)) / (((9)) - 1)), 7, (((8)) / (((9)))), ((((9))*(7) - (8) + (6)) / (((9)))), (((8)) / (((9)))), 4, 13, 8, 8, 6, 8, ((-((9))*(7) + ((9))*(4) + (8)) / (1)), ((((9))*(13)) / (1)); met) | (exists 1, 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met)]. Qed.
+End eq_3_7_sol_qu.
+
+Module eq_3_7_sol_p1u.
+Import HermiteDevelopable.Section_3_3.eq_3_7_sol_p1u.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); known (qu) (k*pu) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), ((((8))*(10) - (16)) / (((8)) - 1)), 10, (((17)) / (((8)))), ((((8))*(10) - (16) + (18)) / (((8)))), (((19)) / (((8)))), 14, 15, 16, 17, 18, 19, ((-((8))*(10) + ((8))*(14) + (16)) / (1)), ((((8))*(15)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)); met) | (exists 13, 8, 8, 6, 8, 7, (9), ((((9))*(7) - (8)) / (((9)) - 1)), 7, (((8)) / (((9)))), ((((9))*(7) - (8) + (6)) / (((9)))), (((8)) / (((9)))), 4, 13, 8, 8, 6, 8, ((-((9))*(7) + ((9))*(4) + (8)) / (1)), ((((9))*(13)) / (1)); met) | (exists 1, 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met)]. Qed.
+End eq_3_7_sol_p1u.
+
+Module eq_3_7_sol_q.
+Import HermiteDevelopable.Section_3_3.eq_3_7_sol_q.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); known (qu) (k*pu) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), ((((8))*(10) - (16)) / (((8)) - 1)), 10, (((17)) / (((8)))), ((((8))*(10) - (16) + (18)) / (((8)))), (((19)) / (((8)))), 14, 15, 16, 17, 18, 19, ((-((8))*(10) + ((8))*(14) + (16)) / (1)), ((((8))*(15)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)); met) | (exists 13, 8, 8, 6, 8, 7, (9), ((((9))*(7) - (8)) / (((9)) - 1)), 7, (((8)) / (((9)))), ((((9))*(7) - (8) + (6)) / (((9)))), (((8)) / (((9)))), 4, 13, 8, 8, 6, 8, ((-((9))*(7) + ((9))*(4) + (8)) / (1)), ((((9))*(13)) / (1)); met) | (exists 1, 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met)]. Qed.
+End eq_3_7_sol_q.
+
+Module eq_3_7_sol_p1.
+Import HermiteDevelopable.Section_3_3.eq_3_7_sol_p1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); known (qu) (k*pu) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), ((((8))*(10) - (16)) / (((8)) - 1)), 10, (((17)) / (((8)))), ((((8))*(10) - (16) + (18)) / (((8)))), (((19)) / (((8)))), 14, 15, 16, 17, 18, 19, ((-((8))*(10) + ((8))*(14) + (16)) / (1)), ((((8))*(15)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)); met) | (exists 13, 8, 8, 6, 8, 7, (9), ((((9))*(7) - (8)) / (((9)) - 1)), 7, (((8)) / (((9)))), ((((9))*(7) - (8) + (6)) / (((9)))), (((8)) / (((9)))), 4, 13, 8, 8, 6, 8, ((-((9))*(7) + ((9))*(4) + (8)) / (1)), ((((9))*(13)) / (1)); met) | (exists 1, 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met)]. Qed.
+End eq_3_7_sol_p1.
+
 Module eq_3_7_sol_o.
 Import HermiteDevelopable.Section_3_3.eq_3_7_sol_o.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage quintic_part; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); known (qu) (k*pu) (1); put_known; Solved.concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); known (qu) (k*pu) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage quintic_part; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), ((((8))*(10) - (16)) / (((8)) - 1)), 10, (((17)) / (((8)))), ((((8))*(10) - (16) + (18)) / (((8)))), (((19)) / (((8)))), 14, 15, 16, 17, 18, 19, ((-((8))*(10) + ((8))*(14) + (16)) / (1)), ((((8))*(15)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)); met) | (exists 13, 8, 8, 6, 8, 7, (9), ((((9))*(7) - (8)) / (((9)) - 1)), 7, (((8)) / (((9)))), ((((9))*(7) - (8) + (6)) / (((9)))), (((8)) / (((9)))), 4, 13, 8, 8, 6, 8, ((-((9))*(7) + ((9))*(4) + (8)) / (1)), ((((9))*(13)) / (1)); met) | (exists 1, 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), ((((8))*(10) - (16)) / (((8)) - 1)), 10, (((17)) / (((8)))), ((((8))*(10) - (16) + (18)) / (((8)))), (((19)) / (((8)))), 14, 15, 16, 17, 18, 19, ((-((8))*(10) + ((8))*(14) + (16)) / (1)), ((((8))*(15)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)); met) | (exists 13, 8, 8, 6, 8, 7, (9), ((((9))*(7) - (8)) / (((9)) - 1)), 7, (((8)) / (((9)))), ((((9))*(7) - (8) + (6)) / (((9)))), (((8)) / (((9)))), 4, 13, 8, 8, 6, 8, ((-((9))*(7) + ((9))*(4) + (8)) / (1)), ((((9))*(13)) / (1)); met) | (exists 1, 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met) | (exists 0, 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)); met)]. Qed.
 End eq_3_7_sol_o.

@@ -1,6 +1,8 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From HermiteDevelopable Require Section_3.
+Import HermiteDevelopable.Section_3.Definitions.
+From HermiteDevelopable Require Import Section_3_closed.
 Open Scope R_scope.
 
 Module def_3_1.
@@ -83,12 +85,20 @@ Theorem proved : statement.
 Proof. cbv beta zeta delta [statement weight dg d_point point dg_]; identity. Qed.
 End eq_3_1_types_b.
 
+Module eq_3_1_parallel_planes.
+Import HermiteDevelopable.Section_3.eq_3_1_parallel_planes.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement dq dp ruling]; unstaged; prepared; known (beta) (0) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance dq dp ruling]; first [(exists ((0) / (1)), (3), (4), (5), (6), (7), (8), (9), (10); met) | (exists ((0) / (1)), (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists ((0) / (1)), (8), (8), (6), (8), (7), (9), (7), (7); met) | (exists ((0) / (1)), (1), (1), (1), (1), (1), (1), (1), (1); met) | (exists ((0) / (1)), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
+End eq_3_1_parallel_planes.
+
 Module eq_3_1_rho_constant.
 Import HermiteDevelopable.Section_3.eq_3_1_rho_constant.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage q; stage p; stage parallel; stage q_; staged_goal p_; unstaged; prepared; known (b1'1) (a1'1*rho) (1); known (b1'2) (a1'2*rho) (1); known (b1'3) (a1'3*rho) (1); known (b2'1) (a2'1*rho) (1); known (b2'2) (a2'2*rho) (1); known (b2'3) (a2'3*rho) (1); known (b3'1) (a3'1*rho) (1); known (b3'2) (a3'2*rho) (1); known (b3'3) (a3'3*rho) (1); known (b4'1) (a4'1*rho) (1); known (b4'2) (a4'2*rho) (1); known (b4'3) (a4'3*rho) (1); known (b5'1) (a5'1*rho) (1); known (b5'2) (a5'2*rho) (1); known (b5'3) (a5'3*rho) (1); put_known; Solved.concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage q; stage p; stage_at parallel [0; 1; 2; 3; 4]%Z; stage q_; staged_goal p_; unstaged; prepared; known (b1'1) (a1'1*rho) (1); known (b1'2) (a1'2*rho) (1); known (b1'3) (a1'3*rho) (1); known (b2'1) (a2'1*rho) (1); known (b2'2) (a2'2*rho) (1); known (b2'3) (a2'3*rho) (1); known (b3'1) (a3'1*rho) (1); known (b3'2) (a3'2*rho) (1); known (b3'3) (a3'3*rho) (1); known (b4'1) (a4'1*rho) (1); known (b4'2) (a4'2*rho) (1); known (b4'3) (a4'3*rho) (1); known (b5'1) (a5'1*rho) (1); known (b5'2) (a5'2*rho) (1); known (b5'3) (a5'3*rho) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage q; stage p; stage parallel; stage q_; staged_goal p_; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, (((5)*((38))) / (1)), (((6)*((38))) / (1)), (((7)*((38))) / (1)), (((8)*((38))) / (1)), (((9)*((38))) / (1)), (((10)*((38))) / (1)), (((11)*((38))) / (1)), (((12)*((38))) / (1)), (((13)*((38))) / (1)), (((14)*((38))) / (1)), (((15)*((38))) / (1)), (((16)*((38))) / (1)), (((17)*((38))) / (1)), (((18)*((38))) / (1)), (((19)*((38))) / (1)), (38), (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (0), (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, (((6)*((11))) / (1)), (((8)*((11))) / (1)), (((7)*((11))) / (1)), (((9)*((11))) / (1)), (((7)*((11))) / (1)), (((7)*((11))) / (1)), (((2)*((11))) / (1)), (((11)*((11))) / (1)), (((1)*((11))) / (1)), (((4)*((11))) / (1)), (((13)*((11))) / (1)), (((8)*((11))) / (1)), (((8)*((11))) / (1)), (((6)*((11))) / (1)), (((8)*((11))) / (1)), (11), (1 / 3); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 9, 7, 7, (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (1), (1 / 3); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage q; stage p; stage_at parallel [0; 1; 2; 3; 4]%Z; stage q_; staged_goal p_; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, (((5)*((38))) / (1)), (((6)*((38))) / (1)), (((7)*((38))) / (1)), (((8)*((38))) / (1)), (((9)*((38))) / (1)), (((10)*((38))) / (1)), (((11)*((38))) / (1)), (((12)*((38))) / (1)), (((13)*((38))) / (1)), (((14)*((38))) / (1)), (((15)*((38))) / (1)), (((16)*((38))) / (1)), (((17)*((38))) / (1)), (((18)*((38))) / (1)), (((19)*((38))) / (1)), (38), (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (0), (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, (((6)*((11))) / (1)), (((8)*((11))) / (1)), (((7)*((11))) / (1)), (((9)*((11))) / (1)), (((7)*((11))) / (1)), (((7)*((11))) / (1)), (((2)*((11))) / (1)), (((11)*((11))) / (1)), (((1)*((11))) / (1)), (((4)*((11))) / (1)), (((13)*((11))) / (1)), (((8)*((11))) / (1)), (((8)*((11))) / (1)), (((6)*((11))) / (1)), (((8)*((11))) / (1)), (11), (1 / 3); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 9, 7, 7, (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (1), (1 / 3); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (1), (1 / 3); met)]. Qed.
 End eq_3_1_rho_constant.
 
 Module eq_3_2.
@@ -106,6 +116,20 @@ Proof. cbv beta zeta delta [statement]; unstaged; prepared; known (dg'1) (dp'1*k
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; first [(exists (((5)*((11)) - (5) - (12)) / (1)), (((6)*((11)) - (6) - (13)) / (1)), (((7)*((11)) - (7) - (14)) / (1)), 5, 6, 7, (((5)*((11)) - (12)) / (1)), (((6)*((11)) - (13)) / (1)), (((7)*((11)) - (14)) / (1)), (11), 12, 13, 14; met) | (exists (((0)*((0)) - (0) - (0)) / (1)), (((0)*((0)) - (0) - (0)) / (1)), (((0)*((0)) - (0) - (0)) / (1)), 0, 0, 0, (((0)*((0)) - (0)) / (1)), (((0)*((0)) - (0)) / (1)), (((0)*((0)) - (0)) / (1)), (0), 0, 0, 0; met) | (exists (((6)*((2)) - (6) - (11)) / (1)), (((8)*((2)) - (8) - (1)) / (1)), (((7)*((2)) - (7) - (4)) / (1)), 6, 8, 7, (((6)*((2)) - (11)) / (1)), (((8)*((2)) - (1)) / (1)), (((7)*((2)) - (4)) / (1)), (2), 11, 1, 4; met) | (exists (((6)*((1)) - (6) - (9)) / (1)), (((8)*((1)) - (8) - (7)) / (1)), (((7)*((1)) - (7) - (7)) / (1)), 6, 8, 7, (((6)*((1)) - (9)) / (1)), (((8)*((1)) - (7)) / (1)), (((7)*((1)) - (7)) / (1)), (1), 9, 7, 7; met) | (exists (((0)*((1)) - (0) - (1)) / (1)), (((1)*((1)) - (1) - (0)) / (1)), (((0)*((1)) - (0) - (0)) / (1)), 0, 1, 0, (((0)*((1)) - (1)) / (1)), (((1)*((1)) - (0)) / (1)), (((0)*((1)) - (0)) / (1)), (1), 1, 0, 0; met)]. Qed.
 End eq_3_2_edge.
+
+Module eq_3_2_planes_a_generatrix.
+Import HermiteDevelopable.Section_3.eq_3_2_planes_a_generatrix.
+Theorem refuted : ~ statement.
+Proof. cbv beta zeta delta [statement not P Q dp dq]; intro no; apply (no 0 2 0 0 0 0 0 0 0 0 0 ltac:(lra) ltac:(lra)); [ compute_goal; parts; ring | intros h k x0 y0 y1 y2 y3 z0 z1 z2 z3 K N E; compute_in E; injection E; intros; lra ]. Qed.
+End eq_3_2_planes_a_generatrix.
+
+Module eq_3_2_planes_a_direction.
+Import HermiteDevelopable.Section_3.eq_3_2_planes_a_direction.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement P Q dp dq]; intros; intro no; assert (absurd : 1 = 0) by (apply (no 1 2 0 0 0 1 0 0 0 0 0 0 0 0); [ lra | lra | compute_goal; parts; ring ]); lra. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance P Q dp dq]; exists 1, 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0; refine (conj _ (conj _ _)); [ lra | lra | compute_goal; parts; ring ]. Qed.
+End eq_3_2_planes_a_direction.
 
 Module eq_3_2_across.
 Import HermiteDevelopable.Section_3.eq_3_2_across.
@@ -193,11 +217,43 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance gap]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (((2)*((14)) - (5) + (8)*((14)) - ((14))*(15) + (15)) / (1)), (((3)*((14)) - (6) + (9)*((14)) - ((14))*(16) + (16)) / (1)), (((4)*((14)) - (7) + (10)*((14)) - ((14))*(17) + (17)) / (1)), (14), 15, 16, 17; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (((13)*((4)) - (6) + (9)*((4)) - ((4))*(13) + (13)) / (1)), (((8)*((4)) - (8) + (7)*((4)) - ((4))*(8) + (8)) / (1)), (((8)*((4)) - (7) + (7)*((4)) - ((4))*(8) + (8)) / (1)), (4), 13, 8, 8; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, (((8)*((1)) - (8) + (6)*((1)) - ((1))*(9) + (9)) / (1)), (((8)*((1)) - (6) + (8)*((1)) - ((1))*(7) + (7)) / (1)), (((6)*((1)) - (8) + (7)*((1)) - ((1))*(7) + (7)) / (1)), (1), 9, 7, 7; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (((1)*((1)) - (0) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (((0)*((1)) - (1) + (0)*((1)) - ((1))*(1) + (1)) / (1)), (((0)*((1)) - (0) + (1)*((1)) - ((1))*(0) + (0)) / (1)), (1), 0, 1, 0; met)]. Qed.
 End eq_3_3_exact.
 
+Module eq_3_3_multiples_cone.
+Import HermiteDevelopable.Section_3.eq_3_3_multiples_cone.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement cone_normal cone_gap]; unstaged; prepared; known (dlam) (0) (1); known (lam) (k) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance cone_normal cone_gap]; first [(exists ((0) / (1)), 3, 4, 5, (6), ((((6))) / (1)), 8, 9, 10; met) | (exists ((0) / (1)), 0, 0, 0, (0), ((((0))) / (1)), 0, 0, 0; met) | (exists ((0) / (1)), 8, 8, 6, (8), ((((8))) / (1)), 9, 7, 7; met) | (exists ((0) / (1)), 1, 4, 13, (1), ((((1))) / (1)), 8, 6, 8; met) | (exists ((0) / (1)), 1, 0, 0, (0), ((((0))) / (1)), 0, 1, 0; met)]. Qed.
+End eq_3_3_multiples_cone.
+
 Module eq_3_3_multiples_any.
 Import HermiteDevelopable.Section_3.eq_3_3_multiples_any.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no (0) (0) (0) (0) (0) (1) (0) (1) (0) (-1) (1) (-1) (2) (1) (1) (0)). Qed.
 End eq_3_3_multiples_any.
+
+Module eq_3_3_k_below_1.
+Import HermiteDevelopable.Section_3.eq_3_3_k_below_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement P Q cone_gap cone_normal]; intros dlam a b c k lam d e f x y z; compute_goal; intros K N S G1 G2; assert (E : lam - k = 0) by (match type of N with ?n <> 0 => apply (Rmult_eq_reg_r n); [ rewrite Rmult_0_l; match type of G1 with ?g = 0 => replace ((lam - k) * n) with g by ring; exact G1 end | exact N ] end); replace lam with k by lra; split; [ parts; ring | match type of S with ?s > 0 => match goal with |- ?l < 0 => replace l with (- (k * (1 - k) * s)) by ring; assert (0 < k * (1 - k)) by nra; assert (0 < k * (1 - k) * s) by (apply Rmult_lt_0_compat; lra); lra end end ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance cone_normal cone_gap Q P]; first [(exists ((0) / (1)), 3, 4, 5, (1 / 3), ((((1 / 3))) / (1)), 8, 9, 10, 11, 12, 13; met) | (exists ((0) / (1)), 0, 0, 0, (1 / 2), ((((1 / 2))) / (1)), 0, 0, 0, 0, 0, 0; met) | (exists ((0) / (1)), 8, 8, 6, (1 / 3), ((((1 / 3))) / (1)), 9, 7, 7, 2, 11, 1; met) | (exists ((0) / (1)), 1, 4, 13, (1 / 3), ((((1 / 3))) / (1)), 9, 7, 7, 8, 6, 8; met) | (exists ((0) / (1)), 1, 0, 0, (1 / 3), ((((1 / 3))) / (1)), 0, 1, 0, 0, 0, 1; met)]. Qed.
+End eq_3_3_k_below_1.
+
+Module eq_3_3_k_equal_1.
+Import HermiteDevelopable.Section_3.eq_3_3_k_equal_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement P Q cone_gap cone_normal]; intros dlam a b c k lam d e f x y z; compute_goal; intros N S K G1 G2; assert (E : lam - k = 0) by (match type of N with ?n <> 0 => apply (Rmult_eq_reg_r n); [ rewrite Rmult_0_l; match type of G1 with ?g = 0 => replace ((lam - k) * n) with g by ring; exact G1 end | exact N ] end); replace lam with 1 by lra; parts; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance cone_normal cone_gap Q P]; first [(exists ((0) / (1)), 3, 4, 5, (1), ((1) / (1)), 8, 9, 10, 11, 12, 13; met) | (exists ((0) / (1)), 0, 0, 0, (1), ((1) / (1)), 0, 0, 0, 0, 0, 0; met) | (exists ((0) / (1)), 8, 8, 6, (1), ((1) / (1)), 9, 7, 7, 2, 11, 1; met) | (exists ((0) / (1)), 1, 4, 13, (1), ((1) / (1)), 9, 7, 7, 8, 6, 8; met) | (exists ((0) / (1)), 1, 0, 0, (1), ((1) / (1)), 0, 1, 0, 0, 0, 1; met)]. Qed.
+End eq_3_3_k_equal_1.
+
+Module eq_3_3_k_above_1.
+Import HermiteDevelopable.Section_3.eq_3_3_k_above_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement cone_normal cone_gap P Q]; unstaged; prepared; known (dlam) (0) (1); known (lam) (k) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance cone_normal cone_gap P Q]; first [(exists ((0) / (1)), 3, 4, 5, (2), ((((2))) / (1)), 8, 9, 10, 11, 12, 13; met) | (exists ((0) / (1)), 0, 0, 0, (2), ((((2))) / (1)), 0, 0, 0, 0, 0, 0; met) | (exists ((0) / (1)), 8, 8, 6, (9), ((((9))) / (1)), 9, 7, 7, 2, 11, 1; met) | (exists ((0) / (1)), 1, 4, 13, (2), ((((2))) / (1)), 9, 7, 7, 8, 6, 8; met) | (exists ((0) / (1)), 1, 0, 0, (2), ((((2))) / (1)), 0, 1, 0, 0, 0, 1; met)]. Qed.
+End eq_3_3_k_above_1.
 
 Module eq_3_4.
 Import HermiteDevelopable.Section_3.eq_3_4.

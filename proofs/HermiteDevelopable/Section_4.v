@@ -2,10 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module sec_4_cone.
-(* hermite-developable/sec-4.cone, Sect. 4, first sentence
-   printed: a quintic developable Hermite surface of cone surface type D_5(u,v) = (1-v) p_5(u) + v q_5(u), [...] with p_5(u) and q_5(u) in the planes Gamma_1 // Gamma_2, respectively, and the summit of this cone surface at the point O
-   stated: q5(u) - o == k*(p5(u) - o) *)
+Module Definitions.
 Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
   A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
 Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
@@ -14,6 +11,55 @@ Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list
   [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
 Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
+Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
+  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
+Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
+  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
+Definition quintic_criterion_ : R :=
+  0.
+Definition r0 (q0 : list R) : list R :=
+  q0.
+Definition chord (c : list R) (dc : list R) (x : R) : list R :=
+  vadd c (vscale x dc).
+Definition last (q1 : list R) (q1u : list R) (x : R) : list R :=
+  vadd q1 (vscale x q1u).
+Definition a : list R :=
+  [- 30; - 200; 0].
+Definition d : list R :=
+  [0; 0; 200].
+Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
+Definition quintic_basis_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : list R :=
+  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [IZR u ^ 5; IZR u ^ 4; IZR u ^ 3; IZR u ^ 2; IZR u; 1].
+Definition hermite5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
+  blend6 (quintic_basis_ A B C_ E_ F G u) a m b s r t.
+Definition a_ : list R :=
+  [- 30; - 200; 0].
+Definition d_ : list R :=
+  [0; 0; 200].
+Definition normal (a : list R) (d : list R) : list R :=
+  cross a d.
+Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
+  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
+Definition r (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) : list R :=
+  image a d o q0 qm.
+Definition r1 (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) : list R :=
+  image a d o q0 q1.
+Definition r0u (a : list R) (d : list R) (o : list R) (q0 : list R) (q0u : list R) : list R :=
+  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q0 o) q0u) (normal a d)) (vadd (vsub q0 o) q0u)) (vsub q0 o).
+Definition r1u (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) (q1u : list R) : list R :=
+  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q1 o) q1u) (normal a d)) (vadd (vsub q1 o) q1u)) (vsub (r1 a d o q0 q1) o).
+Definition ru (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) (qu : list R) : list R :=
+  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub qm o) qu) (normal a d)) (vadd (vsub qm o) qu)) (vsub (r a d o q0 qm) o).
+Definition p5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : Z) : list R :=
+  hermite5_ A B C_ E_ F G u p0 pm p1 p0u pu p1u.
+End Definitions.
+Import Definitions.
+
+Module sec_4_cone.
+(* hermite-developable/sec-4.cone, Sect. 4, first sentence
+   printed: a quintic developable Hermite surface of cone surface type D_5(u,v) = (1-v) p_5(u) + v q_5(u), [...] with p_5(u) and q_5(u) in the planes Gamma_1 // Gamma_2, respectively, and the summit of this cone surface at the point O
+   stated: q5(u) - o == k*(p5(u) - o) *)
 Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
   entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
 Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
@@ -28,8 +74,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R
   let u := 0%Z in Derive_n (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
   quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
   quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) : R :=
@@ -90,8 +134,6 @@ Definition oblique (a : list R) (d : list R) (q0 : list R) (u : Z) (v : Z) : lis
   vadd (vadd q0 (vscale (IZR u) a)) (vscale (IZR v) d).
 Definition oblique_ (a : list R) (d : list R) (q0 : list R) (u : R) (v : R) : list R :=
   vadd (vadd q0 (vscale u a)) (vscale v d).
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (q0'1 q0'2 q0'3 : R) (u : R) (v : R),
   let a := [a'1; a'2; a'3] in
@@ -124,14 +166,6 @@ Definition qu (y4 : R) (z4 : R) : list R :=
   [0; y4; z4].
 Definition q1u (y5 : R) (z5 : R) : list R :=
   [0; y5; z5].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
 Definition r0 : list R :=
   q0.
 Definition o : list R :=
@@ -150,8 +184,6 @@ Definition ru (y1 : R) (y4 : R) (z1 : R) (z4 : R) : list R :=
   vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (qm y1 z1) o) (qu y4 z4)) normal) (vadd (vsub (qm y1 z1) o) (qu y4 z4))) (vsub (r y1 z1) o).
 Definition r1u (y2 : R) (y5 : R) (z2 : R) (z5 : R) : list R :=
   vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (q1 y2 z2) o) (q1u y5 z5)) normal) (vadd (vsub (q1 y2 z2) o) (q1u y5 z5))) (vsub (r1 y2 z2) o).
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
 Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r_ : list R) (t : list R) : list R :=
   blend6 (quintic_basis A B C_ E_ F G u) a m b s r_ t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
@@ -180,14 +212,8 @@ Module sec_4_goal_image.
    printed: the transformation of the curve q_5(u) in Gamma_2 to the curve image r_5(u) in Gamma_3 relative to the summit point O of the cone surface D_5(u,v) such that p_5(u), q_5(u), and r_5(u) construct the developable surface
    read as: r_5 is the image of q_5 under the projection from O to the plane; c and dc are q_5 and its derivative at one u, p is q seen from the summit
    stated: det([dp, dr, image(c) - p]) == 0 and dot(image(c) - q0, normal) == 0 and cross(image(c) - o, c - o) == 0 *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition chord (c : list R) (dc : list R) (x : R) : list R :=
-  vadd c (vscale x dc).
 Definition dp (dc : list R) (k : R) : list R :=
   vdiv dc k.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
 Definition dr (a : list R) (c : list R) (d : list R) (dc : list R) (o : list R) (q0 : list R) : list R :=
   let x := 0%Z in vDerive 3 (fun x_ => image a d o q0 (chord c dc x_)) 1 (IZR x).
 Definition p (c : list R) (k : R) (o : list R) : list R :=
@@ -252,16 +278,6 @@ Definition q1u (y5 : R) (z5 : R) : list R :=
   [0; y5; z5].
 Definition r1u (y2 : R) (y5 : R) (z2 : R) (z5 : R) : list R :=
   vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub (q1 y2 z2) o) (q1u y5 z5)) normal) (vadd (vsub (q1 y2 z2) o) (q1u y5 z5))) (vsub (r1 y2 z2) o).
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
 Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r_ : list R) (t : list R) : list R :=
   blend6 (quintic_basis A B C_ E_ F G u) a m b s r_ t.
 Definition r5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
@@ -289,22 +305,6 @@ Module sec_4_goal_nodes.
 (* hermite-developable/sec-4.goal.nodes, Sect. 4, paragraph after (4.1)
    printed: What (4.2) to (4.4) reach: at u = 0, 1/2 and 1 the tangent vectors of p and r and the generatrix are coplanar, so that the patch has one tangent plane along each of these three generatrices.
    stated: det([q0u, r0u, r0 - o]) == 0 and det([qu, ru, r - o]) == 0 and det([q1u, r1u, r1 - o]) == 0 *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition r0u (a : list R) (d : list R) (o : list R) (q0 : list R) (q0u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q0 o) q0u) (normal a d)) (vadd (vsub q0 o) q0u)) (vsub q0 o).
-Definition r0 (q0 : list R) : list R :=
-  q0.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) : list R :=
-  image a d o q0 qm.
-Definition ru (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) (qu : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub qm o) qu) (normal a d)) (vadd (vsub qm o) qu)) (vsub (r a d o q0 qm) o).
-Definition r1 (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) : list R :=
-  image a d o q0 q1.
-Definition r1u (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) (q1u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q1 o) q1u) (normal a d)) (vadd (vsub q1 o) q1u)) (vsub (r1 a d o q0 q1) o).
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -344,10 +344,6 @@ Module sec_4_goal_only.
 (* hermite-developable/sec-4.goal.only, Sect. 4, paragraph after (4.1)
    printed: The only curve in the oblique plane whose points are on the generatrices of the cone is the central image of q, a rational curve: r - o is q - o times (q_0 - o).n / (q - o).n with n = a /\ d.
    stated: o + w*(c - o) == image(c) and dot(c - o, normal)*(o + w*(c - o) - o) == dot(q0 - o, normal)*(c - o) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (w : R),
   let a := [a'1; a'2; a'3] in
@@ -373,26 +369,10 @@ Module sec_4_goal_parallel.
 (* hermite-developable/sec-4.goal.parallel, Sect. 4, paragraph after (4.1)
    printed: Hermite curves in oblique planes that bound a developable patch exist for every p and every direction c across the oblique plane: the projection along c takes the points and tangent vectors of p to those of its image, and the patch is a cylinder.
    stated: r(u) == shadow(p5(u)) and dot(r(u) - q0, normal) == 0 and cross(r(u) - p5(u), c) == 0 and det([x, turned(x), c]) == 0 *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition shadow (a : list R) (c : list R) (d : list R) (q0 : list R) (x : list R) : list R :=
   vsub x (vscale (dot (vsub x q0) (normal a d) / dot c (normal a d)) c).
 Definition turned (a : list R) (c : list R) (d : list R) (x : list R) : list R :=
   vsub x (vscale (dot x (normal a d) / dot c (normal a d)) c).
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition r_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a : list R) (c : list R) (d : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u (shadow a c d q0 p0) (shadow a c d q0 pm) (shadow a c d q0 p1) (turned a c d p0u) (turned a c d pu) (turned a c d p1u).
 Definition statement : Prop :=
@@ -434,30 +414,6 @@ Module sec_4_in_plane.
 (* hermite-developable/sec-4.in-plane, Sect. 4, paragraph after (4.1)
    printed: we have to find the control points and the tangent vectors r_0, r, r_1, r_0^u, r^u, and r_1^u in Gamma_3 as the projection images of the q_0, q, q_1, q_0^u, q^u, and q_1^u in Gamma_2, correspondingly, for designing the curve r_5(u)
    stated: dot(r0 - q0, normal) == 0 and dot(r - q0, normal) == 0 and dot(r1 - q0, normal) == 0 and dot(r0u, normal) == 0 and dot(ru, normal) == 0 and dot(r1u, normal) == 0 and quintic_basis(u)[1] + quintic_basis(u)[2] + quintic_basis(u)[3] == 1 *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition r0 (q0 : list R) : list R :=
-  q0.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) : list R :=
-  image a d o q0 qm.
-Definition r1 (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) : list R :=
-  image a d o q0 q1.
-Definition r0u (a : list R) (d : list R) (o : list R) (q0 : list R) (q0u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q0 o) q0u) (normal a d)) (vadd (vsub q0 o) q0u)) (vsub q0 o).
-Definition ru (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) (qu : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub qm o) qu) (normal a d)) (vadd (vsub qm o) qu)) (vsub (r a d o q0 qm) o).
-Definition r1u (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) (q1u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q1 o) q1u) (normal a d)) (vadd (vsub q1 o) q1u)) (vsub (r1 a d o q0 q1) o).
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (u : R),
   let a := [a'1; a'2; a'3] in
@@ -501,12 +457,6 @@ Module sec_4_r0.
 (* hermite-developable/sec-4.r0, Sect. 4, paragraph 'We determine'
    printed: r_0 = q_0
    stated: image(q0) == r0 *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r0 (q0 : list R) : list R :=
-  q0.
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -529,8 +479,6 @@ Module sec_4_I1.
    printed: I_1 = o + w[(q_0 - o) + q_0^u] = q_0 + u a + v d
    read as: x1, x2 are the parameters u, v of the plane at the point of intersection
    stated: w == dot(q0 - o, normal)/dot(q0 - o + q0u, normal) and dot(o + w*(q0 - o + q0u) - q0, normal) == 0 *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (w : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -557,8 +505,6 @@ Module sec_4_w.
    printed: w = [(q_0 - o).(a /\ d)]/[((q_0 - o) + q_0^u).(a /\ d)]
    read as: x1, x2 are the parameters u, v of the plane at the point of intersection
    stated: w == dot(q0 - o, cross(a, d))/dot(q0 - o + q0u, cross(a, d)) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (w : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -587,8 +533,6 @@ Module eq_4_2.
    printed: r_0^u = [ (q_0 - o).(a /\ d) / (((q_0 - o) + q_0^u).(a /\ d)) ] [(q_0 - o) + q_0^u] - (q_0 - o)
    read as: r_0^u is the vector from r_0 = q_0 to I_1; x1, x2 are the parameters u, v of the plane there
    stated: o + w*(q0 - o + q0u) - q0 == dot(q0 - o, cross(a, d))/dot(q0 - o + q0u, cross(a, d))*(q0 - o + q0u) - (q0 - o) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (w : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -617,14 +561,8 @@ Module eq_4_2_tangent_derivative.
    printed: The projection of tangent vector q_0^u in Gamma_2 to r_0^u in Gamma_3
    read as: r_0^u is the tangent vector of the projected curve at u = 0; it depends on q_0 and q_0^u only, so that the line q_0 + x q_0^u stands for q
    stated: at(D(image(chord(x)), x), x, 0) == r0u *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition chord (q0 : list R) (q0u : list R) (x : R) : list R :=
   vadd q0 (vscale x q0u).
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r0u (a : list R) (d : list R) (o : list R) (q0 : list R) (q0u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q0 o) q0u) (normal a d)) (vadd (vsub q0 o) q0u)) (vsub q0 o).
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -643,14 +581,6 @@ Module eq_4_2_tangent_end_point.
    printed: The projection of tangent vector q_0^u in Gamma_2 to r_0^u in Gamma_3
    read as: r_0^u is the vector from r_0 to the image of the end point of q_0^u
    stated: image(q0 + q0u) - r0 == r0u *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r0 (q0 : list R) : list R :=
-  q0.
-Definition r0u (a : list R) (d : list R) (o : list R) (q0 : list R) (q0u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q0 o) q0u) (normal a d)) (vadd (vsub q0 o) q0u)) (vsub q0 o).
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -676,14 +606,8 @@ Module eq_4_2_tangent_parallel.
 (* hermite-developable/eq-4.2.tangent.parallel, Sect. 4, eq. (4.2)
    printed: The vector (4.2) is the tangent vector of the projected curve times (q_0 - o).(a /\ d) / ((q_0 - o) + q_0^u).(a /\ d): it has its direction, and its length only if q_0^u is parallel to the plane.
    stated: r0u == dot(q0 - o, normal)/dot(q0 - o + q0u, normal)*at(D(image(chord(x)), x), x, 0) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition chord (q0 : list R) (q0u : list R) (x : R) : list R :=
   vadd q0 (vscale x q0u).
-Definition r0u (a : list R) (d : list R) (o : list R) (q0 : list R) (q0u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q0 o) q0u) (normal a d)) (vadd (vsub q0 o) q0u)) (vsub q0 o).
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -711,14 +635,8 @@ Module eq_4_2_tangent_true.
 (* hermite-developable/eq-4.2.tangent.true, Sect. 4, eqs. (4.2), (4.4)
    printed: The tangent vector at the image of a point c of q with the tangent vector dc is (q_0 - o).n / (c - o).n times dc - (dc.n / (c - o).n) (c - o), with n = a /\ d. At q_0 it is q_0^u - (q_0^u.n / (q_0 - o).n) (q_0 - o).
    stated: at(D(image(chord(x)), x), x, 0) == dot(q0 - o, normal)/dot(c - o, normal)*(dc - dot(dc, normal)/dot(c - o, normal)*(c - o)) and at(D(image(first(x)), x), x, 0) == q0u - dot(q0u, normal)/dot(q0 - o, normal)*(q0 - o) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition chord (c : list R) (dc : list R) (x : R) : list R :=
-  vadd c (vscale x dc).
 Definition first (q0 : list R) (q0u : list R) (x : R) : list R :=
   vadd q0 (vscale x q0u).
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (dc'1 dc'2 dc'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -753,8 +671,6 @@ Module sec_4_s.
    printed: r = o + s(q - o) = q_0 + u a + v d and s = [(q_0 - o).(a /\ d)]/[(q - o).(a /\ d)]
    read as: the copy sets the digit 0 for o in this sentence; x1, x2 are the parameters u, v of the plane at r
    stated: s == dot(q0 - o, cross(a, d))/dot(qm - o, cross(a, d)) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (qm'1 qm'2 qm'3 : R) (s : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -783,8 +699,6 @@ Module eq_4_3.
    printed: r = o + [ (q_0 - o).(a /\ d) / ((q - o).(a /\ d)) ] (q - o)
    read as: x1, x2 are the parameters u, v of the plane at r
    stated: o + s*(qm - o) == o + dot(q0 - o, cross(a, d))/dot(qm - o, cross(a, d))*(qm - o) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (qm'1 qm'2 qm'3 : R) (s : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -813,12 +727,6 @@ Module eq_4_4_ru.
    printed: r^u = t[(q - o) + q^u] - (r - o), t = [ (q_0 - o).(a /\ d) / (((q - o) + q^u).(a /\ d)) ]
    read as: r is the image of q by (4.3), t the ray parameter of the projection of q + q^u, and r^u the vector from r to it; x1, x2 are the parameters of the plane there
    stated: o + t*(qm - o + qu) - r == dot(q0 - o, cross(a, d))/dot(qm - o + qu, cross(a, d))*(qm - o + qu) - (r - o) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) : list R :=
-  image a d o q0 qm.
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (t : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -851,8 +759,6 @@ Module eq_4_4_r1.
    printed: r_1 = o + n (q_1 - o), n = [ (q_0 - o).(a /\ d) / ((q_1 - o).(a /\ d)) ]
    read as: x1, x2 are the parameters u, v of the plane at r_1
    stated: o + n*(q1 - o) == o + dot(q0 - o, cross(a, d))/dot(q1 - o, cross(a, d))*(q1 - o) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (n : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q1'1 q1'2 q1'3 : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -881,12 +787,6 @@ Module eq_4_4_r1u.
    printed: r_1^u = m[(q_1 - o) + q_1^u] - (r_1 - o), m = [ (q_0 - o).(a /\ d) / (((q_1 - o) + q_1^u).(a /\ d)) ]
    read as: m is the ray parameter of the projection of q_1 + q_1^u, and r_1^u the vector from r_1 to it; x1, x2 are the parameters of the plane there
    stated: o + m*(q1 - o + q1u) - r1 == dot(q0 - o, cross(a, d))/dot(q1 - o + q1u, cross(a, d))*(q1 - o + q1u) - (r1 - o) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r1 (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) : list R :=
-  image a d o q0 q1.
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (m : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -919,22 +819,8 @@ Module eq_4_4_tangent_derivative.
    printed: Applying this method of computation, it can be found r^u, r_1, and r_1^u
    read as: r^u and r_1^u are the tangent vectors of the projected curve at u = 1/2 and u = 1; the lines q + x q^u and q_1 + x q_1^u stand for q there
    stated: at(D(image(chord(x)), x), x, 0) == ru and at(D(image(last(x)), x), x, 0) == r1u *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition chord (qm : list R) (qu : list R) (x : R) : list R :=
   vadd qm (vscale x qu).
-Definition last (q1 : list R) (q1u : list R) (x : R) : list R :=
-  vadd q1 (vscale x q1u).
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) : list R :=
-  image a d o q0 qm.
-Definition ru (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) (qu : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub qm o) qu) (normal a d)) (vadd (vsub qm o) qu)) (vsub (r a d o q0 qm) o).
-Definition r1 (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) : list R :=
-  image a d o q0 q1.
-Definition r1u (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) (q1u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q1 o) q1u) (normal a d)) (vadd (vsub q1 o) q1u)) (vsub (r1 a d o q0 q1) o).
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -959,18 +845,6 @@ Module eq_4_4_tangent_end_point.
    printed: Applying this method of computation, it can be found r^u, r_1, and r_1^u
    read as: r^u and r_1^u are the vectors from r and r_1 to the images of the end points of q^u and q_1^u
    stated: image(qm + qu) - r == ru and image(q1 + q1u) - r1 == r1u *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) : list R :=
-  image a d o q0 qm.
-Definition ru (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) (qu : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub qm o) qu) (normal a d)) (vadd (vsub qm o) qu)) (vsub (r a d o q0 qm) o).
-Definition r1 (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) : list R :=
-  image a d o q0 q1.
-Definition r1u (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) (q1u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q1 o) q1u) (normal a d)) (vadd (vsub q1 o) q1u)) (vsub (r1 a d o q0 q1) o).
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -1010,22 +884,8 @@ Module eq_4_4_tangent_parallel.
 (* hermite-developable/eq-4.4.tangent.parallel, Sect. 4, eq. (4.4)
    printed: The vectors (4.4) are the tangent vectors of the projected curve times (q - o).(a /\ d) / ((q - o) + q^u).(a /\ d), and so with q_1 and q_1^u: they have the directions, and the lengths only for vectors parallel to the plane.
    stated: ru == dot(qm - o, normal)/dot(qm - o + qu, normal)*at(D(image(chord(x)), x), x, 0) and r1u == dot(q1 - o, normal)/dot(q1 - o + q1u, normal)*at(D(image(last(x)), x), x, 0) *)
-Definition normal (a : list R) (d : list R) : list R :=
-  cross a d.
 Definition chord (qm : list R) (qu : list R) (x : R) : list R :=
   vadd qm (vscale x qu).
-Definition last (q1 : list R) (q1u : list R) (x : R) : list R :=
-  vadd q1 (vscale x q1u).
-Definition image (a : list R) (d : list R) (o : list R) (q0 : list R) (x : list R) : list R :=
-  vadd o (vscale (dot (vsub q0 o) (normal a d) / dot (vsub x o) (normal a d)) (vsub x o)).
-Definition r (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) : list R :=
-  image a d o q0 qm.
-Definition ru (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) (qu : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub qm o) qu) (normal a d)) (vadd (vsub qm o) qu)) (vsub (r a d o q0 qm) o).
-Definition r1 (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) : list R :=
-  image a d o q0 q1.
-Definition r1u (a : list R) (d : list R) (o : list R) (q0 : list R) (q1 : list R) (q1u : list R) : list R :=
-  vsub (vscale (dot (vsub q0 o) (normal a d) / dot (vadd (vsub q1 o) q1u) (normal a d)) (vadd (vsub q1 o) q1u)) (vsub (r1 a d o q0 q1) o).
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -1066,10 +926,6 @@ Module sec_4_oblique.
    printed: Gamma_3 is in oblique position to the plane Gamma_1 and Gamma_2, i.e., Gamma_3 not// Gamma_1 and Gamma_3 not// Gamma_2
    read as: the second 'not parallel' sign appears in our copy as a crossed single stroke
    stated: not cross(normal, [1, 0, 0]) == 0 and not cross(normal2, [1, 0, 0]) == 0 *)
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition normal2 : list R :=
@@ -1091,24 +947,12 @@ Definition q0u : list R :=
   [0; - 60; 90].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
 Definition p0 : list R :=
   [40; 40; 45].
 Definition pm : list R :=
   [40; 25 / 2; 40].
 Definition pu : list R :=
   [0; - 25; 35].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (qm : list R) (qu : list R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
@@ -1121,8 +965,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : l
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G o p0u p1 p1u qm qu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
   quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
   quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
@@ -1133,10 +975,6 @@ Definition quintic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G :
   quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 1%Z.
 Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) : list R :=
   quintic_part A B C_ E_ F G o p0u p1 p1u qm qu 0%Z.
-Definition quintic_basis_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [IZR u ^ 5; IZR u ^ 4; IZR u ^ 3; IZR u ^ 2; IZR u; 1].
-Definition hermite5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis_ A B C_ E_ F G u) a m b s r t.
 Definition q5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (qm : list R) (qu : list R) (u : Z) : list R :=
   hermite5_ A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition statement : Prop :=
@@ -1195,10 +1033,6 @@ Definition q0 : list R :=
   [- 20; 60; 45].
 Definition o : list R :=
   [100; 20; 45].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition image (x : list R) : list R :=
@@ -1220,10 +1054,6 @@ Definition o : list R :=
   [100; 20; 45].
 Definition q0u : list R :=
   [0; - 60; 90].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition r0u : list R :=
@@ -1241,10 +1071,6 @@ Definition qm : list R :=
   [- 20; 5; 35].
 Definition o : list R :=
   [100; 20; 45].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition q0 : list R :=
@@ -1271,10 +1097,6 @@ Definition o : list R :=
   [100; 20; 45].
 Definition qu : list R :=
   [0; - 50; 70].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition q0 : list R :=
@@ -1299,10 +1121,6 @@ Definition q1 : list R :=
   [- 20; - 50; 45].
 Definition o : list R :=
   [100; 20; 45].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition q0 : list R :=
@@ -1326,10 +1144,6 @@ Definition q1 : list R :=
   [- 20; - 50; 45].
 Definition o : list R :=
   [100; 20; 45].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition q0 : list R :=
@@ -1355,10 +1169,6 @@ Definition o : list R :=
   [100; 20; 45].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition q0 : list R :=
@@ -1385,10 +1195,6 @@ Definition o : list R :=
   [100; 20; 45].
 Definition q0u : list R :=
   [0; - 50; 60].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition qm : list R :=
@@ -1442,24 +1248,10 @@ Definition qu : list R :=
   [0; - 60; 80].
 Definition q1u : list R :=
   [0; - 50; - 60].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
   2.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition o : list R :=
   [100; 20; 45].
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
@@ -1468,8 +1260,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : 
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G p0 p0u p1 p1u pm pu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
@@ -1482,10 +1272,6 @@ Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G 
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z.
 Definition r0 : list R :=
   q0.
-Definition a_ : list R :=
-  [- 30; - 200; 0].
-Definition d_ : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a_ d_.
 Definition image (x : list R) : list R :=
@@ -1577,10 +1363,6 @@ Definition o : list R :=
   [100; 20; 45].
 Definition q0u : list R :=
   [0; - 60; 90].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition qm : list R :=
@@ -1630,10 +1412,6 @@ Definition first (x : R) : list R :=
   vadd q0 (vscale x q0u).
 Definition o : list R :=
   [100; 20; 45].
-Definition a : list R :=
-  [- 30; - 200; 0].
-Definition d : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a d.
 Definition qm : list R :=
@@ -1678,24 +1456,10 @@ Definition qu : list R :=
   [0; - 50; 70].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
   2.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition o : list R :=
   [100; 20; 45].
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
@@ -1704,8 +1468,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : 
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G p0 p0u p1 p1u pm pu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
@@ -1718,10 +1480,6 @@ Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G 
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z.
 Definition r0 : list R :=
   q0.
-Definition a_ : list R :=
-  [- 30; - 200; 0].
-Definition d_ : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a_ d_.
 Definition image (x : list R) : list R :=
@@ -1786,24 +1544,10 @@ Definition qu : list R :=
   [0; - 50; 70].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
   2.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition o : list R :=
   [100; 20; 45].
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
@@ -1812,8 +1556,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : 
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G p0 p0u p1 p1u pm pu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
@@ -1868,24 +1610,10 @@ Definition qu : list R :=
   [0; - 50; 70].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
   2.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition o : list R :=
   [100; 20; 45].
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
@@ -1894,8 +1622,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : 
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G p0 p0u p1 p1u pm pu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
@@ -1908,10 +1634,6 @@ Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G 
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z.
 Definition r0 : list R :=
   q0.
-Definition a_ : list R :=
-  [- 30; - 200; 0].
-Definition d_ : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a_ d_.
 Definition image (x : list R) : list R :=
@@ -1926,8 +1648,6 @@ Definition ru : list R :=
   vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub qm o) qu) normal) (vadd (vsub qm o) qu)) (vsub r_ o).
 Definition r1u : list R :=
   vsub (vscale (dot (vsub q0 o) normal / dot (vadd (vsub q1 o) q1u) normal) (vadd (vsub q1 o) q1u)) (vsub r1 o).
-Definition quintic_basis_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [IZR u ^ 5; IZR u ^ 4; IZR u ^ 3; IZR u ^ 2; IZR u; 1].
 Definition r5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u r0 r_ r1 r0u ru r1u.
 Definition near (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
@@ -1938,12 +1658,8 @@ Definition turn (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) 
   dot (cross (near A B C_ E_ F G p0 p0u p1 p1u pm pu u) (far A B C_ E_ F G p0 p0u p1 p1u pm pu u)) (cross (near A B C_ E_ F G p0 p0u p1 p1u pm pu u) (far A B C_ E_ F G p0 p0u p1 p1u pm pu u)).
 Definition size (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : R :=
   dot (near A B C_ E_ F G p0 p0u p1 p1u pm pu u) (near A B C_ E_ F G p0 p0u p1 p1u pm pu u) * dot (far A B C_ E_ F G p0 p0u p1 p1u pm pu u) (far A B C_ E_ F G p0 p0u p1 p1u pm pu u).
-Definition hermite5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis_ A B C_ E_ F G u) a m b s r t.
 Definition r5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : list R :=
   hermite5_ A B C_ E_ F G u r0 r_ r1 r0u ru r1u.
-Definition p5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : Z) : list R :=
-  hermite5_ A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition near_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : Z) : list R :=
   cross (vDerive 3 (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 (IZR u)) (vsub (r5_ A B C_ E_ F G u) (p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu u)).
 Definition far_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : Z) : list R :=
@@ -2023,24 +1739,10 @@ Definition qu : list R :=
   [0; - 50; 70].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
   2.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition o : list R :=
   [100; 20; 45].
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
@@ -2049,8 +1751,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : 
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G p0 p0u p1 p1u pm pu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
@@ -2063,10 +1763,6 @@ Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G 
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z.
 Definition r0 : list R :=
   q0.
-Definition a_ : list R :=
-  [- 30; - 200; 0].
-Definition d_ : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a_ d_.
 Definition image (x : list R) : list R :=
@@ -2166,24 +1862,10 @@ Definition qu : list R :=
   [0; - 50; 70].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
   2.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition o : list R :=
   [100; 20; 45].
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
@@ -2192,8 +1874,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : 
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G p0 p0u p1 p1u pm pu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
@@ -2204,16 +1884,10 @@ Definition quintic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G :
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 1%Z.
 Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z.
-Definition quintic_basis_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [IZR u ^ 5; IZR u ^ 4; IZR u ^ 3; IZR u ^ 2; IZR u; 1].
-Definition hermite5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis_ A B C_ E_ F G u) a m b s r t.
 Definition rp (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : list R :=
   hermite5_ A B C_ E_ F G u [- 20; 60; 45] [- (142 / 5); 39 / 10; 343 / 10] [- 38; - (121 / 2); 45] [- (38 / 5); - (253 / 5); 319 / 5] [- (53 / 5); - (354 / 5); 459 / 5] [- (51 / 5); - (677 / 10); - (741 / 10)].
 Definition r5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : list R :=
   rp A B C_ E_ F G u.
-Definition p5_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : Z) : list R :=
-  hermite5_ A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition near (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : Z) : list R :=
   cross (vDerive 3 (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 (IZR u)) (vsub (r5 A B C_ E_ F G u) (p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu u)).
 Definition rp_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
@@ -2295,24 +1969,10 @@ Definition qu : list R :=
   [0; - 50; 70].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
   2.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition o : list R :=
   [100; 20; 45].
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
@@ -2321,8 +1981,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : 
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G p0 p0u p1 p1u pm pu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
@@ -2337,8 +1995,6 @@ Definition r0 : list R :=
   q0.
 Definition a_ : list R :=
   [- 60; - 200; 0].
-Definition d_ : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a_ d_.
 Definition image (x : list R) : list R :=
@@ -2402,24 +2058,10 @@ Definition qu : list R :=
   [0; - 50; 70].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
   2.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition o : list R :=
   [100; 20; 45].
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
@@ -2428,8 +2070,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : 
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G p0 p0u p1 p1u pm pu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
@@ -2444,8 +2084,6 @@ Definition r0 : list R :=
   q0.
 Definition a_ : list R :=
   [- 60; - 200; 0].
-Definition d_ : list R :=
-  [0; 0; 200].
 Definition normal : list R :=
   cross a_ d_.
 Definition image (x : list R) : list R :=

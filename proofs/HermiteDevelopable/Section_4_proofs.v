@@ -1,6 +1,7 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From HermiteDevelopable Require Section_4.
+Import HermiteDevelopable.Section_4.Definitions.
 Open Scope R_scope.
 
 Module eq_4_1.
@@ -16,6 +17,22 @@ Import HermiteDevelopable.Section_4.eq_4_2_tangent_derivative.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement normal chord image r0u] in no; refuting (no (0) (0) (1) (1) (0) (0) (0) (0) (0) (0) (1) (0) (1) (1) (0)). Qed.
 End eq_4_2_tangent_derivative.
+
+Module eq_4_2_tangent_end_point.
+Import HermiteDevelopable.Section_4.eq_4_2_tangent_end_point.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement normal image r0 r0u]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal image r0 r0u]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8; met) | (exists 7, 9, 7, 7, 2, 11, 9, 7, 7, 7, 2, 11, 7, 2, 11; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0; met)]. Qed.
+End eq_4_2_tangent_end_point.
+
+Module eq_4_2_tangent_parallel.
+Import HermiteDevelopable.Section_4.eq_4_2_tangent_parallel.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement normal chord r0u image]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal chord r0u image]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8; met) | (exists 7, 9, 7, 7, 2, 11, 9, 7, 7, 7, 2, 11, 7, 2, 11; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0; met)]. Qed.
+End eq_4_2_tangent_parallel.
 
 Module eq_4_4_tangent_derivative.
 Import HermiteDevelopable.Section_4.eq_4_4_tangent_derivative.

@@ -2,11 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module sec_5_criteria_a.
-(* hermite-developable/sec-5.criteria.a, Sect. 5, first paragraph
-   printed: It has formulated the mathematics equations of the developable surface criteria that can be used to model the cubic, quartic, and quintic developable Hermite surfaces. [...] this formula can design the desired forms of the surfaces
-   read as: first half; p is any Hermite curve of degree 5, cubic and quartic ones included: the curve q that the criterion (3.3) gives bounds a developable patch with it
-   stated: det([p5'(u), q5'(u), q5(u) - p5(u)]) == 0 *)
+Module Definitions.
 Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
   A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
 Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
@@ -19,18 +15,18 @@ Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list 
   vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
 Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
   blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
-Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
+Definition quintic_criterion_ : R :=
+  0.
 Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
+Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) (u : R) : list R :=
   vsub (vsub (vadd (q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u) (vDerive 3 (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u)) (vscale k (vadd (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u) (vDerive 3 (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u)))) (vscale (1 - k) o).
 Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) (n : Z) : list R :=
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) : list R :=
   quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) : list R :=
   quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) : list R :=
@@ -41,6 +37,14 @@ Definition quintic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G :
   quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z.
 Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) : list R :=
   quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z.
+End Definitions.
+Import Definitions.
+
+Module sec_5_criteria_a.
+(* hermite-developable/sec-5.criteria.a, Sect. 5, first paragraph
+   printed: It has formulated the mathematics equations of the developable surface criteria that can be used to model the cubic, quartic, and quintic developable Hermite surfaces. [...] this formula can design the desired forms of the surfaces
+   read as: first half; p is any Hermite curve of degree 5, cubic and quartic ones included: the curve q that the criterion (3.3) gives bounds a developable patch with it
+   stated: det([p5'(u), q5'(u), q5(u) - p5(u)]) == 0 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (pm'1 pm'2 pm'3 : R) (pu'1 pu'2 pu'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (u : R),
   let o := [o'1; o'2; o'3] in
@@ -108,40 +112,6 @@ Module sec_5_criteria_reach.
 (* hermite-developable/sec-5.criteria.reach, Sect. 5, first paragraph
    printed: What the criterion (3.3) can reach with Hermite curves: pieces of cones whose boundary curves are images of each other under a homothety with centre o and factor k. A cylinder, q = p + c, is among them only if p is a point or c is 0, and no tangent surface is.
    stated: q5(u) - o == k*(p5(u) - o) and q5'(u) - p5'(u) == (k - 1)*p5'(u) and q5(u) - p5(u) == (k - 1)*(p5(u) - o) *)
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
-Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
-Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) (u : R) : list R :=
-  vsub (vsub (vadd (q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u) (vDerive 3 (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u)) (vscale k (vadd (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u) (vDerive 3 (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u)))) (vscale (1 - k) o).
-Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) (n : Z) : list R :=
-  let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu u_) (Z.to_nat n) (IZR u)) (factorial n).
-Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
-Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 4%Z.
-Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 3%Z.
-Definition quintic_criterion____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 2%Z.
-Definition quintic_criterion_____ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 1%Z.
-Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : list R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) : list R :=
-  quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (pm'1 pm'2 pm'3 : R) (pu'1 pu'2 pu'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (u : R),
   let o := [o'1; o'2; o'3] in
@@ -218,24 +188,12 @@ Definition q0u (y4 : R) (z4 : R) : list R :=
   [0; y4; z4].
 Definition q1u (y5 : R) (z5 : R) : list R :=
   [0; y5; z5].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
 Definition p0 (l : R) (y0 : R) (z0 : R) : list R :=
   [l; y0; z0].
 Definition pm (l : R) (y1 : R) (z1 : R) : list R :=
   [l; y1; z1].
 Definition pu (y6 : R) (z6 : R) : list R :=
   [0; y6; z6].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (qm : list R) (qu : list R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u (q0 h y2 z2) qm (q1 h y3 z3) (q0u y4 z4) qu (q1u y5 z5).
 Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (l : R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y6 : R) (z0 : R) (z1 : R) (z6 : R) (u : R) : list R :=
@@ -246,8 +204,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R) : list R :=
   quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R) : list R :=
   quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R) : list R :=
@@ -328,24 +284,10 @@ Definition qu : list R :=
   [0; - 50; 70].
 Definition q1u : list R :=
   [0; - 50; - 30].
-Definition quintic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : Z) : R :=
-  A * IZR u ^ 5 + B * IZR u ^ 4 + C_ * IZR u ^ 3 + E_ * IZR u ^ 2 + F * IZR u + G.
-Definition quintic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : R :=
-  A * u ^ 5 + B * u ^ 4 + C_ * u ^ 3 + E_ * u ^ 2 + F * u + G.
-Definition quintic_data (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) : list (list R) :=
-  [[Derive_n (fun A => quintic A B C_ E_ F G 0%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 0%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 0%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 0%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 0%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 0%Z) 1 G]; [Derive_n (fun A => quintic_ A B C_ E_ F G (1 / 2)) 1 A; Derive_n (fun B => quintic_ A B C_ E_ F G (1 / 2)) 1 B; Derive_n (fun C_ => quintic_ A B C_ E_ F G (1 / 2)) 1 C_; Derive_n (fun E_ => quintic_ A B C_ E_ F G (1 / 2)) 1 E_; Derive_n (fun F => quintic_ A B C_ E_ F G (1 / 2)) 1 F; Derive_n (fun G => quintic_ A B C_ E_ F G (1 / 2)) 1 G]; [Derive_n (fun A => quintic A B C_ E_ F G 1%Z) 1 A; Derive_n (fun B => quintic A B C_ E_ F G 1%Z) 1 B; Derive_n (fun C_ => quintic A B C_ E_ F G 1%Z) 1 C_; Derive_n (fun E_ => quintic A B C_ E_ F G 1%Z) 1 E_; Derive_n (fun F => quintic A B C_ E_ F G 1%Z) 1 F; Derive_n (fun G => quintic A B C_ E_ F G 1%Z) 1 G]; [Derive_n (fun A => let u := 0%Z in Derive_n (fun u_ => quintic_ A B C_ E_ F G u_) 1 (IZR u)) 1 A; Derive_n (fun B => let u_ := 0%Z in Derive_n (fun u__ => quintic_ A B C_ E_ F G u__) 1 (IZR u_)) 1 B; Derive_n (fun C_ => let u__ := 0%Z in Derive_n (fun u___ => quintic_ A B C_ E_ F G u___) 1 (IZR u__)) 1 C_; Derive_n (fun E_ => let u___ := 0%Z in Derive_n (fun u____ => quintic_ A B C_ E_ F G u____) 1 (IZR u___)) 1 E_; Derive_n (fun F => let u____ := 0%Z in Derive_n (fun u_____ => quintic_ A B C_ E_ F G u_____) 1 (IZR u____)) 1 F; Derive_n (fun G => let u_____ := 0%Z in Derive_n (fun u______ => quintic_ A B C_ E_ F G u______) 1 (IZR u_____)) 1 G]; [Derive_n (fun A => let u______ := 1 / 2 in Derive_n (fun u_______ => quintic_ A B C_ E_ F G u_______) 1 u______) 1 A; Derive_n (fun B => let u_______ := 1 / 2 in Derive_n (fun u________ => quintic_ A B C_ E_ F G u________) 1 u_______) 1 B; Derive_n (fun C_ => let u________ := 1 / 2 in Derive_n (fun u_________ => quintic_ A B C_ E_ F G u_________) 1 u________) 1 C_; Derive_n (fun E_ => let u_________ := 1 / 2 in Derive_n (fun u__________ => quintic_ A B C_ E_ F G u__________) 1 u_________) 1 E_; Derive_n (fun F => let u__________ := 1 / 2 in Derive_n (fun u___________ => quintic_ A B C_ E_ F G u___________) 1 u__________) 1 F; Derive_n (fun G => let u___________ := 1 / 2 in Derive_n (fun u____________ => quintic_ A B C_ E_ F G u____________) 1 u___________) 1 G]; [Derive_n (fun A => let u____________ := 1%Z in Derive_n (fun u_____________ => quintic_ A B C_ E_ F G u_____________) 1 (IZR u____________)) 1 A; Derive_n (fun B => let u_____________ := 1%Z in Derive_n (fun u______________ => quintic_ A B C_ E_ F G u______________) 1 (IZR u_____________)) 1 B; Derive_n (fun C_ => let u______________ := 1%Z in Derive_n (fun u_______________ => quintic_ A B C_ E_ F G u_______________) 1 (IZR u______________)) 1 C_; Derive_n (fun E_ => let u_______________ := 1%Z in Derive_n (fun u________________ => quintic_ A B C_ E_ F G u________________) 1 (IZR u_______________)) 1 E_; Derive_n (fun F => let u________________ := 1%Z in Derive_n (fun u_________________ => quintic_ A B C_ E_ F G u_________________) 1 (IZR u________________)) 1 F; Derive_n (fun G => let u_________________ := 1%Z in Derive_n (fun u__________________ => quintic_ A B C_ E_ F G u__________________) 1 (IZR u_________________)) 1 G]].
-Definition quintic_basis (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
-  mvec (transpose (inverse (quintic_data A B C_ E_ F G))) [u ^ 5; u ^ 4; u ^ 3; u ^ 2; u; 1].
-Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) (e : list R) (f : list R) : list R :=
-  vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
-Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
-  blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u q0 qm q1 q0u qu q1u.
 Definition k : R :=
   2.
-Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
-  hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition o : list R :=
   [100; 20; 45].
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
@@ -354,8 +296,6 @@ Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : 
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => quintic_gap A B C_ E_ F G p0 p0u p1 p1u pm pu u_) (Z.to_nat n) (IZR u)) (factorial n).
 Definition quintic_criterion (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 5%Z.
-Definition quintic_criterion_ : R :=
-  0.
 Definition quintic_criterion__ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=
   quintic_part A B C_ E_ F G p0 p0u p1 p1u pm pu 4%Z.
 Definition quintic_criterion___ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) : list R :=

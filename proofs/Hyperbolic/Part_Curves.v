@@ -2,6 +2,20 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition f (t : R) (a : R) : R :=
+  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
+Definition g (t : R) (a : R) : R :=
+  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
+Definition h (t : R) (a : R) : R :=
+  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
+Definition F (P : Z -> R) (a : R) (t : R) : R :=
+  f t a * P 0%Z + g t a * P 1%Z + h t a * P 2%Z.
+Definition s (omega : R) : R :=
+  omega * ((exp (omega / 2) + exp (- (omega / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2).
+End Definitions.
+Import Definitions.
+
 Module curve_ends.
 (* hyperbolic/curve.ends, Curves
    printed: F(0) = P_0, F(a) = P_2
@@ -37,14 +51,6 @@ Module curve_d1.
 (* hyperbolic/curve.d1, Curves
    printed: F'(0) = coth(a/2)(P_1 - P_0), F'(a) = coth(a/2)(P_2 - P_1)
    stated: F'(0) == cosh(a/2)/sinh(a/2)*(P[1] - P[0]) and F'(a) == cosh(a/2)/sinh(a/2)*(P[2] - P[1]) *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition F (P : Z -> R) (a : R) (t : R) : R :=
-  f t a * P 0%Z + g t a * P 1%Z + h t a * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -62,14 +68,6 @@ Module curve_d1_slip.
 (* hyperbolic/curve.d1.slip, Curves
    printed: A common slip: F'(0) = tanh(a/2)(P_1 - P_0)
    stated: F'(0) == sinh(a/2)/cosh(a/2)*(P[1] - P[0]) *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition F (P : Z -> R) (a : R) (t : R) : R :=
-  f t a * P 0%Z + g t a * P 1%Z + h t a * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -82,14 +80,6 @@ Module curve_d1_slip_corrected.
 (* hyperbolic/curve.d1.slip (corrected), Curves
    printed: A common slip: F'(0) = tanh(a/2)(P_1 - P_0)
    stated: F'(0) == cosh(a/2)/sinh(a/2)*(P[1] - P[0]) *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition F (P : Z -> R) (a : R) (t : R) : R :=
-  f t a * P 0%Z + g t a * P 1%Z + h t a * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -107,14 +97,6 @@ Module curve_d2.
 (* hyperbolic/curve.d2, Curves
    printed: F''(0) = (cosh a (P_0 - P_1) + P_2 - P_1)/(2 sinh²(a/2))
    stated: F''(0) == (cosh(a)*(P[0] - P[1]) + P[2] - P[1])/(2*sinh(a/2)^2) *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition F (P : Z -> R) (a : R) (t : R) : R :=
-  f t a * P 0%Z + g t a * P 1%Z + h t a * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -132,14 +114,6 @@ Module curve_middle.
 (* hyperbolic/curve.middle, Curves
    printed: F(a/2) = (P_0 + 2 cosh(a/2) P_1 + P_2)/(2 + 2 cosh(a/2))
    stated: F(a/2) == (P[0] + 2*cosh(a/2)*P[1] + P[2])/(2 + 2*cosh(a/2)) *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition F (P : Z -> R) (a : R) (t : R) : R :=
-  f t a * P 0%Z + g t a * P 1%Z + h t a * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -157,14 +131,6 @@ Module curve_middle_slip.
 (* hyperbolic/curve.middle.slip, Curves
    printed: A common slip: F(a/2) = (P_0 + 2 cosh a P_1 + P_2)/(2 + 2 cosh a)
    stated: F(a/2) == (P[0] + 2*cosh(a)*P[1] + P[2])/(2 + 2*cosh(a)) *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition F (P : Z -> R) (a : R) (t : R) : R :=
-  f t a * P 0%Z + g t a * P 1%Z + h t a * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -206,8 +172,6 @@ Definition h (u : R) (omega : R) (i : Z) (k : Z) : R :=
   basis (1 - u) u [((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; 2 * ((exp (omega / 2) + exp (- (omega / 2))) / 2) * ((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) * ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2] i k.
 Definition F (P : Z -> R) (m : Z) (omega : R) (u : R) : R :=
   sum 0%Z m (fun i => h u omega i m * P i).
-Definition s (omega : R) : R :=
-  omega * ((exp (omega / 2) + exp (- (omega / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2).
 Definition statement : Prop :=
 forall (m : Z) (P : Z -> R) (omega : R),
   (2 <= m)%Z ->
@@ -239,8 +203,6 @@ Definition h (u : R) (omega : R) (i : Z) (k : Z) : R :=
   basis (1 - u) u [((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; 2 * ((exp (omega / 2) + exp (- (omega / 2))) / 2) * ((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) * ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2] i k.
 Definition F (P : Z -> R) (m : Z) (omega : R) (u : R) : R :=
   sum 0%Z m (fun i => h u omega i m * P i).
-Definition s (omega : R) : R :=
-  omega * ((exp (omega / 2) + exp (- (omega / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2).
 Definition statement : Prop :=
 forall (m : Z) (P : Z -> R) (omega : R),
   (2 <= m)%Z ->
@@ -256,8 +218,6 @@ Module shape_slope.
 (* hyperbolic/shape.slope, Curves
    printed: s > 0
    stated: s > 0 *)
-Definition s (omega : R) : R :=
-  omega * ((exp (omega / 2) + exp (- (omega / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2).
 Definition statement : Prop :=
 forall (omega : R),
   0 < omega ->

@@ -2,10 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module curve_hyperbola.
-(* hyperbolic/curve.hyperbola, Hyperbolas
-   printed: The points (1, 0), (1, tanh(a/2)), (cosh a, sinh a) give (cosh t, sinh t).
-   stated: E(t) == [cosh(t), sinh(t)] *)
+Module Definitions.
 Definition f (t : R) (a : R) : R :=
   ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition g (t : R) (a : R) : R :=
@@ -14,6 +11,13 @@ Definition h (t : R) (a : R) : R :=
   ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition E_ (a : R) (t : R) : list R :=
   vadd (vadd (vscale (f t a) [1; 0]) (vscale (g t a) [1; (exp (a / 2) - exp (- (a / 2))) / (exp (a / 2) + exp (- (a / 2)))])) (vscale (h t a) [(exp a + exp (- a)) / 2; (exp a - exp (- a)) / 2]).
+End Definitions.
+Import Definitions.
+
+Module curve_hyperbola.
+(* hyperbolic/curve.hyperbola, Hyperbolas
+   printed: The points (1, 0), (1, tanh(a/2)), (cosh a, sinh a) give (cosh t, sinh t).
+   stated: E(t) == [cosh(t), sinh(t)] *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -33,14 +37,6 @@ Module curve_hyperbola_implicit.
 (* hyperbolic/curve.hyperbola.implicit, Hyperbolas
    printed: E_1² - E_2² = 1
    stated: E(t)[1]^2 - E(t)[2]^2 == 1 *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition E_ (a : R) (t : R) : list R :=
-  vadd (vadd (vscale (f t a) [1; 0]) (vscale (g t a) [1; (exp (a / 2) - exp (- (a / 2))) / (exp (a / 2) + exp (- (a / 2)))])) (vscale (h t a) [(exp a + exp (- a)) / 2; (exp a - exp (- a)) / 2]).
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -60,14 +56,6 @@ Module curve_hyperbola_tangent.
 (* hyperbolic/curve.hyperbola.tangent, Hyperbolas
    printed: The middle point lies on the tangents at both ends: det(E'(a), E(a) - E_1) = 0 with E_1 = (1, tanh(a/2))
    stated: det([E'(a), E(a) - [1, tanh(a/2)]]) == 0 *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition E_ (a : R) (t : R) : list R :=
-  vadd (vadd (vscale (f t a) [1; 0]) (vscale (g t a) [1; (exp (a / 2) - exp (- (a / 2))) / (exp (a / 2) + exp (- (a / 2)))])) (vscale (h t a) [(exp a + exp (- a)) / 2; (exp a - exp (- a)) / 2]).
 Definition statement : Prop :=
 forall (a : R),
   0 < a ->

@@ -2,10 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module join_C1.
-(* hyperbolic/join.C1, Joins
-   printed: R_1 = P_2 + tanh(b/2)/tanh(a/2) (P_2 - P_1)
-   stated: R[1] == P[2] + tanh(b/2)/tanh(a/2)*(P[2] - P[1]) *)
+Module Definitions.
 Definition f (t : Z) (a : R) : R :=
   ((exp ((a - IZR t) / 2) - exp (- ((a - IZR t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition g (t : Z) (a : R) : R :=
@@ -24,6 +21,13 @@ Definition F (P : Z -> R) (a : R) (t : R) : R :=
   f_ t a * P 0%Z + g_ t a * P 1%Z + h_ t a * P 2%Z.
 Definition G_ (R_ : Z -> R) (b : R) (t : R) : R :=
   f_ t b * R_ 0%Z + g_ t b * R_ 1%Z + h_ t b * R_ 2%Z.
+End Definitions.
+Import Definitions.
+
+Module join_C1.
+(* hyperbolic/join.C1, Joins
+   printed: R_1 = P_2 + tanh(b/2)/tanh(a/2) (P_2 - P_1)
+   stated: R[1] == P[2] + tanh(b/2)/tanh(a/2)*(P[2] - P[1]) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
   0 < a ->
@@ -53,24 +57,6 @@ Module join_C1_slip.
 (* hyperbolic/join.C1.slip, Joins
    printed: A common slip: R_1 = P_2 + tanh(a/2)/tanh(b/2) (P_2 - P_1)
    stated: R[1] == P[2] + tanh(a/2)/tanh(b/2)*(P[2] - P[1]) *)
-Definition f (t : Z) (a : R) : R :=
-  ((exp ((a - IZR t) / 2) - exp (- ((a - IZR t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : Z) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - IZR t) / 2) - exp (- ((a - IZR t) / 2))) / 2) * ((exp (IZR t / 2) - exp (- (IZR t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : Z) (a : R) : R :=
-  ((exp (IZR t / 2) - exp (- (IZR t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition G (R_ : Z -> R) (b : R) (t : Z) : R :=
-  f t b * R_ 0%Z + g t b * R_ 1%Z + h t b * R_ 2%Z.
-Definition f_ (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g_ (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h_ (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition F (P : Z -> R) (a : R) (t : R) : R :=
-  f_ t a * P 0%Z + g_ t a * P 1%Z + h_ t a * P 2%Z.
-Definition G_ (R_ : Z -> R) (b : R) (t : R) : R :=
-  f_ t b * R_ 0%Z + g_ t b * R_ 1%Z + h_ t b * R_ 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
   0 < a ->
@@ -89,24 +75,6 @@ Module join_C1_slip_corrected.
 (* hyperbolic/join.C1.slip (corrected), Joins
    printed: A common slip: R_1 = P_2 + tanh(a/2)/tanh(b/2) (P_2 - P_1)
    stated: R[1] == P[2] + tanh(b/2)/tanh(a/2)*(P[2] - P[1]) *)
-Definition f (t : Z) (a : R) : R :=
-  ((exp ((a - IZR t) / 2) - exp (- ((a - IZR t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : Z) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - IZR t) / 2) - exp (- ((a - IZR t) / 2))) / 2) * ((exp (IZR t / 2) - exp (- (IZR t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : Z) (a : R) : R :=
-  ((exp (IZR t / 2) - exp (- (IZR t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition G (R_ : Z -> R) (b : R) (t : Z) : R :=
-  f t b * R_ 0%Z + g t b * R_ 1%Z + h t b * R_ 2%Z.
-Definition f_ (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g_ (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h_ (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition F (P : Z -> R) (a : R) (t : R) : R :=
-  f_ t a * P 0%Z + g_ t a * P 1%Z + h_ t a * P 2%Z.
-Definition G_ (R_ : Z -> R) (b : R) (t : R) : R :=
-  f_ t b * R_ 0%Z + g_ t b * R_ 1%Z + h_ t b * R_ 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
   0 < a ->
@@ -136,24 +104,6 @@ Module join_C2.
 (* hyperbolic/join.C2, Joins
    printed: R_2 = R_1 + cosh b (R_1 - P_2) + sinh²(b/2)/sinh²(a/2) (P_0 - P_1 + cosh a (P_2 - P_1))
    stated: R[2] == R[1] + cosh(b)*(R[1] - P[2]) + sinh(b/2)^2/sinh(a/2)^2*(P[0] - P[1] + cosh(a)*(P[2] - P[1])) *)
-Definition f (t : Z) (a : R) : R :=
-  ((exp ((a - IZR t) / 2) - exp (- ((a - IZR t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : Z) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - IZR t) / 2) - exp (- ((a - IZR t) / 2))) / 2) * ((exp (IZR t / 2) - exp (- (IZR t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : Z) (a : R) : R :=
-  ((exp (IZR t / 2) - exp (- (IZR t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition G (R_ : Z -> R) (b : R) (t : Z) : R :=
-  f t b * R_ 0%Z + g t b * R_ 1%Z + h t b * R_ 2%Z.
-Definition f_ (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g_ (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h_ (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition F (P : Z -> R) (a : R) (t : R) : R :=
-  f_ t a * P 0%Z + g_ t a * P 1%Z + h_ t a * P 2%Z.
-Definition G_ (R_ : Z -> R) (b : R) (t : R) : R :=
-  f_ t b * R_ 0%Z + g_ t b * R_ 1%Z + h_ t b * R_ 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
   0 < a ->

@@ -2,12 +2,16 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition S_ (r : R) (t : R) : list R :=
+  [exp (r * t) * cos t; exp (r * t) * sin t].
+End Definitions.
+Import Definitions.
+
 Module spiral_angle.
 (* hyperbolic/spiral.angle, Logarithmic spiral
    printed: Radius and tangent make one angle: (1 + r²)(S·S')² = r² (S·S)(S'·S')
    stated: (1 + r^2)*dot(S(t), S'(t))^2 == r^2*dot(S(t), S(t))*dot(S'(t), S'(t)) *)
-Definition S_ (r : R) (t : R) : list R :=
-  [exp (r * t) * cos t; exp (r * t) * sin t].
 Definition statement : Prop :=
 forall (r : R) (t : R),
   (1 + r ^ 2) * dot (S_ r t) (vDerive 2 (fun t_ => S_ r t_) 1 t) ^ 2 = r ^ 2 * dot (S_ r t) (S_ r t) * dot (vDerive 2 (fun t_ => S_ r t_) 1 t) (vDerive 2 (fun t_ => S_ r t_) 1 t).
@@ -17,8 +21,6 @@ Module spiral_angle_slip.
 (* hyperbolic/spiral.angle.slip, Logarithmic spiral
    printed: A common slip: (S·S')² = r² (S·S)(S'·S')
    stated: dot(S(t), S'(t))^2 == r^2*dot(S(t), S(t))*dot(S'(t), S'(t)) *)
-Definition S_ (r : R) (t : R) : list R :=
-  [exp (r * t) * cos t; exp (r * t) * sin t].
 Definition statement : Prop :=
 forall (r : R) (t : R),
   dot (S_ r t) (vDerive 2 (fun t_ => S_ r t_) 1 t) ^ 2 = r ^ 2 * dot (S_ r t) (S_ r t) * dot (vDerive 2 (fun t_ => S_ r t_) 1 t) (vDerive 2 (fun t_ => S_ r t_) 1 t).
@@ -28,8 +30,6 @@ Module spiral_regular.
 (* hyperbolic/spiral.regular, Logarithmic spiral
    printed: S'·S' > 0
    stated: dot(S'(t), S'(t)) > 0 *)
-Definition S_ (r : R) (t : R) : list R :=
-  [exp (r * t) * cos t; exp (r * t) * sin t].
 Definition statement : Prop :=
 forall (r : R) (t : R),
   dot (vDerive 2 (fun t_ => S_ r t_) 1 t) (vDerive 2 (fun t_ => S_ r t_) 1 t) > 0.
@@ -39,8 +39,6 @@ Module spiral_curvature.
 (* hyperbolic/spiral.curvature, Logarithmic spiral
    printed: det(S', S'')^2/(S'·S')^3 = e^(-2 r t)/(1 + r²)
    stated: det([S'(t), S''(t)])^2/dot(S'(t), S'(t))^3 == exp(-2*r*t)/(1 + r^2) *)
-Definition S_ (r : R) (t : R) : list R :=
-  [exp (r * t) * cos t; exp (r * t) * sin t].
 Definition statement : Prop :=
 forall (r : R) (t : R),
   dot (vDerive 2 (fun t_ => S_ r t_) 1 t) (vDerive 2 (fun t_ => S_ r t_) 1 t) ^ 3 <> 0 ->

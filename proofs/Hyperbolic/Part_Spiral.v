@@ -2,12 +2,16 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition L (d : R) (r : R) (t : R) : list R :=
+  [exp (r * t) * cos t; exp (r * t) * sin t; d * exp (r * t)].
+End Definitions.
+Import Definitions.
+
 Module cone_slope.
 (* hyperbolic/cone.slope, Spiral on a cone
    printed: L lies on the cone x² + y² = z²/d², and its tangents have one slope: L_3'² (1 + r² + d² r²) = d² r² L'·L'
    stated: L(t)[1]^2 + L(t)[2]^2 == L(t)[3]^2/d^2 and L'(t)[3]^2*(1 + r^2 + d^2*r^2) == d^2*r^2*dot(L'(t), L'(t)) *)
-Definition L (d : R) (r : R) (t : R) : list R :=
-  [exp (r * t) * cos t; exp (r * t) * sin t; d * exp (r * t)].
 Definition statement : Prop :=
 forall (d : R) (r : R) (t : R),
   0 < d ->
@@ -23,8 +27,6 @@ Module cone_torsion.
 (* hyperbolic/cone.torsion, Spiral on a cone
    printed: det(L', L'', L''') = d r (1 + r²) e^(3 r t)
    stated: det([L'(t), L''(t), L'''(t)]) == d*r*(1 + r^2)*exp(3*r*t) *)
-Definition L (d : R) (r : R) (t : R) : list R :=
-  [exp (r * t) * cos t; exp (r * t) * sin t; d * exp (r * t)].
 Definition statement : Prop :=
 forall (d : R) (r : R) (t : R),
   0 < d ->
@@ -38,8 +40,6 @@ Module cone_torse.
 (* hyperbolic/cone.torse, Spiral on a cone
    printed: The tangents of L form a torse: det(L', L', L'') = 0
    stated: det([L'(t), L'(t), L''(t)]) == 0 *)
-Definition L (d : R) (r : R) (t : R) : list R :=
-  [exp (r * t) * cos t; exp (r * t) * sin t; d * exp (r * t)].
 Definition statement : Prop :=
 forall (d : R) (r : R) (t : R),
   0 < d ->

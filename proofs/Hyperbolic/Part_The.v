@@ -2,16 +2,20 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module quadratic_unity.
-(* hyperbolic/quadratic.unity, The functions
-   printed: f + g + h = 1
-   stated: f(t, a) + g(t, a) + h(t, a) == 1 *)
+Module Definitions.
 Definition f (t : R) (a : R) : R :=
   ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition g (t : R) (a : R) : R :=
   2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition h (t : R) (a : R) : R :=
   ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
+End Definitions.
+Import Definitions.
+
+Module quadratic_unity.
+(* hyperbolic/quadratic.unity, The functions
+   printed: f + g + h = 1
+   stated: f(t, a) + g(t, a) + h(t, a) == 1 *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -29,12 +33,6 @@ Module quadratic_symmetry.
 (* hyperbolic/quadratic.symmetry, The functions
    printed: f(a - t) = h(t), g(a - t) = g(t)
    stated: f(a - t, a) == h(t, a) and g(a - t, a) == g(t, a) *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -73,12 +71,6 @@ Module quadratic_nonnegative.
 (* hyperbolic/quadratic.nonnegative, The functions
    printed: f, g, h >= 0 for 0 <= t <= a
    stated: f(t, a) >= 0 and g(t, a) >= 0 and h(t, a) >= 0 *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -98,8 +90,6 @@ Module quadratic_nonnegative_slip.
 (* hyperbolic/quadratic.nonnegative.slip, The functions
    printed: A common slip: g >= 0 for all t >= 0
    stated: g(t, a) >= 0 *)
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -112,8 +102,6 @@ Module quadratic_decreasing.
 (* hyperbolic/quadratic.decreasing, The functions
    printed: f decreases: f' <= 0 for 0 <= t <= a
    stated: f'(t, a) <= 0 *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -133,8 +121,6 @@ Module quadratic_largest.
 (* hyperbolic/quadratic.largest, The functions
    printed: h <= 1 for 0 <= t <= a
    stated: h(t, a) <= 1 *)
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -154,12 +140,6 @@ Module quadratic_space.
 (* hyperbolic/quadratic.space, The functions
    printed: f''' = f', g''' = g', h''' = h'
    stated: f'''(t, a) == f'(t, a) and g'''(t, a) == g'(t, a) and h'''(t, a) == h'(t, a) *)
-Definition f (t : R) (a : R) : R :=
-  ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition g (t : R) (a : R) : R :=
-  2 * ((exp (a / 2) + exp (- (a / 2))) / 2) * ((exp ((a - t) / 2) - exp (- ((a - t) / 2))) / 2) * ((exp (t / 2) - exp (- (t / 2))) / 2) / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
-Definition h (t : R) (a : R) : R :=
-  ((exp (t / 2) - exp (- (t / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->

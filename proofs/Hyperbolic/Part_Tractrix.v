@@ -2,12 +2,16 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition T (t : R) : list R :=
+  [t - (exp t - exp (- t)) / (exp t + exp (- t)); 1 / ((exp t + exp (- t)) / 2)].
+End Definitions.
+Import Definitions.
+
 Module tractrix_pull.
 (* hyperbolic/tractrix.pull, Tractrix
    printed: On each tangent the axis is at distance 1: T_2²/T_2'² T'·T' = 1 for t > 0
    stated: T(t)[2]^2/T'(t)[2]^2*dot(T'(t), T'(t)) == 1 *)
-Definition T (t : R) : list R :=
-  [t - (exp t - exp (- t)) / (exp t + exp (- t)); 1 / ((exp t + exp (- t)) / 2)].
 Definition statement : Prop :=
 forall (t : R),
   0 < t ->
@@ -31,8 +35,6 @@ Module tractrix_speed.
 (* hyperbolic/tractrix.speed, Tractrix
    printed: T'·T' = tanh² t
    stated: dot(T'(t), T'(t)) == tanh(t)^2 *)
-Definition T (t : R) : list R :=
-  [t - (exp t - exp (- t)) / (exp t + exp (- t)); 1 / ((exp t + exp (- t)) / 2)].
 Definition statement : Prop :=
 forall (t : R),
   locally t (fun t_ => exp t_ + exp (- t_) <> 0) ->

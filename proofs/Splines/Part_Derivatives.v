@@ -2,6 +2,12 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
+  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
+End Definitions.
+Import Definitions.
+
 Module uniform_rate.
 (* splines/uniform.rate, Derivatives
    printed: U_{2,3}' = U_{1,2} - U_{2,2}
@@ -21,8 +27,6 @@ Module knots_rate.
 (* splines/knots.rate, Derivatives
    printed: N_{1,2}' = 2(N_{0,1}/(t_3 - t_1) - N_{1,1}/(t_4 - t_2)) on the span of t_2 and t_3
    stated: D(N[1,2](x, 2), x) == 2*(N[0,1](x, 2)/(t[3] - t[1]) - N[1,1](x, 2)/(t[4] - t[2])) *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -46,8 +50,6 @@ Module knots_rate_slip.
 (* splines/knots.rate.slip, Derivatives
    printed: A common slip: N_{1,2}' = 2(N_{0,1}/(t_3 - t_2) - N_{1,1}/(t_4 - t_2))
    stated: D(N[1,2](x, 2), x) == 2*(N[0,1](x, 2)/(t[3] - t[2]) - N[1,1](x, 2)/(t[4] - t[2])) *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -63,8 +65,6 @@ Module knots_rate_slip_corrected.
 (* splines/knots.rate.slip (corrected), Derivatives
    printed: A common slip: N_{1,2}' = 2(N_{0,1}/(t_3 - t_2) - N_{1,1}/(t_4 - t_2))
    stated: D(N[1,2](x, 2), x) == 2*(N[0,1](x, 2)/(t[3] - t[2-1]) - N[1,1](x, 2)/(t[4] - t[2])) *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->

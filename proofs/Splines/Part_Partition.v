@@ -2,6 +2,12 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
+  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
+End Definitions.
+Import Definitions.
+
 Module uniform_unity.
 (* splines/uniform.unity, Partition of unity
    printed: The functions of degree 2, and those of degree 3, add up to 1.
@@ -21,8 +27,6 @@ Module knots_unity_quadratic.
 (* splines/knots.unity.quadratic, Partition of unity
    printed: The functions of degree 2 on the span of t_2 and t_3 add up to 1.
    stated: sum(i, 0, 2, N[i,2](x, 2)) == 1 *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -46,8 +50,6 @@ Module knots_unity_cubic.
 (* splines/knots.unity.cubic, Partition of unity
    printed: The functions of degree 3 on the span of t_3 and t_4 add up to 1.
    stated: sum(i, 0, 3, N[i,3](x, 3)) == 1 *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -81,8 +83,6 @@ Module knots_unity_equal.
 (* splines/knots.unity.equal, Partition of unity
    printed: If knots may be equal, the functions of degree 2 add up to 1 where the divisors do not vanish.
    stated: sum(i, 0, 2, N[i,2](x, 2)) == 1 *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   (forall i : Z, (0 <= i <= 2)%Z -> t 3%Z - t 2%Z <> 0) ->

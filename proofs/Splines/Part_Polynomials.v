@@ -2,12 +2,18 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition U (s : R) (i : Z) (k : Z) : R :=
+  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
+Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
+  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
+End Definitions.
+Import Definitions.
+
 Module uniform_greville.
 (* splines/uniform.greville, Polynomials
    printed: The abscissae of Greville for degree 3: U_{1,3} + 2 U_{2,3} + 3 U_{3,3} = s + 1
    stated: sum(i, 0, 3, i*U[i,3](s)) == s + 1 *)
-Definition U (s : R) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition statement : Prop :=
 forall (s : R),
   0 <= s <= 1 ->
@@ -21,8 +27,6 @@ Module uniform_marsden.
 (* splines/uniform.marsden, Polynomials
    printed: s² = sum ((i - 1)² - 1/3) U_{i,3}
    stated: sum(i, 0, 3, ((i - 1)^2 - 1/3)*U[i,3](s)) == s^2 *)
-Definition U (s : R) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition statement : Prop :=
 forall (s : R),
   0 <= s <= 1 ->
@@ -36,8 +40,6 @@ Module uniform_marsden_slip.
 (* splines/uniform.marsden.slip, Polynomials
    printed: A common slip: s² = sum (i - 1)² U_{i,3}
    stated: sum(i, 0, 3, (i - 1)^2*U[i,3](s)) == s^2 *)
-Definition U (s : R) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition statement : Prop :=
 forall (s : R),
   0 <= s <= 1 ->
@@ -48,8 +50,6 @@ Module knots_greville.
 (* splines/knots.greville, Polynomials
    printed: x = sum (t_{i+1} + t_{i+2})/2 N_{i,2} for degree 2 on the span of t_2 and t_3
    stated: sum(i, 0, 2, (t[i+1] + t[i+2])/2*N[i,2](x, 2)) == x *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -77,8 +77,6 @@ Module knots_marsden.
 (* splines/knots.marsden, Polynomials
    printed: Marsden, degree 2 on the span of t_2 and t_3: (y - x)² = sum (y - t_{i+1})(y - t_{i+2}) N_{i,2}
    stated: sum(i, 0, 2, (y - t[i+1])*(y - t[i+2])*N[i,2](x, 2)) == (y - x)^2 *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R) (y : R),
   t 1%Z < t 2%Z ->
@@ -106,8 +104,6 @@ Module knots_marsden_cubic.
 (* splines/knots.marsden.cubic, Polynomials
    printed: Marsden, degree 3 on the span of t_3 and t_4: (y - x)³ = sum (y - t_{i+1})(y - t_{i+2})(y - t_{i+3}) N_{i,3}
    stated: sum(i, 0, 3, (y - t[i+1])*(y - t[i+2])*(y - t[i+3])*N[i,3](x, 3)) == (y - x)^3 *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R) (y : R),
   t 1%Z < t 2%Z ->

@@ -2,12 +2,18 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition U (s : R) (i : Z) (k : Z) : R :=
+  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
+Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
+  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
+End Definitions.
+Import Definitions.
+
 Module uniform_nonnegative.
 (* splines/uniform.nonnegative, Signs
    printed: U_{i,3}(s) >= 0 for 0 <= i <= 3 and 0 <= s <= 1
    stated: U[i,3](s) >= 0 *)
-Definition U (s : R) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition statement : Prop :=
 forall (i : Z) (s : R),
   (0 <= i <= 3)%Z ->
@@ -23,8 +29,6 @@ Module uniform_bound.
 (* splines/uniform.bound, Signs
    printed: U_{i,3}(s) <= 2/3 for 0 <= i <= 3 and 0 <= s <= 1
    stated: U[i,3](s) <= 2/3 *)
-Definition U (s : R) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition statement : Prop :=
 forall (i : Z) (s : R),
   (0 <= i <= 3)%Z ->
@@ -40,8 +44,6 @@ Module uniform_bound_slip.
 (* splines/uniform.bound.slip, Signs
    printed: A common slip: U_{i,3}(s) <= 1/2
    stated: U[i,3](s) <= 1/2 *)
-Definition U (s : R) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition statement : Prop :=
 forall (i : Z) (s : R),
   (0 <= i <= 3)%Z ->
@@ -53,8 +55,6 @@ Module knots_nonnegative_ends.
 (* splines/knots.nonnegative.ends, Signs
    printed: N_{0,2}, N_{2,2} >= 0 on the span of t_2 and t_3
    stated: N[0,2](x, 2) >= 0 and N[2,2](x, 2) >= 0 *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -82,8 +82,6 @@ Module knots_nonnegative_middle.
 (* splines/knots.nonnegative.middle, Signs
    printed: N_{1,2} > 0 inside the span of t_2 and t_3, by the gaps p, q, r, v > 0 between t_1, t_2, x, t_3, t_4
    stated: N[1,2](x, 2) > 0 *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (p : R) (q : R) (r : R) (t : Z -> R) (v : R) (x : R),
   0 < p ->
@@ -117,8 +115,6 @@ Module knots_nonnegative_outside.
 (* splines/knots.nonnegative.outside, Signs
    printed: A common slip: N_{1,2} >= 0 for all x between t_1 and t_4
    stated: N[1,2](x, 2) >= 0 *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -136,8 +132,6 @@ Module knots_nonnegative_cubic.
 (* splines/knots.nonnegative.cubic, Signs
    printed: N_{0,3}, N_{3,3} >= 0 on the span of t_3 and t_4
    stated: N[0,3](x, 3) >= 0 and N[3,3](x, 3) >= 0 *)
-Definition N_ (t : Z -> R) (x : R) (j : Z) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (t (j + i_ + 1)%Z - x) / (t (j + i_ + 1)%Z - t (j + i_ + 1 - k_)%Z)) (fun i_ k_ => (x - t (j + i_ - k_)%Z) / (t (j + i_)%Z - t (j + i_ - k_)%Z)) [1] i k.
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->

@@ -2,14 +2,22 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module uniform_two_scale_quadratic.
-(* splines/uniform.two.scale.quadratic, Two scales
-   printed: Chaikin: A(s/2) is the spline with the points (3P_0 + P_1)/4, (P_0 + 3P_1)/4, (3P_1 + P_2)/4.
-   stated: A(s/2) == U[0,2](s)*(3*P[0] + P[1])/4 + U[1,2](s)*(P[0] + 3*P[1])/4 + U[2,2](s)*(3*P[1] + P[2])/4 *)
+Module Definitions.
 Definition U (s : R) (i : Z) (k : Z) : R :=
   counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition A (P : Z -> R) (s : R) : R :=
   sum 0%Z 2%Z (fun i => U s i 2%Z * P i).
+Definition F (P : Z -> R) (m : R) (x : R) : R :=
+  (m - x) ^ 2 / m ^ 2 * P 0%Z + ((m - x) * x / m ^ 2 + (1 - x) * x / m) * P 1%Z + x ^ 2 / m * P 2%Z.
+Definition G (P : Z -> R) (m : R) (x : R) : R :=
+  (1 - x) ^ 2 / (1 - m) * P 1%Z + ((x - m) * (1 - x) / (1 - m) ^ 2 + (1 - x) * x / (1 - m)) * P 2%Z + (x - m) ^ 2 / (1 - m) ^ 2 * P 3%Z.
+End Definitions.
+Import Definitions.
+
+Module uniform_two_scale_quadratic.
+(* splines/uniform.two.scale.quadratic, Two scales
+   printed: Chaikin: A(s/2) is the spline with the points (3P_0 + P_1)/4, (P_0 + 3P_1)/4, (3P_1 + P_2)/4.
+   stated: A(s/2) == U[0,2](s)*(3*P[0] + P[1])/4 + U[1,2](s)*(P[0] + 3*P[1])/4 + U[2,2](s)*(3*P[1] + P[2])/4 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (s : R),
   0 <= s <= 1 ->
@@ -25,8 +33,6 @@ Module uniform_two_scale_cubic.
 (* splines/uniform.two.scale.cubic, Two scales
    printed: F(s/2) is the spline with the points (P_0 + P_1)/2, (P_0 + 6P_1 + P_2)/8, (P_1 + P_2)/2, (P_1 + 6P_2 + P_3)/8.
    stated: F(s/2) == U[0,3](s)*(P[0] + P[1])/2 + U[1,3](s)*(P[0] + 6*P[1] + P[2])/8 + U[2,3](s)*(P[1] + P[2])/2 + U[3,3](s)*(P[1] + 6*P[2] + P[3])/8 *)
-Definition U (s : R) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition F (P : Z -> R) (s : R) : R :=
   sum 0%Z 3%Z (fun i => U s i 3%Z * P i).
 Definition statement : Prop :=
@@ -44,10 +50,6 @@ Module uniform_two_scale_slip.
 (* splines/uniform.two.scale.slip, Two scales
    printed: A common slip: the points of A(s/2) are (2P_0 + P_1)/3, (P_0 + 2P_1)/3, (2P_1 + P_2)/3.
    stated: A(s/2) == U[0,2](s)*(2*P[0] + P[1])/3 + U[1,2](s)*(P[0] + 2*P[1])/3 + U[2,2](s)*(2*P[1] + P[2])/3 *)
-Definition U (s : R) (i : Z) (k : Z) : R :=
-  counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
-Definition A (P : Z -> R) (s : R) : R :=
-  sum 0%Z 2%Z (fun i => U s i 2%Z * P i).
 Definition statement : Prop :=
 forall (P : Z -> R) (s : R),
   0 <= s <= 1 ->
@@ -105,10 +107,6 @@ Module clamped_tangents.
 (* splines/clamped.tangents, Two spans
    printed: F'(0) = 2(P_1 - P_0)/m, G'(1) = 2(P_3 - P_2)/(1 - m)
    stated: F'(0) == 2*(P[1] - P[0])/m and G'(1) == 2*(P[3] - P[2])/(1 - m) *)
-Definition F (P : Z -> R) (m : R) (x : R) : R :=
-  (m - x) ^ 2 / m ^ 2 * P 0%Z + ((m - x) * x / m ^ 2 + (1 - x) * x / m) * P 1%Z + x ^ 2 / m * P 2%Z.
-Definition G (P : Z -> R) (m : R) (x : R) : R :=
-  (1 - x) ^ 2 / (1 - m) * P 1%Z + ((x - m) * (1 - x) / (1 - m) ^ 2 + (1 - x) * x / (1 - m)) * P 2%Z + (x - m) ^ 2 / (1 - m) ^ 2 * P 3%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (m : R),
   0 < m < 1 ->
@@ -130,8 +128,6 @@ Module clamped_tangents_slip.
 (* splines/clamped.tangents.slip, Two spans
    printed: A common slip: F'(0) = 2(P_1 - P_0)
    stated: F'(0) == 2*(P[1] - P[0]) *)
-Definition F (P : Z -> R) (m : R) (x : R) : R :=
-  (m - x) ^ 2 / m ^ 2 * P 0%Z + ((m - x) * x / m ^ 2 + (1 - x) * x / m) * P 1%Z + x ^ 2 / m * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (m : R),
   0 < m < 1 ->
@@ -144,10 +140,6 @@ Module clamped_C1.
 (* splines/clamped.C1, Two spans
    printed: F(m) = G(m), F'(m) = G'(m)
    stated: F(m) == G(m) and F'(m) == G'(m) *)
-Definition F (P : Z -> R) (m : R) (x : R) : R :=
-  (m - x) ^ 2 / m ^ 2 * P 0%Z + ((m - x) * x / m ^ 2 + (1 - x) * x / m) * P 1%Z + x ^ 2 / m * P 2%Z.
-Definition G (P : Z -> R) (m : R) (x : R) : R :=
-  (1 - x) ^ 2 / (1 - m) * P 1%Z + ((x - m) * (1 - x) / (1 - m) ^ 2 + (1 - x) * x / (1 - m)) * P 2%Z + (x - m) ^ 2 / (1 - m) ^ 2 * P 3%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (m : R),
   0 < m < 1 ->
@@ -169,8 +161,6 @@ Module clamped_knot.
 (* splines/clamped.knot, Two spans
    printed: F(m) = (1 - m)P_1 + m P_2
    stated: F(m) == (1 - m)*P[1] + m*P[2] *)
-Definition F (P : Z -> R) (m : R) (x : R) : R :=
-  (m - x) ^ 2 / m ^ 2 * P 0%Z + ((m - x) * x / m ^ 2 + (1 - x) * x / m) * P 1%Z + x ^ 2 / m * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (m : R),
   0 < m < 1 ->
@@ -188,10 +178,6 @@ Module clamped_C2.
 (* splines/clamped.C2, Two spans
    printed: A common slip: F''(m) = G''(m)
    stated: F''(m) == G''(m) *)
-Definition F (P : Z -> R) (m : R) (x : R) : R :=
-  (m - x) ^ 2 / m ^ 2 * P 0%Z + ((m - x) * x / m ^ 2 + (1 - x) * x / m) * P 1%Z + x ^ 2 / m * P 2%Z.
-Definition G (P : Z -> R) (m : R) (x : R) : R :=
-  (1 - x) ^ 2 / (1 - m) * P 1%Z + ((x - m) * (1 - x) / (1 - m) ^ 2 + (1 - x) * x / (1 - m)) * P 2%Z + (x - m) ^ 2 / (1 - m) ^ 2 * P 3%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (m : R),
   0 < m < 1 ->

@@ -20,7 +20,13 @@ Ltac cancel := multimatch goal with
   | H : 0 < ?c |- _ => apply (cancelled c); [lra|]
   | H : ?a <> ?b |- _ => apply (cancelled (a - b)); [let E := fresh in intro E; apply H; lra|]
   end.
-Ltac determined := apply value_of; [different | first [lra | cancel; lra | cancel; cancel; lra]].
+Ltac cancel_pi := apply (cancelled PI); [exact PI_neq0|].
+(* values without divisors are put into the equations first *)
+Ltac put_whole := progress repeat match goal with
+  | E : ?x = ?v / 1 |- _ => unfold Rdiv in E; rewrite Rinv_1, Rmult_1_r in E; rewrite E in *; clear E
+  end.
+Ltac combination := first [lra | cancel; lra | cancel_pi; lra | cancel; cancel; lra].
+Ltac determined := apply value_of; [different | first [combination | put_whole; combination]].
 Ltac known x n d := let E := fresh "known" in assert (E : x = n / d) by determined.
 (* the equations that determined x have done their work *)
 Ltac spent x E := repeat match goal with H : ?A = ?B |- _ =>

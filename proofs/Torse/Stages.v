@@ -23,10 +23,16 @@ Ltac value := match goal with |- ?t = _ =>
   end end.
 
 (* ---- definitions ---- *)
-(* those that are known in closed form *)
-Ltac staged := repeat match goal with
-  | E : ?c = _ |- context [?c] => is_const c; rewrite E; cbv beta
+(* a definition at some values of the integer that is its last argument *)
+Definition by_case {T : Type} (z n : Z) (a b : T) : T := if Z.eqb n z then a else b.
+Lemma cases_of {T : Type} (z n : Z) (x a b : T) : (n = z -> x = a) -> (n <> z -> x = b) -> x = by_case z n a b.
+Proof. intros A B. unfold by_case. destruct (Z.eqb_spec n z); auto. Qed.
+(* those that are known in closed form. A second occurrence of a variable of a pattern, and a failing rewrite, would compare
+   all subterms up to conversion: the constant is looked for as it stands. *)
+Ltac put_form c E := lazymatch goal with
+  | |- context [c] => rewrite E; cbv beta; cbv beta iota delta [by_case Z.eqb Pos.eqb]
   end.
+Ltac staged := repeat match goal with E : ?c = _ |- _ => is_const c; put_form c E end.
 Ltac on_left := match goal with |- ?t = ?v => let u := whole t in change (u = v) end.
 (* [t = ?v]: the closed form of t, or t itself where none is found *)
 Ltac divided t := match t with
@@ -62,11 +68,27 @@ Ltac arguments := lazymatch goal with
   end.
 (* what integers are symbols of is left as it is *)
 Ltac integers := match goal with _ : Z |- _ => idtac end.
+(* what definitions are known to be, once for a section *)
+Class Closed {T : Type} (d c : T) : Prop := closed : d = c.
+Ltac closing D := arguments; cbv beta delta [D]; staged; cbv beta zeta;
+  tryif integers then reflexivity else (etransitivity; [inverses; on_left; special; entries | reflexivity]).
+(* a definition of a section in closed form *)
+Ltac closed_once D := let E := fresh in eassert (E : D = _) by (closing D); exact E.
+Ltac cases D l := lazymatch l with
+  | ?z :: ?l => match goal with n : Z |- _ => apply (cases_of z n) end;
+      [ let E := fresh in intro E; rewrite E; clear E; cbv beta delta [D]; staged; cbv beta zeta;
+        etransitivity; [inverses; on_left; special; entries | reflexivity]
+      | intros _; cases D l ]
+  | _ => reflexivity
+  end.
+Ltac closed_at D l := let E := fresh in
+  eassert (E : D = _) by (arguments; cases D l); exact E.
+Ltac known_form D E := pose proof (closed (d := D)) as E; cbv beta in E.
 Ltac stage D :=
-  let E := fresh "stage" in
-  eassert (E : D = _) by
-    (arguments; cbv beta delta [D]; staged; cbv beta zeta;
-     tryif integers then reflexivity else
-       (etransitivity; [inverses; on_left; special; entries | reflexivity])).
+  let E := fresh "stage" in first [ known_form D E | eassert (E : D = _) by closing D ].
+Ltac stage_at D l :=
+  let E := fresh "stage" in first [ known_form D E | eassert (E : D = _) by (arguments; cases D l) ].
 (* the last definition is unfolded where it stands, and only what is left of it is looked at *)
-Ltac staged_goal D := cbv beta iota zeta delta [D row entry nth pred]; staged; cbv beta zeta.
+Ltac staged_goal D := let E := fresh "stage" in first
+  [ known_form D E; staged; cbv beta iota zeta delta [row entry nth pred]
+  | cbv beta iota zeta delta [D row entry nth pred]; staged; cbv beta zeta ].

@@ -2,10 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module striction_shortest.
-(* torses/striction.shortest, Central point
-   printed: N · N has the derivative zero by v at v = s(u).
-   stated: at(D(dot(N(u, v), N(u, v)), v), v, s(u)) == 0 *)
+Module Definitions.
 Definition s (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
   - dot (cross c'_u_ r_u_) (cross r'_u_ r_u_) / dot (cross r'_u_ r_u_) (cross r'_u_ r_u_).
 Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
@@ -14,6 +11,17 @@ Definition X_ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
   vadd c_u_ (vscale v r_u_).
 Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
   cross (vDerive 3 (fun u_ => X c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X_ c_u_ r_u_ (v + v_)) 1 0).
+Definition s1 (c''_u_ : list R) (c'_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (u : R) : R :=
+  - dot (vadd c'_u_ (vscale (1 * u) c''_u_)) (vadd r'_u_ (vscale (1 * u) r''_u_)) / dot (vadd r'_u_ (vscale (1 * u) r''_u_)) (vadd r'_u_ (vscale (1 * u) r''_u_)).
+Definition S1 (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (u_ : R) : list R :=
+  vadd (vadd c_u_ (vscale (1 * u_) c'_u_)) (vscale (s1 c''_u_ c'_u_ r''_u_ r'_u_ u_) (vadd r_u_ (vscale (1 * u_) r'_u_))).
+End Definitions.
+Import Definitions.
+
+Module striction_shortest.
+(* torses/striction.shortest, Central point
+   printed: N · N has the derivative zero by v at v = s(u).
+   stated: at(D(dot(N(u, v), N(u, v)), v), v, s(u)) == 0 *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -37,12 +45,6 @@ Module striction_growth.
 (* torses/striction.growth, Central point
    printed: N · N is smallest there: its second derivative by v is not negative.
    stated: D(dot(N(u, v), N(u, v)), v, 2) >= 0 *)
-Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
-Definition X_ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
-  vadd c_u_ (vscale v r_u_).
-Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
-  cross (vDerive 3 (fun u_ => X c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X_ c_u_ r_u_ (v + v_)) 1 0).
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -56,14 +58,6 @@ Module striction_length.
 (* torses/striction.length, Central point
    printed: At the central point |N|² |r' × r|² = δ² |r|².
    stated: at(dot(N(u, v), N(u, v)), v, s(u))*dot(cross(r'(u), r(u)), cross(r'(u), r(u))) == delta(u)^2*dot(r(u), r(u)) *)
-Definition s (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  - dot (cross c'_u_ r_u_) (cross r'_u_ r_u_) / dot (cross r'_u_ r_u_) (cross r'_u_ r_u_).
-Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
-Definition X_ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
-  vadd c_u_ (vscale v r_u_).
-Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
-  cross (vDerive 3 (fun u_ => X c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X_ c_u_ r_u_ (v + v_)) 1 0).
 Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
   det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
@@ -89,8 +83,6 @@ Module striction_scaled.
 (* torses/striction.scaled, Central point
    printed: With directions a r instead of r the central points are the same.
    stated: -dot(cross(c'(u), a(u)*r(u)), cross(D(a(u)*r(u), u), a(u)*r(u)))/dot(cross(D(a(u)*r(u), u), a(u)*r(u)), cross(D(a(u)*r(u), u), a(u)*r(u)))*a(u) == s(u) *)
-Definition s (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  - dot (cross c'_u_ r_u_) (cross r'_u_ r_u_) / dot (cross r'_u_ r_u_) (cross r'_u_ r_u_).
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -116,10 +108,6 @@ Module striction_unit.
 (* torses/striction.unit, Central point
    printed: For |r| = 1 the curve of striction S_1 is at right angles to r': S_1' · r' = 0.
    stated: dot(S1'(u), r'(u)) == 0 *)
-Definition s1 (c''_u_ : list R) (c'_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (u : R) : R :=
-  - dot (vadd c'_u_ (vscale (1 * u) c''_u_)) (vadd r'_u_ (vscale (1 * u) r''_u_)) / dot (vadd r'_u_ (vscale (1 * u) r''_u_)) (vadd r'_u_ (vscale (1 * u) r''_u_)).
-Definition S1 (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (u_ : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u_) c'_u_)) (vscale (s1 c''_u_ c'_u_ r''_u_ r'_u_ u_) (vadd r_u_ (vscale (1 * u_) r'_u_))).
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -149,10 +137,6 @@ Module striction_unit_slip.
 (* torses/striction.unit.slip, Central point
    printed: A slip: S_1' · r' = 0 for rulings of any length.
    stated: dot(S1'(u), r'(u)) == 0 *)
-Definition s1 (c''_u_ : list R) (c'_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (u : R) : R :=
-  - dot (vadd c'_u_ (vscale (1 * u) c''_u_)) (vadd r'_u_ (vscale (1 * u) r''_u_)) / dot (vadd r'_u_ (vscale (1 * u) r''_u_)) (vadd r'_u_ (vscale (1 * u) r''_u_)).
-Definition S1 (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (u_ : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u_) c'_u_)) (vscale (s1 c''_u_ c'_u_ r''_u_ r'_u_ u_) (vadd r_u_ (vscale (1 * u_) r'_u_))).
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in

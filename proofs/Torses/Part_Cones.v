@@ -2,6 +2,14 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition Y (a'_u_ : R) (a_u_ : R) (p : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
+  vadd (vadd p (vscale (a_u_ + 1 * u * a'_u_) (vadd r_u_ (vscale (1 * u) r'_u_)))) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
+Definition Y_ (a_u_ : R) (p : list R) (r_u_ : list R) (v : R) : list R :=
+  vadd (vadd p (vscale a_u_ r_u_)) (vscale v r_u_).
+End Definitions.
+Import Definitions.
+
 Module cone_torse.
 (* torses/cone.torse, Cones
    printed: With the apex p on all rulings, and p + a r for the directrix, the surface is a torse.
@@ -18,10 +26,6 @@ Module cone_apex.
 (* torses/cone.apex, Cones
    printed: There the surface is singular: its normal is zero at v = -a(u).
    stated: at(cross(D(Y)(u, v), D(Y, v)(u, v)), v, -a(u)) == 0 *)
-Definition Y (a'_u_ : R) (a_u_ : R) (p : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd p (vscale (a_u_ + 1 * u * a'_u_) (vadd r_u_ (vscale (1 * u) r'_u_)))) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
-Definition Y_ (a_u_ : R) (p : list R) (r_u_ : list R) (v : R) : list R :=
-  vadd (vadd p (vscale a_u_ r_u_)) (vscale v r_u_).
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (p'1 p'2 p'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let p := [p'1; p'2; p'3] in
@@ -34,10 +38,6 @@ Module cone_apex_slip.
 (* torses/cone.apex.slip, Cones
    printed: A slip: its normal is zero at v = a(u).
    stated: at(cross(D(Y)(u, v), D(Y, v)(u, v)), v, a(u)) == 0 *)
-Definition Y (a'_u_ : R) (a_u_ : R) (p : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd p (vscale (a_u_ + 1 * u * a'_u_) (vadd r_u_ (vscale (1 * u) r'_u_)))) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
-Definition Y_ (a_u_ : R) (p : list R) (r_u_ : list R) (v : R) : list R :=
-  vadd (vadd p (vscale a_u_ r_u_)) (vscale v r_u_).
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (p'1 p'2 p'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let p := [p'1; p'2; p'3] in

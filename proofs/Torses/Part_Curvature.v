@@ -2,14 +2,32 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition X (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
+  vadd (vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale (1 / 2 * u ^ 2) c''_u_)) (vscale v (vadd (vadd r_u_ (vscale (1 * u) r'_u_)) (vscale (1 / 2 * u ^ 2) r''_u_))).
+Definition X_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
+  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
+Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
+  det [c'_u_; r_u_; r'_u_].
+Definition X__ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
+  vadd c_u_ (vscale v r_u_).
+Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
+  cross (vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X__ c_u_ r_u_ (v + v_)) 1 0).
+Definition K (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
+  dot (vDerive 3 (fun v_ => X__ c_u_ r_u_ (v + v_)) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
+Definition M (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
+  dot (vDerive 3 (fun v_ => let v__ := v + v_ in let v___ := v__ in vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v___ u_) 1 0) 1 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
+Definition L (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
+  dot (vDerive 3 (fun u_ => X c''_u_ c'_u_ c_u_ r''_u_ r'_u_ r_u_ v u_) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
+End Definitions.
+Import Definitions.
+
 Module ruled_asymptotic.
 (* torses/ruled.asymptotic, Curvature
    printed: The rulings are asymptotic lines: X_vv · N = 0.
    stated: K(u, v) == 0 *)
 Definition X (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
   vadd c_u_ (vscale v r_u_).
-Definition X_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
 Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
   cross (vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X c_u_ r_u_ (v + v_)) 1 0).
 Definition K (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
@@ -35,8 +53,6 @@ Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) 
   cross (vDerive 3 (fun u_ => X c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X_ c_u_ r_u_ (v + v_)) 1 0).
 Definition M (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
   dot (vDerive 3 (fun v_ => let v__ := v + v_ in let v___ := v__ in vDerive 3 (fun u_ => X c'_u_ c_u_ r'_u_ r_u_ v___ u_) 1 0) 1 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -75,22 +91,6 @@ Module ruled_gauss.
 (* torses/ruled.gauss, Curvature
    printed: The numerator of the Gauss curvature: (X_uu · N)(X_vv · N) - (X_uv · N)² = -δ²
    stated: L(u, v)*K(u, v) - M(u, v)^2 == -delta(u)^2 *)
-Definition X (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale (1 / 2 * u ^ 2) c''_u_)) (vscale v (vadd (vadd r_u_ (vscale (1 * u) r'_u_)) (vscale (1 / 2 * u ^ 2) r''_u_))).
-Definition X_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
-Definition X__ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
-  vadd c_u_ (vscale v r_u_).
-Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
-  cross (vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X__ c_u_ r_u_ (v + v_)) 1 0).
-Definition L (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun u_ => X c''_u_ c'_u_ c_u_ r''_u_ r'_u_ r_u_ v u_) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition K (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun v_ => X__ c_u_ r_u_ (v + v_)) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition M (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun v_ => let v__ := v + v_ in let v___ := v__ in vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v___ u_) 1 0) 1 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -126,8 +126,6 @@ Definition K (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (
   dot (vDerive 3 (fun v_ => X_ c_u_ r_u_ (v + v_)) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
 Definition M (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
   dot (vDerive 3 (fun v_ => let v__ := v + v_ in let v___ := v__ in vDerive 3 (fun u_ => X c'_u_ c_u_ r'_u_ r_u_ v___ u_) 1 0) 1 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -157,20 +155,6 @@ Module ruled_gauss_sign.
 (* torses/ruled.gauss.sign, Curvature
    printed: No ruled surface has a point of positive Gauss curvature.
    stated: L(u, v)*K(u, v) - M(u, v)^2 <= 0 *)
-Definition X (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale (1 / 2 * u ^ 2) c''_u_)) (vscale v (vadd (vadd r_u_ (vscale (1 * u) r'_u_)) (vscale (1 / 2 * u ^ 2) r''_u_))).
-Definition X_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
-Definition X__ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
-  vadd c_u_ (vscale v r_u_).
-Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
-  cross (vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X__ c_u_ r_u_ (v + v_)) 1 0).
-Definition L (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun u_ => X c''_u_ c'_u_ c_u_ r''_u_ r'_u_ r_u_ v u_) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition K (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun v_ => X__ c_u_ r_u_ (v + v_)) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition M (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun v_ => let v__ := v + v_ in let v___ := v__ in vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v___ u_) 1 0) 1 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -186,22 +170,6 @@ Module ruled_gauss_slip.
 (* torses/ruled.gauss.slip, Curvature
    printed: A slip: (X_uu · N)(X_vv · N) - (X_uv · N)² = δ²
    stated: L(u, v)*K(u, v) - M(u, v)^2 == delta(u)^2 *)
-Definition X (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale (1 / 2 * u ^ 2) c''_u_)) (vscale v (vadd (vadd r_u_ (vscale (1 * u) r'_u_)) (vscale (1 / 2 * u ^ 2) r''_u_))).
-Definition X_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
-Definition X__ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
-  vadd c_u_ (vscale v r_u_).
-Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
-  cross (vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X__ c_u_ r_u_ (v + v_)) 1 0).
-Definition L (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun u_ => X c''_u_ c'_u_ c_u_ r''_u_ r'_u_ r_u_ v u_) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition K (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun v_ => X__ c_u_ r_u_ (v + v_)) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition M (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun v_ => let v__ := v + v_ in let v___ := v__ in vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v___ u_) 1 0) 1 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -217,22 +185,6 @@ Module ruled_gauss_slip_corrected.
 (* torses/ruled.gauss.slip (corrected), Curvature
    printed: A slip: (X_uu · N)(X_vv · N) - (X_uv · N)² = δ²
    stated: L(u, v)*K(u, v) - M(u, v)^2 == -delta(u)^2 *)
-Definition X (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale (1 / 2 * u ^ 2) c''_u_)) (vscale v (vadd (vadd r_u_ (vscale (1 * u) r'_u_)) (vscale (1 / 2 * u ^ 2) r''_u_))).
-Definition X_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
-Definition X__ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
-  vadd c_u_ (vscale v r_u_).
-Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
-  cross (vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X__ c_u_ r_u_ (v + v_)) 1 0).
-Definition L (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (r''_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun u_ => X c''_u_ c'_u_ c_u_ r''_u_ r'_u_ r_u_ v u_) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition K (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun v_ => X__ c_u_ r_u_ (v + v_)) 2 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition M (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
-  dot (vDerive 3 (fun v_ => let v__ := v + v_ in let v___ := v__ in vDerive 3 (fun u_ => X_ c'_u_ c_u_ r'_u_ r_u_ v___ u_) 1 0) 1 0) (N_ c'_u_ c_u_ r'_u_ r_u_ u v).
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in

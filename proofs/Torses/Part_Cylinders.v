@@ -2,12 +2,16 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
+  det [c'_u_; r_u_; r'_u_].
+End Definitions.
+Import Definitions.
+
 Module cylinder_torse.
 (* torses/cylinder.torse, Cylinders
    printed: If the rulings are parallel, r × r' = 0, the surface is a torse.
    stated: delta(u) == 0 *)
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -54,8 +58,6 @@ Module cylinder_converse_slip.
 (* torses/cylinder.converse.slip, Cylinders
    printed: A slip: only cylinders are torses.
    stated: cross(r(u), r'(u)) == 0 *)
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in

@@ -2,14 +2,18 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module striction_parameter.
-(* torses/striction.parameter, Distribution
-   printed: The parameter of distribution p = |r|² δ/|r' × r|² does not depend on the length of r.
-   stated: a(u)^2*dot(r(u), r(u))*det([c'(u), a(u)*r(u), D(a(u)*r(u), u)])/dot(cross(D(a(u)*r(u), u), a(u)*r(u)), cross(D(a(u)*r(u), u), a(u)*r(u))) == p(u) *)
+Module Definitions.
 Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
   det [c'_u_; r_u_; r'_u_].
 Definition p (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) : R :=
   dot r_u_ r_u_ * delta c'_u_ r'_u_ r_u_ / dot (cross r'_u_ r_u_) (cross r'_u_ r_u_).
+End Definitions.
+Import Definitions.
+
+Module striction_parameter.
+(* torses/striction.parameter, Distribution
+   printed: The parameter of distribution p = |r|² δ/|r' × r|² does not depend on the length of r.
+   stated: a(u)^2*dot(r(u), r(u))*det([c'(u), a(u)*r(u), D(a(u)*r(u), u)])/dot(cross(D(a(u)*r(u), u), a(u)*r(u)), cross(D(a(u)*r(u), u), a(u)*r(u))) == p(u) *)
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -43,10 +47,6 @@ Definition X_ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
   vadd c_u_ (vscale v r_u_).
 Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
   cross (vDerive 3 (fun u_ => X c'_u_ c_u_ r'_u_ r_u_ v u_) 1 0) (vDerive 3 (fun v_ => X_ c_u_ r_u_ (v + v_)) 1 0).
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
-Definition p (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) : R :=
-  dot r_u_ r_u_ * delta c'_u_ r'_u_ r_u_ / dot (cross r'_u_ r_u_) (cross r'_u_ r_u_).
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in

@@ -2,12 +2,16 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
+  det [c'_u_; r_u_; r'_u_].
+End Definitions.
+Import Definitions.
+
 Module ruled_directrix.
 (* torses/ruled.directrix, Freedom
    printed: δ is the same for every other directrix c + a r on the surface.
    stated: det([D(c(u) + a(u)*r(u), u), r(u), r'(u)]) == delta(u) *)
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -21,8 +25,6 @@ Module ruled_scaled.
 (* torses/ruled.scaled, Freedom
    printed: With directions a r instead of r, δ becomes a² δ.
    stated: det([c'(u), a(u)*r(u), D(a(u)*r(u), u)]) == a(u)^2*delta(u) *)
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in

@@ -2,6 +2,12 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition W (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) : R :=
+  det [n_u_; n'_u_; n''_u_].
+End Definitions.
+Import Definitions.
+
 Module planes_ruling.
 (* torses/planes.ruling, Rulings
    printed: n × n' is the direction of the ruling: it is at right angles to n and n'.
@@ -17,8 +23,6 @@ Module planes_turn.
 (* torses/planes.turn, Rulings
    printed: (n × n') × (n × n')' = det(n, n', n'') n: the planes are those that the rulings and their changes span.
    stated: cross(cross(n(u), n'(u)), D(cross(n(u), n'(u)), u)) == W(u)*n(u) *)
-Definition W (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) : R :=
-  det [n_u_; n'_u_; n''_u_].
 Definition statement : Prop :=
 forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -31,8 +35,6 @@ Module planes_turn_slip.
 (* torses/planes.turn.slip, Rulings
    printed: A slip: (n × n') × (n × n')' = det(n, n', n'') n'
    stated: cross(cross(n(u), n'(u)), D(cross(n(u), n'(u)), u)) == W(u)*n'(u) *)
-Definition W (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) : R :=
-  det [n_u_; n'_u_; n''_u_].
 Definition statement : Prop :=
 forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -45,8 +47,6 @@ Module planes_turn_slip_corrected.
 (* torses/planes.turn.slip (corrected), Rulings
    printed: A slip: (n × n') × (n × n')' = det(n, n', n'') n'
    stated: cross(cross(n(u), n'(u)), D(cross(n(u), n'(u)), u)) == W(u)*n(u) *)
-Definition W (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) : R :=
-  det [n_u_; n'_u_; n''_u_].
 Definition statement : Prop :=
 forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -59,8 +59,6 @@ Module planes_cylinder.
 (* torses/planes.cylinder, Rulings
    printed: If det(n, n', n'') = 0 the rulings are parallel: the envelope is a cylinder.
    stated: cross(cross(n(u), n'(u)), D(cross(n(u), n'(u)), u)) == 0 *)
-Definition W (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) : R :=
-  det [n_u_; n'_u_; n''_u_].
 Definition statement : Prop :=
 forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -80,8 +78,6 @@ Module planes_scaled.
 (* torses/planes.scaled, Rulings
    printed: With a n for n, which makes the same planes, det(n, n', n'') becomes a^3 det(n, n', n'').
    stated: det([a(u)*n(u), D(a(u)*n(u), u), D(a(u)*n(u), u, 2)]) == a(u)^3*W(u) *)
-Definition W (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) : R :=
-  det [n_u_; n'_u_; n''_u_].
 Definition statement : Prop :=
 forall (a''_u_ : R) (a'_u_ : R) (a_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -94,8 +90,6 @@ Module planes_scaled_slip.
 (* torses/planes.scaled.slip, Rulings
    printed: A slip: with a n for n, det(n, n', n'') becomes a² det(n, n', n'').
    stated: det([a(u)*n(u), D(a(u)*n(u), u), D(a(u)*n(u), u, 2)]) == a(u)^2*W(u) *)
-Definition W (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) : R :=
-  det [n_u_; n'_u_; n''_u_].
 Definition statement : Prop :=
 forall (a''_u_ : R) (a'_u_ : R) (a_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -108,8 +102,6 @@ Module planes_scaled_slip_corrected.
 (* torses/planes.scaled.slip (corrected), Rulings
    printed: A slip: with a n for n, det(n, n', n'') becomes a² det(n, n', n'').
    stated: det([a(u)*n(u), D(a(u)*n(u), u), D(a(u)*n(u), u, 2)]) == a(u)^3*W(u) *)
-Definition W (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) : R :=
-  det [n_u_; n'_u_; n''_u_].
 Definition statement : Prop :=
 forall (a''_u_ : R) (a'_u_ : R) (a_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in

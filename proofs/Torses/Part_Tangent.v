@@ -2,6 +2,16 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition T (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (v : R) (u : R) : list R :=
+  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd c'_u_ (vscale (1 * u) c''_u_))).
+Definition T_ (c'_u_ : list R) (c_u_ : list R) (v : R) : list R :=
+  vadd c_u_ (vscale v c'_u_).
+Definition NT (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (u : R) (v : R) : list R :=
+  cross (vDerive 3 (fun u_ => T c''_u_ c'_u_ c_u_ v u_) 1 0) (vDerive 3 (fun v_ => T_ c'_u_ c_u_ (v + v_)) 1 0).
+End Definitions.
+Import Definitions.
+
 Module tangents_torse.
 (* torses/tangents.torse, Tangent surface
    printed: det(c', c', c'') = 0
@@ -17,12 +27,6 @@ Module tangents_normal.
 (* torses/tangents.normal, Tangent surface
    printed: Its normal is v c'' × c'.
    stated: NT(u, v) == v*cross(c''(u), c'(u)) *)
-Definition T (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd c'_u_ (vscale (1 * u) c''_u_))).
-Definition T_ (c'_u_ : list R) (c_u_ : list R) (v : R) : list R :=
-  vadd c_u_ (vscale v c'_u_).
-Definition NT (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (u : R) (v : R) : list R :=
-  cross (vDerive 3 (fun u_ => T c''_u_ c'_u_ c_u_ v u_) 1 0) (vDerive 3 (fun v_ => T_ c'_u_ c_u_ (v + v_)) 1 0).
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -37,8 +41,6 @@ Module tangents_edge.
    stated: NT(u, 0) == 0 *)
 Definition T (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (v : Z) (u : R) : list R :=
   vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale (IZR v) (vadd c'_u_ (vscale (1 * u) c''_u_))).
-Definition T_ (c'_u_ : list R) (c_u_ : list R) (v : R) : list R :=
-  vadd c_u_ (vscale v c'_u_).
 Definition NT (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (u : R) (v : Z) : list R :=
   cross (vDerive 3 (fun u_ => T c''_u_ c'_u_ c_u_ v u_) 1 0) (vDerive 3 (fun v_ => T_ c'_u_ c_u_ (IZR v + v_)) 1 0).
 Definition statement : Prop :=
@@ -53,12 +55,6 @@ Module tangents_osculating.
 (* torses/tangents.osculating, Tangent surface
    printed: The osculating planes of c touch it.
    stated: cross(NT(u, v), cross(c'(u), c''(u))) == 0 *)
-Definition T (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd c'_u_ (vscale (1 * u) c''_u_))).
-Definition T_ (c'_u_ : list R) (c_u_ : list R) (v : R) : list R :=
-  vadd c_u_ (vscale v c'_u_).
-Definition NT (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (u : R) (v : R) : list R :=
-  cross (vDerive 3 (fun u_ => T c''_u_ c'_u_ c_u_ v u_) 1 0) (vDerive 3 (fun v_ => T_ c'_u_ c_u_ (v + v_)) 1 0).
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -71,8 +67,6 @@ Module tangents_metric.
 (* torses/tangents.metric, Tangent surface
    printed: If u is the arc length, T_u · T_u = 1 + v² c'' · c'': curvature alone counts when it is unrolled.
    stated: dot(D(T)(u, v), D(T)(u, v)) == 1 + v^2*dot(c''(u), c''(u)) *)
-Definition T (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd c'_u_ (vscale (1 * u) c''_u_))).
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -94,8 +88,6 @@ Module tangents_metric_slip.
 (* torses/tangents.metric.slip, Tangent surface
    printed: A slip: for any parameter T_u · T_u = c' · c' + v² c'' · c''.
    stated: dot(D(T)(u, v), D(T)(u, v)) == dot(c'(u), c'(u)) + v^2*dot(c''(u), c''(u)) *)
-Definition T (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (v : R) (u : R) : list R :=
-  vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd c'_u_ (vscale (1 * u) c''_u_))).
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in

@@ -2,6 +2,18 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition a (t : R) (lambda : R) : R :=
+  (1 - sin t) * (1 - lambda * sin t).
+Definition c (t : R) (mu : R) : R :=
+  (1 - cos t) * (1 - mu * cos t).
+Definition b (t : R) (lambda : R) (mu : R) : R :=
+  1 - a t lambda - c t mu.
+Definition F (P : Z -> R) (lambda : R) (mu : R) (t : R) : R :=
+  a t lambda * P 0%Z + b t lambda mu * P 1%Z + c t mu * P 2%Z.
+End Definitions.
+Import Definitions.
+
 Module quadratic_ends.
 (* trigonometric/quadratic.ends, Curves
    printed: F(0) = P_0, F(π/2) = P_2
@@ -37,14 +49,6 @@ Module quadratic_d1.
 (* trigonometric/quadratic.d1, Curves
    printed: F'(0) = (1 + λ)(P_1 - P_0), F'(π/2) = (1 + μ)(P_2 - P_1)
    stated: F'(0) == (1 + lambda)*(P[1] - P[0]) and F'(pi/2) == (1 + mu)*(P[2] - P[1]) *)
-Definition a (t : R) (lambda : R) : R :=
-  (1 - sin t) * (1 - lambda * sin t).
-Definition c (t : R) (mu : R) : R :=
-  (1 - cos t) * (1 - mu * cos t).
-Definition b (t : R) (lambda : R) (mu : R) : R :=
-  1 - a t lambda - c t mu.
-Definition F (P : Z -> R) (lambda : R) (mu : R) (t : R) : R :=
-  a t lambda * P 0%Z + b t lambda mu * P 1%Z + c t mu * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-1) <= lambda <= 1 ->
@@ -60,14 +64,6 @@ Module quadratic_d2.
 (* trigonometric/quadratic.d2, Curves
    printed: F''(0) = 2λ(P_0 - P_1) + (1 - μ)(P_2 - P_1)
    stated: F''(0) == 2*lambda*(P[0] - P[1]) + (1 - mu)*(P[2] - P[1]) *)
-Definition a (t : R) (lambda : R) : R :=
-  (1 - sin t) * (1 - lambda * sin t).
-Definition c (t : R) (mu : R) : R :=
-  (1 - cos t) * (1 - mu * cos t).
-Definition b (t : R) (lambda : R) (mu : R) : R :=
-  1 - a t lambda - c t mu.
-Definition F (P : Z -> R) (lambda : R) (mu : R) (t : R) : R :=
-  a t lambda * P 0%Z + b t lambda mu * P 1%Z + c t mu * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-1) <= lambda <= 1 ->
@@ -83,14 +79,6 @@ Module quadratic_d1_slip.
 (* trigonometric/quadratic.d1.slip, Curves
    printed: A common slip, the factor of t = π/2 x is kept: F'(0) = π/2 (1 + λ)(P_1 - P_0)
    stated: F'(0) == pi/2*(1 + lambda)*(P[1] - P[0]) *)
-Definition a (t : R) (lambda : R) : R :=
-  (1 - sin t) * (1 - lambda * sin t).
-Definition c (t : R) (mu : R) : R :=
-  (1 - cos t) * (1 - mu * cos t).
-Definition b (t : R) (lambda : R) (mu : R) : R :=
-  1 - a t lambda - c t mu.
-Definition F (P : Z -> R) (lambda : R) (mu : R) (t : R) : R :=
-  a t lambda * P 0%Z + b t lambda mu * P 1%Z + c t mu * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-1) <= lambda <= 1 ->
@@ -102,14 +90,6 @@ Module quadratic_d1_slip_corrected.
 (* trigonometric/quadratic.d1.slip (corrected), Curves
    printed: A common slip, the factor of t = π/2 x is kept: F'(0) = π/2 (1 + λ)(P_1 - P_0)
    stated: F'(0) == (1 + lambda)*(P[1] - P[0]) *)
-Definition a (t : R) (lambda : R) : R :=
-  (1 - sin t) * (1 - lambda * sin t).
-Definition c (t : R) (mu : R) : R :=
-  (1 - cos t) * (1 - mu * cos t).
-Definition b (t : R) (lambda : R) (mu : R) : R :=
-  1 - a t lambda - c t mu.
-Definition F (P : Z -> R) (lambda : R) (mu : R) (t : R) : R :=
-  a t lambda * P 0%Z + b t lambda mu * P 1%Z + c t mu * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-1) <= lambda <= 1 ->

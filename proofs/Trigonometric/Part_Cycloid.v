@@ -2,12 +2,16 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition X (t : R) : list R :=
+  [t - sin t; 1 - cos t].
+End Definitions.
+Import Definitions.
+
 Module cycloid_speed.
 (* trigonometric/cycloid.speed, Cycloid
    printed: X'·X' = 4 sin²(t/2)
    stated: dot(X'(t), X'(t)) == 4*sin(t/2)^2 *)
-Definition X (t : R) : list R :=
-  [t - sin t; 1 - cos t].
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -21,8 +25,6 @@ Module cycloid_regular.
 (* trigonometric/cycloid.regular, Cycloid
    printed: The cycloid is regular for 0 < t < 2π: X'·X' > 0
    stated: dot(X'(t), X'(t)) > 0 *)
-Definition X (t : R) : list R :=
-  [t - sin t; 1 - cos t].
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -36,8 +38,6 @@ Module cycloid_slope.
 (* trigonometric/cycloid.slope, Cycloid
    printed: X'_2/X'_1 = cos(t/2)/sin(t/2)
    stated: X'(t)[2]/X'(t)[1] == cos(t/2)/sin(t/2) *)
-Definition X (t : R) : list R :=
-  [t - sin t; 1 - cos t].
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -55,8 +55,6 @@ Module cycloid_slope_slip.
 (* trigonometric/cycloid.slope.slip, Cycloid
    printed: A common slip: X'_2/X'_1 = sin(t/2)/cos(t/2)
    stated: X'(t)[2]/X'(t)[1] == sin(t/2)/cos(t/2) *)
-Definition X (t : R) : list R :=
-  [t - sin t; 1 - cos t].
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -69,8 +67,6 @@ Module cycloid_slope_slip_corrected.
 (* trigonometric/cycloid.slope.slip (corrected), Cycloid
    printed: A common slip: X'_2/X'_1 = sin(t/2)/cos(t/2)
    stated: X'(t)[2]/X'(t)[1] == cos(t/2)/sin(t/2) *)
-Definition X (t : R) : list R :=
-  [t - sin t; 1 - cos t].
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -88,8 +84,6 @@ Module cycloid_bend.
 (* trigonometric/cycloid.bend, Cycloid
    printed: The cycloid turns to the right for 0 < t < 2π: det(X', X'') < 0
    stated: det([X'(t), X''(t)]) < 0 *)
-Definition X (t : R) : list R :=
-  [t - sin t; 1 - cos t].
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -103,8 +97,6 @@ Module cycloid_curvature.
 (* trigonometric/cycloid.curvature, Cycloid
    printed: The square of the curvature: det(X', X'')^2/(X'·X')^3 = 1/(16 sin²(t/2))
    stated: det([X'(t), X''(t)])^2/dot(X'(t), X'(t))^3 == 1/(16*sin(t/2)^2) *)
-Definition X (t : R) : list R :=
-  [t - sin t; 1 - cos t].
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->

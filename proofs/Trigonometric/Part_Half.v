@@ -2,6 +2,12 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition E_ (P : Z -> R) (t : R) : R :=
+  cos (t / 2) ^ 4 * P 0%Z + 2 * sin (t / 2) ^ 2 * cos (t / 2) ^ 2 * P 1%Z + sin (t / 2) ^ 4 * P 2%Z.
+End Definitions.
+Import Definitions.
+
 Module angle_half_sine.
 (* trigonometric/angle.half.sine, Half angles
    printed: sin²(y/2) = (1 - cos y)/2
@@ -104,8 +110,6 @@ Module half_powers.
 (* trigonometric/half.powers, Half angles, curves
    printed: E(t) = (P_0 + 2P_1 + P_2)/4 + cos t/2 (P_0 - P_2) + cos² t/4 (P_0 - 2P_1 + P_2)
    stated: E(t) == (P[0] + 2*P[1] + P[2])/4 + cos(t)/2*(P[0] - P[2]) + cos(t)^2/4*(P[0] - 2*P[1] + P[2]) *)
-Definition E_ (P : Z -> R) (t : R) : R :=
-  cos (t / 2) ^ 4 * P 0%Z + 2 * sin (t / 2) ^ 2 * cos (t / 2) ^ 2 * P 1%Z + sin (t / 2) ^ 4 * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (t : R),
   0 <= t <= 1 * PI ->
@@ -119,8 +123,6 @@ Module half_d1.
 (* trigonometric/half.d1, Half angles, curves
    printed: E'(t) = sin t (cos²(t/2) (P_1 - P_0) + sin²(t/2) (P_2 - P_1))
    stated: E'(t) == sin(t)*(cos(t/2)^2*(P[1] - P[0]) + sin(t/2)^2*(P[2] - P[1])) *)
-Definition E_ (P : Z -> R) (t : R) : R :=
-  cos (t / 2) ^ 4 * P 0%Z + 2 * sin (t / 2) ^ 2 * cos (t / 2) ^ 2 * P 1%Z + sin (t / 2) ^ 4 * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (t : R),
   0 <= t <= 1 * PI ->
@@ -134,8 +136,6 @@ Module half_d1_slip.
 (* trigonometric/half.d1.slip, Half angles, curves
    printed: A common slip: E'(t) = 2 sin t (cos²(t/2) (P_1 - P_0) + sin²(t/2) (P_2 - P_1))
    stated: E'(t) == 2*sin(t)*(cos(t/2)^2*(P[1] - P[0]) + sin(t/2)^2*(P[2] - P[1])) *)
-Definition E_ (P : Z -> R) (t : R) : R :=
-  cos (t / 2) ^ 4 * P 0%Z + 2 * sin (t / 2) ^ 2 * cos (t / 2) ^ 2 * P 1%Z + sin (t / 2) ^ 4 * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (t : R),
   0 <= t <= 1 * PI ->
@@ -146,8 +146,6 @@ Module half_d1_slip_corrected.
 (* trigonometric/half.d1.slip (corrected), Half angles, curves
    printed: A common slip: E'(t) = 2 sin t (cos²(t/2) (P_1 - P_0) + sin²(t/2) (P_2 - P_1))
    stated: E'(t) == 1/2*(2*sin(t)*(cos(t/2)^2*(P[1] - P[0]) + sin(t/2)^2*(P[2] - P[1]))) *)
-Definition E_ (P : Z -> R) (t : R) : R :=
-  cos (t / 2) ^ 4 * P 0%Z + 2 * sin (t / 2) ^ 2 * cos (t / 2) ^ 2 * P 1%Z + sin (t / 2) ^ 4 * P 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (t : R),
   0 <= t <= 1 * PI ->

@@ -2,14 +2,18 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module helicoid_skew.
-(* trigonometric/helicoid.skew, Helicoid
-   printed: For the helicoid, with rulings along N, det(X', N, N') = h.
-   stated: det([X'(t), N(t), N'(t)]) == h *)
+Module Definitions.
 Definition X (h : R) (r : R) (t : R) : list R :=
   [r * cos t; r * sin t; h * t].
 Definition N_ (t : R) : list R :=
   [cos t; sin t; 0].
+End Definitions.
+Import Definitions.
+
+Module helicoid_skew.
+(* trigonometric/helicoid.skew, Helicoid
+   printed: For the helicoid, with rulings along N, det(X', N, N') = h.
+   stated: det([X'(t), N(t), N'(t)]) == h *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -25,10 +29,6 @@ Module helicoid_skew_slip.
 (* trigonometric/helicoid.skew.slip, Helicoid
    printed: A common slip: the helicoid is developable, det(X', N, N') = 0
    stated: det([X'(t), N(t), N'(t)]) == 0 *)
-Definition X (h : R) (r : R) (t : R) : list R :=
-  [r * cos t; r * sin t; h * t].
-Definition N_ (t : R) : list R :=
-  [cos t; sin t; 0].
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->

@@ -2,12 +2,16 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition X (h : R) (r : R) (t : R) : list R :=
+  [r * cos t; r * sin t; h * t].
+End Definitions.
+Import Definitions.
+
 Module helix_speed.
 (* trigonometric/helix.speed, Helix
    printed: X'·X' = r² + h²
    stated: dot(X'(t), X'(t)) == r^2 + h^2 *)
-Definition X (h : R) (r : R) (t : R) : list R :=
-  [r * cos t; r * sin t; h * t].
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -23,8 +27,6 @@ Module helix_torsion.
 (* trigonometric/helix.torsion, Helix
    printed: det(X', X'', X''') = r² h
    stated: det([X'(t), X''(t), X'''(t)]) == r^2*h *)
-Definition X (h : R) (r : R) (t : R) : list R :=
-  [r * cos t; r * sin t; h * t].
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -40,8 +42,6 @@ Module helix_curvature.
 (* trigonometric/helix.curvature, Helix
    printed: The square of the curvature: (X' × X'')·(X' × X'')/(X'·X')^3 = r²/(r² + h²)²
    stated: dot(cross(X'(t), X''(t)), cross(X'(t), X''(t)))/dot(X'(t), X'(t))^3 == r^2/(r^2 + h^2)^2 *)
-Definition X (h : R) (r : R) (t : R) : list R :=
-  [r * cos t; r * sin t; h * t].
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->

@@ -2,10 +2,7 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module quadratic_join.
-(* trigonometric/quadratic.join, Joins
-   printed: R_1 = P_2 + (1 + μ)/(1 + λ_2) (P_2 - P_1)
-   stated: R[1] == P[2] + (1 + mu)/(1 + lambda2)*(P[2] - P[1]) *)
+Module Definitions.
 Definition a (t : Z) (lambda : R) : R :=
   (1 - sin (IZR t)) * (1 - lambda * sin (IZR t)).
 Definition c (t : Z) (mu : R) : R :=
@@ -24,6 +21,13 @@ Definition F (P : Z -> R) (lambda : R) (mu : R) (t : R) : R :=
   a_ t lambda * P 0%Z + b_ t lambda mu * P 1%Z + c_ t mu * P 2%Z.
 Definition G_ (R_ : Z -> R) (lambda2 : R) (mu2 : R) (t : R) : R :=
   a_ t lambda2 * R_ 0%Z + b_ t lambda2 mu2 * R_ 1%Z + c_ t mu2 * R_ 2%Z.
+End Definitions.
+Import Definitions.
+
+Module quadratic_join.
+(* trigonometric/quadratic.join, Joins
+   printed: R_1 = P_2 + (1 + μ)/(1 + λ_2) (P_2 - P_1)
+   stated: R[1] == P[2] + (1 + mu)/(1 + lambda2)*(P[2] - P[1]) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
   (-1) <= lambda <= 1 ->
@@ -49,24 +53,6 @@ Module quadratic_join_slip.
 (* trigonometric/quadratic.join.slip, Joins
    printed: A common slip: R_1 = P_2 + (1 + λ_2)/(1 + μ) (P_2 - P_1)
    stated: R[1] == P[2] + (1 + lambda2)/(1 + mu)*(P[2] - P[1]) *)
-Definition a (t : Z) (lambda : R) : R :=
-  (1 - sin (IZR t)) * (1 - lambda * sin (IZR t)).
-Definition c (t : Z) (mu : R) : R :=
-  (1 - cos (IZR t)) * (1 - mu * cos (IZR t)).
-Definition b (t : Z) (lambda : R) (mu : R) : R :=
-  1 - a t lambda - c t mu.
-Definition G (R_ : Z -> R) (lambda2 : R) (mu2 : R) (t : Z) : R :=
-  a t lambda2 * R_ 0%Z + b t lambda2 mu2 * R_ 1%Z + c t mu2 * R_ 2%Z.
-Definition a_ (t : R) (lambda : R) : R :=
-  (1 - sin t) * (1 - lambda * sin t).
-Definition c_ (t : R) (mu : R) : R :=
-  (1 - cos t) * (1 - mu * cos t).
-Definition b_ (t : R) (lambda : R) (mu : R) : R :=
-  1 - a_ t lambda - c_ t mu.
-Definition F (P : Z -> R) (lambda : R) (mu : R) (t : R) : R :=
-  a_ t lambda * P 0%Z + b_ t lambda mu * P 1%Z + c_ t mu * P 2%Z.
-Definition G_ (R_ : Z -> R) (lambda2 : R) (mu2 : R) (t : R) : R :=
-  a_ t lambda2 * R_ 0%Z + b_ t lambda2 mu2 * R_ 1%Z + c_ t mu2 * R_ 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
   (-1) <= lambda <= 1 ->
@@ -83,24 +69,6 @@ Module quadratic_join_slip_corrected.
 (* trigonometric/quadratic.join.slip (corrected), Joins
    printed: A common slip: R_1 = P_2 + (1 + λ_2)/(1 + μ) (P_2 - P_1)
    stated: R[1] == P[2] + (1 + mu)/(1 + lambda2)*(P[2] - P[1]) *)
-Definition a (t : Z) (lambda : R) : R :=
-  (1 - sin (IZR t)) * (1 - lambda * sin (IZR t)).
-Definition c (t : Z) (mu : R) : R :=
-  (1 - cos (IZR t)) * (1 - mu * cos (IZR t)).
-Definition b (t : Z) (lambda : R) (mu : R) : R :=
-  1 - a t lambda - c t mu.
-Definition G (R_ : Z -> R) (lambda2 : R) (mu2 : R) (t : Z) : R :=
-  a t lambda2 * R_ 0%Z + b t lambda2 mu2 * R_ 1%Z + c t mu2 * R_ 2%Z.
-Definition a_ (t : R) (lambda : R) : R :=
-  (1 - sin t) * (1 - lambda * sin t).
-Definition c_ (t : R) (mu : R) : R :=
-  (1 - cos t) * (1 - mu * cos t).
-Definition b_ (t : R) (lambda : R) (mu : R) : R :=
-  1 - a_ t lambda - c_ t mu.
-Definition F (P : Z -> R) (lambda : R) (mu : R) (t : R) : R :=
-  a_ t lambda * P 0%Z + b_ t lambda mu * P 1%Z + c_ t mu * P 2%Z.
-Definition G_ (R_ : Z -> R) (lambda2 : R) (mu2 : R) (t : R) : R :=
-  a_ t lambda2 * R_ 0%Z + b_ t lambda2 mu2 * R_ 1%Z + c_ t mu2 * R_ 2%Z.
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
   (-1) <= lambda <= 1 ->

@@ -2,12 +2,16 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
+Module Definitions.
+Definition X (h : R) (r : R) (t : R) : list R :=
+  [r * cos t; r * sin t; h * t].
+End Definitions.
+Import Definitions.
+
 Module helix_torse.
 (* trigonometric/helix.torse, Tangent surface
    printed: The tangent surface is developable: det(X', X', X'') = 0
    stated: det([X'(t), X'(t), X''(t)]) == 0 *)
-Definition X (h : R) (r : R) (t : R) : list R :=
-  [r * cos t; r * sin t; h * t].
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -23,8 +27,6 @@ Module helix_normal.
 (* trigonometric/helix.normal, Tangent surface
    printed: Its normal (X' + v X'') × X' is v times X'' × X', the same along a ruling but for a factor.
    stated: cross(X'(t) + v*X''(t), X'(t)) == v*cross(X''(t), X'(t)) *)
-Definition X (h : R) (r : R) (t : R) : list R :=
-  [r * cos t; r * sin t; h * t].
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R) (v : R),
   0 < h ->
@@ -40,8 +42,6 @@ Module helix_regular.
 (* trigonometric/helix.regular, Tangent surface
    printed: X'' × X' is nowhere zero: its square is positive.
    stated: dot(cross(X''(t), X'(t)), cross(X''(t), X'(t))) > 0 *)
-Definition X (h : R) (r : R) (t : R) : list R :=
-  [r * cos t; r * sin t; h * t].
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->

@@ -2,16 +2,20 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module quadratic_middle.
-(* trigonometric/quadratic.middle, The functions
-   printed: b = (1 + λ) sin t + (1 + μ) cos t - λ sin² t - μ cos² t - 1
-   stated: b(t, lambda, mu) == (1 + lambda)*sin(t) + (1 + mu)*cos(t) - lambda*sin(t)^2 - mu*cos(t)^2 - 1 *)
+Module Definitions.
 Definition a (t : R) (lambda : R) : R :=
   (1 - sin t) * (1 - lambda * sin t).
 Definition c (t : R) (mu : R) : R :=
   (1 - cos t) * (1 - mu * cos t).
 Definition b (t : R) (lambda : R) (mu : R) : R :=
   1 - a t lambda - c t mu.
+End Definitions.
+Import Definitions.
+
+Module quadratic_middle.
+(* trigonometric/quadratic.middle, The functions
+   printed: b = (1 + λ) sin t + (1 + μ) cos t - λ sin² t - μ cos² t - 1
+   stated: b(t, lambda, mu) == (1 + lambda)*sin(t) + (1 + mu)*cos(t) - lambda*sin(t)^2 - mu*cos(t)^2 - 1 *)
 Definition statement : Prop :=
 forall (lambda : R) (mu : R) (t : R),
   (-1) <= lambda <= 1 ->
@@ -29,12 +33,6 @@ Module quadratic_nonnegative.
 (* trigonometric/quadratic.nonnegative, The functions
    printed: a, b, c >= 0 on [0, π/2] for λ, μ in [-1, 1]
    stated: a(t, lambda) >= 0 and b(t, lambda, mu) >= 0 and c(t, mu) >= 0 *)
-Definition a (t : R) (lambda : R) : R :=
-  (1 - sin t) * (1 - lambda * sin t).
-Definition c (t : R) (mu : R) : R :=
-  (1 - cos t) * (1 - mu * cos t).
-Definition b (t : R) (lambda : R) (mu : R) : R :=
-  1 - a t lambda - c t mu.
 Definition statement : Prop :=
 forall (lambda : R) (mu : R) (t : R),
   (-1) <= lambda <= 1 ->
@@ -52,8 +50,6 @@ Module quadratic_nonnegative_slip.
 (* trigonometric/quadratic.nonnegative.slip, The functions
    printed: A common slip: a >= 0 on [0, π/2] for λ in [-1, 2]
    stated: a(t, lambda) >= 0 *)
-Definition a (t : R) (lambda : R) : R :=
-  (1 - sin t) * (1 - lambda * sin t).
 Definition statement : Prop :=
 forall (lambda : R) (t : R),
   (-1) <= lambda <= 2 ->
@@ -65,10 +61,6 @@ Module quadratic_symmetry.
 (* trigonometric/quadratic.symmetry, The functions
    printed: c(π/2 - t, λ) = a(t, λ)
    stated: c(pi/2 - t, lambda) == a(t, lambda) *)
-Definition c (t : R) (mu : R) : R :=
-  (1 - cos t) * (1 - mu * cos t).
-Definition a (t : R) (lambda : R) : R :=
-  (1 - sin t) * (1 - lambda * sin t).
 Definition statement : Prop :=
 forall (lambda : R) (t : R),
   (-1) <= lambda <= 1 ->
@@ -84,8 +76,6 @@ Module quadratic_decreasing.
 (* trigonometric/quadratic.decreasing, The functions
    printed: a decreases on [0, π/2]: a' <= 0
    stated: a'(t, lambda) <= 0 *)
-Definition a (t : R) (lambda : R) : R :=
-  (1 - sin t) * (1 - lambda * sin t).
 Definition statement : Prop :=
 forall (lambda : R) (t : R),
   (-1) <= lambda <= 1 ->

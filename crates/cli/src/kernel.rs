@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use torse_language::derivation::Paper;
 use torse_rocq::coqc::Accepted;
-use torse_rocq::folder::{Folder, chosen, unproved};
+use torse_rocq::folder::{Folder, Layout, chosen, unproved};
 
 /// The option that names the folder of the kernel's proofs.
 #[derive(Debug, clap::Args)]
@@ -26,7 +26,9 @@ impl Kernel {
         };
         // A list that cannot be read says of no theorem that it has no proof: what was accepted is known by its digest.
         let unproved = unproved(&self.kernel).unwrap_or_default();
-        let folder = Folder::with_scripts(&findings(papers, run), &unproved, &chosen(&self.kernel));
+        let findings = findings(papers, run);
+        let chosen = chosen(&self.kernel);
+        let folder = Folder::with_scripts(&findings, &unproved, &chosen, Layout::Apart);
         let fingerprints = accepted.fingerprints();
         let mut fresh: BTreeMap<&str, bool> = BTreeMap::new();
         for theorem in &folder.theorems {

@@ -8,13 +8,14 @@ use crate::{guard, terminal};
 use clap::Args;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use tempfile::TempDir;
 use torse_language::derivation::{Claim, Paper};
 use torse_prove::evidence;
 use torse_report::{ReportError, write_file};
 use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Fingerprints, Limits};
-use torse_rocq::folder::{self, ACCEPTED, Folder, SCRIPTS, Theorem, UNPROVED};
+use torse_rocq::folder::{self, ACCEPTED, Folder, Layout, SCRIPTS, Theorem, UNPROVED};
 use torse_rocq::merge;
 use torse_rocq::solutions::{Solved, solutions};
 use torse_rocq::task::{Evidence, Finding};
@@ -26,6 +27,8 @@ use torse_verdicts::outcome::Outcome;
 type Unproved = BTreeMap<String, String>;
 /// Which script proves a theorem where it is not the first.
 type Chosen = BTreeMap<String, usize>;
+/// Keeps which theorems of a section were tried, and what fails of them.
+type Keep<'a> = &'a (dyn Fn(&[String], &Unproved) -> Result<(), Failure> + Sync);
 
 /// Write statements and proofs of verdicts for the Rocq kernel, and have them checked.
 ///
@@ -89,10 +92,8 @@ impl Prove {
         let mut chosen = folder::chosen(&self.out);
         if let (Some(_), Some(coqc)) = (self.attempt, &coqc) {
             (unproved, chosen) = self.tried(coqc, &findings, unproved, chosen)?;
-            self.write(UNPROVED, &json(&unproved))?;
-            self.write(SCRIPTS, &json(&chosen))?;
         }
-        let folder = Folder::with_scripts(&findings, &unproved, &chosen);
+        let folder = Folder::with_scripts(&findings, &unproved, &chosen, self.layout());
         for (path, text) in &self.files(&folder) {
             self.write(path, text)?;
         }
@@ -135,8 +136,16 @@ impl Prove {
         }
     }
 
+    /// A folder for whole papers has the definitions of a section once; one for some of their claims does not know the others.
+    fn layout(&self) -> Layout {
+        match self.names.iter().any(|name| name.contains('/')) {
+            false => Layout::Together,
+            true => Layout::Apart,
+        }
+    }
+
     /// Which theorems no script proves, and which scripts prove the others where it is not the first: found out anew for those
-    /// of this run.
+    /// of this run. What is found out is written section by section.
     fn tried(
         &self,
         coqc: &Coqc,
@@ -144,44 +153,70 @@ impl Prove {
         mut unproved: Unproved,
         mut chosen: Chosen,
     ) -> Result<(Unproved, Chosen), Failure> {
-        let all = Folder::new(findings, &BTreeMap::new());
+        let all = Folder::with_scripts(findings, &BTreeMap::new(), &BTreeMap::new(), self.layout());
         let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
         // Without names this run knows all there is.
-        let kept = |name: &String| !self.names.is_empty() && !own.contains(name);
+        let kept = |name: &String| !self.names.is_empty() || own.contains(name);
         unproved.retain(|name, _| kept(name));
         chosen.retain(|name, _| kept(name));
-        let mut failing = self.failing(coqc, &all)?;
-        for which in 1..=script::OTHERS.len() {
-            let proved = own.iter().filter(|name| !failing.contains_key(*name));
-            let proved = proved.map(|name| (name.clone(), String::new())).collect();
-            let others = failing.keys().map(|name| (name.clone(), which)).collect();
-            let folder = Folder::with_scripts(findings, &proved, &others);
-            let again = self.failing(coqc, &folder)?;
-            for name in folder.theorems.iter().map(Theorem::name) {
-                if !again.contains_key(&name) {
-                    failing.remove(&name);
-                    chosen.insert(name, which);
+        let mut left = own;
+        for which in 0..=script::OTHERS.len() {
+            // Only what is left is tried.
+            let known = all.theorems.iter().map(Theorem::name);
+            let known = known.filter(|name| !left.contains(name));
+            let known = known.map(|name| (name, String::new())).collect();
+            let scripts = left.iter().map(|name| (name.clone(), which)).collect();
+            let folder = Folder::with_scripts(findings, &known, &scripts, self.layout());
+            let found = Mutex::new((unproved, chosen, left));
+            self.failing(coqc, &folder, &|names, failing| {
+                let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
+                let (unproved, chosen, left) = &mut *found;
+                for name in names {
+                    match failing.get(name) {
+                        Some(reason) if which == 0 => {
+                            unproved.insert(name.clone(), reason.clone());
+                            chosen.remove(name);
+                        }
+                        Some(_) => {}
+                        None => {
+                            unproved.remove(name);
+                            left.remove(name);
+                            match which {
+                                0 => chosen.remove(name),
+                                _ => chosen.insert(name.clone(), which),
+                            };
+                        }
+                    }
                 }
-            }
+                let kept = self.write(UNPROVED, &json(&*unproved));
+                kept.and_then(|()| self.write(SCRIPTS, &json(&*chosen)))
+            })?;
+            (unproved, chosen, left) = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         }
-        unproved.extend(failing);
         Ok((unproved, chosen))
     }
 
-    /// The theorems of a folder whose scripts fail, and what fails.
-    fn failing(&self, coqc: &Coqc, folder: &Folder) -> Result<BTreeMap<String, String>, Failure> {
+    /// Tries the scripts of a folder, and tells `keep` what is found out of each section.
+    fn failing(&self, coqc: &Coqc, folder: &Folder, keep: Keep<'_>) -> Result<(), Failure> {
         if folder.theorems.is_empty() {
-            return Ok(BTreeMap::new());
+            return Ok(());
         }
         let scratch = scratch()?;
         let progress = Progress::new("trying", folder.sections().len());
         let seconds = self.attempt.unwrap_or(20);
         let limits = self.limits();
-        let failing = trial::failing(coqc, folder, scratch.path(), seconds, limits, &|| {
+        let unkept = Mutex::new(None);
+        let found = |names: &[String], failing: &Unproved| {
             progress.step();
-        });
+            if let Err(failure) = keep(names, failing) {
+                let mut unkept = unkept.lock().unwrap_or_else(PoisonError::into_inner);
+                unkept.get_or_insert(failure);
+            }
+        };
+        trial::failing(coqc, folder, scratch.path(), seconds, limits, &found)?;
         progress.finish();
-        Ok(failing?)
+        let unkept = unkept.into_inner().unwrap_or_else(PoisonError::into_inner);
+        unkept.map_or(Ok(()), Err)
     }
 
     /// Asks the kernel, keeps what it accepted, and says so.

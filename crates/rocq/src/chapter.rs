@@ -5,6 +5,7 @@
 
 use crate::library::LIBRARY;
 use crate::name::camel;
+use crate::shared::{DEFINITIONS, Shared};
 use crate::task::{Goal, Role};
 
 /// The section of a paper that holds a place such as `Sect. 5.1, eq. (5.3)`, as the name of a file.
@@ -42,9 +43,9 @@ pub fn comment(text: &str) -> String {
     format!("(* {} *)", text.trim())
 }
 
-/// The file of statements of these goals.
+/// The file of statements of these goals, before which stands what they have in common.
 #[must_use]
-pub fn statements(paper: &str, section: &str, goals: &[&Goal]) -> String {
+pub fn statements(paper: &str, section: &str, goals: &[Goal], shared: &Shared) -> String {
     let mut text = format!(
         "{}\nFrom Torse Require Import Defs.\nOpen Scope R_scope.\n",
         comment(&format!(
@@ -52,15 +53,16 @@ pub fn statements(paper: &str, section: &str, goals: &[&Goal]) -> String {
             section.replace('_', " ")
         ))
     );
+    text.push_str(&shared.module());
     for goal in goals {
-        text.push_str(&statement(goal));
+        text.push_str(&statement(goal, &shared.others(goal)));
     }
     text
 }
 
-/// The module of the statement of a goal.
+/// The module of the statement of a goal, with these of its definitions.
 #[must_use]
-pub fn statement(goal: &Goal) -> String {
+pub fn statement(goal: &Goal, definitions: &[&str]) -> String {
     let mut text = format!("\nModule {}.\n", goal.module);
     let corrected = if goal.role == Role::Corrected {
         " (corrected)"
@@ -74,7 +76,7 @@ pub fn statement(goal: &Goal) -> String {
     text.push_str(&comment(&about));
     text.push('\n');
     let proposition = &goal.proposition;
-    for (_, definition) in &proposition.definitions {
+    for definition in definitions {
         text.push_str(definition);
         text.push('\n');
     }
@@ -100,11 +102,24 @@ pub fn imports() -> String {
     format!("From Torse Require Import {}.\n", names.join(" "))
 }
 
-/// The file of these modules of proofs.
+/// The lines by which proofs of a section use its statements, its shared definitions and their closed forms.
 #[must_use]
-pub fn proofs(folder: &str, section: &str, modules: &[&str]) -> String {
+pub fn uses(folder: &str, section: &str, shared: &Shared, closed: bool) -> String {
+    let mut text = format!("From {folder} Require {section}.\n");
+    if !shared.definitions().is_empty() {
+        text.push_str(&format!("Import {folder}.{section}.{DEFINITIONS}.\n"));
+    }
+    if closed {
+        text.push_str(&format!("From {folder} Require Import {section}_closed.\n"));
+    }
+    text
+}
+
+/// The file of these modules of proofs, with the lines by which they use their section.
+#[must_use]
+pub fn proofs(uses: &str, modules: &[&str]) -> String {
     let mut text = format!(
-        "{}\n{}From {folder} Require {section}.\nOpen Scope R_scope.\n",
+        "{}\n{}{uses}Open Scope R_scope.\n",
         comment("Proofs: nothing here has to be read."),
         imports()
     );

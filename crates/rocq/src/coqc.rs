@@ -1,6 +1,7 @@
 //! Running `coqc`, with limits of time and memory, on a scratch copy of a folder of proofs.
 
 use crate::check::{self, PROOFS};
+use crate::closed::CLOSED;
 use crate::digest::Digest;
 use crate::folder::{ACCEPTED, CHECK, Folder, Theorem};
 use crate::library::LIBRARY;
@@ -268,32 +269,60 @@ impl Coqc {
                 .map(|t| (t.name(), reason.clone()))
                 .collect());
         }
-        let path = format!("{section}_proofs.v");
-        let proofs = self.run(scratch, &path, limits)?;
-        if proofs.status.success() {
-            return Ok(theorems
-                .iter()
-                .map(|t| (t.name(), Answer::Accepted))
-                .collect());
+        if let Err(reason) = self.closed_forms(folder, section, scratch, limits)? {
+            let rejected = |t: &&Theorem| (t.name(), Answer::Rejected(reason.clone()));
+            return Ok(theorems.iter().map(rejected).collect());
         }
-        // The line of the error tells the theorem; what stands behind it was not reached.
-        let text = folder.files.get(&path).map_or("", String::as_str);
-        let failing = error_line(&proofs.text).and_then(|line| module_at(text, line));
-        let mut answers = vec![];
-        let mut reached = true;
-        for theorem in theorems {
-            let here = failing
-                .as_ref()
-                .is_none_or(|module| *module == theorem.module);
-            let answer = match (reached, here) {
-                (true, true) => Answer::Rejected(first_lines(&proofs.text)),
-                (true, false) => Answer::Accepted,
-                (false, _) => Answer::NotReached,
+        let path = format!("{section}{PROOFS}");
+        let mut text = folder.files.get(&path).cloned().unwrap_or_default();
+        let mut rejected: BTreeMap<String, String> = BTreeMap::new();
+        loop {
+            let proofs = self.run(scratch, &path, limits)?;
+            if proofs.status.success() {
+                break;
+            }
+            // The line of the error tells the theorem; the others are asked about again without it.
+            let reason = first_lines(&proofs.text);
+            let module = error_line(&proofs.text).and_then(|line| module_at(&text, line));
+            let Some(module) = module.filter(|module| !rejected.contains_key(module)) else {
+                let all = |t: &&Theorem| (t.name(), Answer::NotReached);
+                let mut answers: Vec<(String, Answer)> = theorems.iter().map(all).collect();
+                if let Some((_, first)) = answers.first_mut() {
+                    *first = Answer::Rejected(reason);
+                }
+                return Ok(answers);
             };
-            reached &= !here;
-            answers.push((theorem.name(), answer));
+            let parts = modules::split(&text);
+            let kept = parts.modules.iter().filter(|(name, _)| *name != module);
+            let kept = modules::join(parts.head, kept.map(|(_, body)| *body));
+            rejected.insert(module, reason);
+            write(&scratch.join(&path), &kept)?;
+            text = kept;
         }
-        Ok(answers)
+        let answer = |t: &&Theorem| match rejected.get(&t.module) {
+            Some(reason) => (t.name(), Answer::Rejected(reason.clone())),
+            None => (t.name(), Answer::Accepted),
+        };
+        Ok(theorems.iter().map(answer).collect())
+    }
+
+    /// Compiles the closed forms of the definitions of a section, where there are any; what is wrong with them.
+    pub(crate) fn closed_forms(
+        &self,
+        folder: &Folder,
+        section: &str,
+        scratch: &Path,
+        limits: Limits,
+    ) -> Result<Result<(), String>, CheckError> {
+        let path = format!("{section}{CLOSED}");
+        if !folder.files.contains_key(&path) {
+            return Ok(Ok(()));
+        }
+        let run = self.run(scratch, &path, limits)?;
+        Ok(match run.status.success() {
+            true => Ok(()),
+            false => Err(first_lines(&run.text)),
+        })
     }
 
     /// Runs the program on one file of the scratch folder.

@@ -1,11 +1,14 @@
 //! The folder of proofs: a deterministic set of files, from what was found out about claims.
 
+use crate::check::PROOFS;
+use crate::closed::CLOSED;
 use crate::gap::Gap;
 use crate::library::LIBRARY;
 use crate::name::camel;
 use crate::script::{self, scripts};
+use crate::shared::Shared;
 use crate::task::{Evidence, Finding, Goal, Role, goals};
-use crate::{chapter, check};
+use crate::{chapter, check, closed};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -99,13 +102,34 @@ pub struct Folder {
     pub not_stated: BTreeMap<String, String>,
     /// The ids of all claims it was made for.
     pub asked: BTreeSet<String>,
+    /// Where definitions stand.
+    layout: Layout,
+}
+
+/// Where the definitions stand that several statements of a section have.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Layout {
+    /// Once, before the statements of the section.
+    #[default]
+    Together,
+    /// In each module: the folder is for some claims of its sections.
+    Apart,
+}
+
+impl Layout {
+    fn shared(self, goals: &[Goal]) -> Shared {
+        match self {
+            Self::Together => Shared::of(goals),
+            Self::Apart => Shared::default(),
+        }
+    }
 }
 
 impl Folder {
     /// The folder for these papers. Theorems named in `unproved` get a statement and no proof.
     #[must_use]
     pub fn new(papers: &[(String, Vec<Finding<'_>>)], unproved: &BTreeMap<String, String>) -> Self {
-        Self::with_scripts(papers, unproved, &BTreeMap::new())
+        Self::with_scripts(papers, unproved, &BTreeMap::new(), Layout::default())
     }
 
     /// The same with the scripts that were found to prove what the first ones do not.
@@ -114,8 +138,12 @@ impl Folder {
         papers: &[(String, Vec<Finding<'_>>)],
         unproved: &BTreeMap<String, String>,
         chosen: &BTreeMap<String, usize>,
+        layout: Layout,
     ) -> Self {
-        let mut folder = Self::default();
+        let mut folder = Self {
+            layout,
+            ..Self::default()
+        };
         for (path, text) in LIBRARY {
             folder.files.insert(path.to_owned(), text.to_owned());
         }
@@ -189,13 +217,13 @@ impl Folder {
                 }
             }
             let path = format!("{prefix}/{section}");
-            let all: Vec<&Goal> = goals.iter().collect();
+            let shared = self.layout.shared(&goals);
             self.files.insert(
                 format!("{path}.v"),
-                chapter::statements(slug, &section, &all),
+                chapter::statements(slug, &section, &goals, &shared),
             );
             let mut proved = vec![];
-            for goal in all {
+            for goal in &goals {
                 let name = format!("{path}.{}", goal.module);
                 let which = chosen.get(&name).copied().unwrap_or_default();
                 let scripts = match (unproved.get(&name), scripts(goal, which)) {
@@ -218,14 +246,20 @@ impl Folder {
                     id: goal.id.clone(),
                     role: goal.role,
                     evidence: goal.evidence,
-                    says: chapter::statement(goal),
+                    says: chapter::statement(goal, &goal.definitions()),
                     proof,
                 });
             }
             if !proved.is_empty() {
                 let proved: Vec<&str> = proved.iter().map(String::as_str).collect();
-                let text = chapter::proofs(prefix, &section, &proved);
-                self.files.insert(format!("{path}_proofs.v"), text);
+                let staged = closed::staged(proved.iter().copied());
+                let forms = closed::file(prefix, &section, &shared, &staged);
+                let uses = chapter::uses(prefix, &section, &shared, forms.is_some());
+                if let Some(forms) = forms {
+                    self.files.insert(format!("{path}{CLOSED}"), forms);
+                }
+                self.files
+                    .insert(format!("{path}{PROOFS}"), chapter::proofs(&uses, &proved));
             }
         }
     }

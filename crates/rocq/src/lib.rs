@@ -14,8 +14,10 @@
 
 pub mod along;
 pub mod binder;
+pub mod by_hand;
 pub mod chapter;
 pub mod check;
+pub mod closed;
 pub mod code;
 pub mod context;
 pub mod coqc;
@@ -38,6 +40,7 @@ pub mod proposition;
 pub mod said;
 pub mod script;
 pub mod shape;
+pub mod shared;
 pub mod solutions;
 pub mod solved;
 pub mod statement;

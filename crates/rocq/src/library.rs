@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 15] = [
+pub const LIBRARY: [(&str, &str); 18] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -55,5 +55,17 @@ pub const LIBRARY: [(&str, &str); 15] = [
     (
         "Torse/Consequences.v",
         include_str!("../../../proofs/Torse/Consequences.v"),
+    ),
+    (
+        "Torse/Radicals.v",
+        include_str!("../../../proofs/Torse/Radicals.v"),
+    ),
+    (
+        "Torse/Bernstein.v",
+        include_str!("../../../proofs/Torse/Bernstein.v"),
+    ),
+    (
+        "Torse/Mixed.v",
+        include_str!("../../../proofs/Torse/Mixed.v"),
     ),
 ];

@@ -1,6 +1,7 @@
 //! A folder that is there, with what a run for some claims says anew: nothing of the other claims is lost.
 
 use crate::check::{self, PROOFS};
+use crate::closed::CLOSED;
 use crate::folder::{CHECK, Folder, NOT_STATED, PROJECT};
 use crate::modules::{join, split};
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,6 +20,10 @@ pub fn ours(read: &dyn Fn(&str) -> Option<String>) -> BTreeMap<String, String> {
 pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String, String> {
     let mut files = fresh.files.clone();
     for (path, text) in old.iter().filter(|(path, _)| path.contains('/')) {
+        if path.ends_with(CLOSED) {
+            files.entry(path.clone()).or_insert_with(|| text.clone());
+            continue;
+        }
         let statements = match path.strip_suffix(PROOFS) {
             Some(section) => format!("{section}.v"),
             None => path.clone(),
@@ -42,14 +47,17 @@ pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String
             .map(|(_, body)| *body);
         let own = files.get(path).cloned();
         let own = own.as_deref().map(split);
-        let head = own.as_ref().map_or(kept.head, |own| own.head);
+        let head = match &own {
+            Some(own) => head(own.head, kept.head),
+            None => kept.head.to_owned(),
+        };
         let own_bodies = own
             .iter()
             .flat_map(|own| own.modules.iter().map(|(_, body)| *body));
         let bodies: Vec<&str> = kept_bodies.chain(own_bodies).collect();
         match bodies.is_empty() {
             true => files.remove(path),
-            false => files.insert(path.clone(), join(head, bodies)),
+            false => files.insert(path.clone(), join(&head, bodies)),
         };
     }
     let mut not_stated = not_stated(old);
@@ -63,6 +71,16 @@ pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String
     files.insert(CHECK.to_owned(), check::referee(&files));
     files.insert(PROJECT.to_owned(), check::project(&files));
     files
+}
+
+/// A head with the lines of the old one by which kept modules use the definitions of their section.
+fn head(fresh: &str, old: &str) -> String {
+    let used = old.lines().filter(|line| {
+        (line.starts_with("From ") || line.starts_with("Import "))
+            && !line.starts_with("From Torse ")
+            && !fresh.lines().any(|own| own == *line)
+    });
+    used.fold(fresh.to_owned(), |text, line| text + line + "\n")
 }
 
 /// The modules of an old file of statements whose claims the run asked for.

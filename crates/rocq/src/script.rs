@@ -16,7 +16,9 @@
 //!
 //! Every theorem with premises has a second one, `met`: values at which all premises are true.
 
+use crate::by_hand;
 use crate::point::{Choice, first_values, point, solved_point, value_at};
+use crate::shared::literals;
 use crate::solved::{Known, bound, known, value};
 use crate::task::{Evidence, Goal, Role};
 use torse_language::core::Set;
@@ -33,15 +35,22 @@ pub struct Script {
 }
 
 /// The tactics that are tried where the one that the verdict names finds no proof: the conclusion as a combination of the
-/// hypotheses, as what they determine, and as a combination with derivatives at numbers in their normal form.
-pub const OTHERS: [&str; 3] = ["combined", "determined", "at_points"];
+/// hypotheses, as what they determine, as a combination with derivatives at numbers in their normal form, and each part of
+/// the conclusion by what fits it.
+pub const OTHERS: [&str; 4] = ["combined", "determined", "at_points", "mixed"];
 
 /// The theorems of a goal with their scripts, of which the other tactics have more: 0 is the one that the verdict names, 1 the
 /// first of [`OTHERS`]. None where there is no such script.
 #[must_use]
 pub fn scripts(goal: &Goal, which: usize) -> Option<Vec<Script>> {
     let Some(place) = which.checked_sub(1) else {
-        return Some(first_scripts(goal));
+        let mut scripts = first_scripts(goal);
+        for script in &mut scripts {
+            if let Some(tactics) = by_hand::tactics(goal, script.name) {
+                script.tactics = tactics.to_owned();
+            }
+        }
+        return Some(scripts);
     };
     let other = OTHERS.get(place)?;
     let mut scripts = first_scripts(goal);
@@ -204,7 +213,15 @@ fn staged(goal: &Goal, what: &str) -> Option<String> {
     if others.is_empty() || !definitions.iter().any(costly) {
         return None;
     }
-    let stages = others.iter().map(|(name, _)| format!("stage {name}; "));
+    let stage = |(name, text): &(String, String)| {
+        let at = literals(goal, name, text);
+        let at: Vec<String> = at.iter().map(u64::to_string).collect();
+        match at.is_empty() {
+            true => format!("stage {name}; "),
+            false => format!("stage_at {name} [{}]%Z; ", at.join("; ")),
+        }
+    };
+    let stages = others.iter().map(stage);
     Some(format!(
         "cbv beta zeta delta [{what}]; {}staged_goal {last}; ",
         stages.collect::<String>()

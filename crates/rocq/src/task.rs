@@ -5,9 +5,9 @@ use crate::name::identifier;
 use crate::proposition::Proposition;
 use crate::solutions::Solved;
 use crate::statement::proposition;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_language::core::{self, Elaborator, Set};
+use torse_language::core::{self, BuiltIn, Elaborator, Node, Set, Statement, Term};
 use torse_language::derivation::{self, Origin, Source, Written};
 use torse_language::syntax::parse;
 use torse_language::words::Verdict;
@@ -105,6 +105,15 @@ pub struct Goal {
     pub solved: Vec<Solved>,
 }
 
+impl Goal {
+    /// The texts of its definitions, in order.
+    #[must_use]
+    pub fn definitions(&self) -> Vec<&str> {
+        let definitions = self.proposition.definitions.iter();
+        definitions.map(|(_, text)| text.as_str()).collect()
+    }
+}
+
 /// The theorems of a claim, or why there are none.
 ///
 /// # Errors
@@ -156,8 +165,13 @@ fn goal(
     let unread = |what: &dyn std::fmt::Debug| Gap::Unread(format!("{what:?}"));
     let core = core::Claim::elaborated(&elaborator, claim, statement).map_err(|f| unread(&f))?;
     let rooted = core.rooted(&statement.origin).map_err(|f| unread(&f))?;
-    if rooted.roots().next().is_some() {
-        return Err(Gap::Theory("roots of formulas with symbols"));
+    let hypotheses = core.hypotheses.iter().map(|h| &h.statement);
+    let mut terms = hypotheses
+        .chain([&core.statement])
+        .flat_map(Statement::terms);
+    // Where a radicand is zero its root has no derivative, by SEMANTICS.md, and may have one in Rocq.
+    if rooted.roots().next().is_some() && terms.any(|term| differentiates_roots(term)) {
+        return Err(Gap::Theory("derivatives of roots of formulas with symbols"));
     }
     let mut added = vec![];
     for text in conditions {
@@ -203,6 +217,23 @@ fn goal(
         given: core.unknowns.len(),
         solved: finding.solved.clone(),
     })
+}
+
+/// Whether a root stands below a derivative.
+fn differentiates_roots(term: &Term) -> bool {
+    let mut seen = BTreeSet::new();
+    let mut pending = vec![term];
+    while let Some(term) = pending.pop() {
+        if !seen.insert(Arc::as_ptr(&term.node).addr()) {
+            continue;
+        }
+        let roots = || term.applies(BuiltIn::SquareRoot) || term.applies(BuiltIn::Norm);
+        if matches!(&*term.node, Node::Derivative { .. }) && roots() {
+            return true;
+        }
+        pending.extend(term.parts());
+    }
+    false
 }
 
 /// A formula of an outcome read back.

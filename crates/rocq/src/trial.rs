@@ -3,8 +3,10 @@
 //! Whether a tactic closes a goal is known only when it was run. What fails here gets no proof in the folder, and is
 //! reported as missing: a failing script says nothing against the claim.
 
+use crate::check::PROOFS;
 use crate::coqc::{CheckError, Coqc, Limits, each_section, limited, prefixes, run};
-use crate::folder::Folder;
+use crate::folder::{Folder, Theorem};
+use crate::modules::split;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::Path;
@@ -17,8 +19,8 @@ const SCRIPTS: [(&str, &str); 3] = [
     ("met", "no values are found that meet all premises"),
 ];
 
-/// The names of the theorems of a folder whose scripts fail, each tried for so many seconds, with what fails. `done` is
-/// called once a section.
+/// The names of the theorems of a folder whose scripts fail, each tried for so many seconds, with what fails. `found` is
+/// told section by section which theorems were tried, and what fails of them.
 ///
 /// # Errors
 /// [`CheckError`] if nothing can be run, and if the library is not accepted.
@@ -28,13 +30,19 @@ pub fn failing(
     scratch: &Path,
     seconds: u64,
     limits: Limits,
-    done: &(dyn Fn() + Sync),
+    found: &(dyn Fn(&[String], &BTreeMap<String, String>) + Sync),
 ) -> Result<BTreeMap<String, String>, CheckError> {
     coqc.prepare(folder, scratch, limits, &|| ())?;
-    let of_section =
-        |section: &str| section_failing(coqc, folder, section, scratch, seconds, limits);
-    let found = each_section(folder, limits.at_once, done, &of_section)?;
-    Ok(found.into_iter().flatten().collect())
+    let of_section = |section: &str| {
+        let failing = section_failing(coqc, folder, section, scratch, seconds, limits)?;
+        let failing: BTreeMap<String, String> = failing.into_iter().collect();
+        let theorems = folder.theorems_of(section);
+        let names: Vec<String> = theorems.iter().map(|theorem| theorem.name()).collect();
+        found(&names, &failing);
+        Ok(failing)
+    };
+    let all = each_section(folder, limits.at_once, &|| (), &of_section)?;
+    Ok(all.into_iter().flatten().collect())
 }
 
 fn section_failing(
@@ -46,23 +54,20 @@ fn section_failing(
     limits: Limits,
 ) -> Result<Vec<(String, String)>, CheckError> {
     let theorems = folder.theorems_of(section);
-    let all = || {
-        let words = |theorem: &&crate::folder::Theorem| {
-            (theorem.name(), "the statement is not accepted".to_owned())
-        };
+    let all = |why: &'static str| {
+        let words = move |theorem: &&Theorem| (theorem.name(), why.to_owned());
         theorems.iter().map(words)
     };
     let statements = coqc.run(scratch, &format!("{section}.v"), limits)?;
-    let Some((prefix, file)) = section
-        .split_once('/')
-        .filter(|_| statements.status.success())
-    else {
-        return Ok(all().collect());
-    };
-    let mut text = format!(
-        "{}From {prefix} Require {file}.\nOpen Scope R_scope.\n",
-        crate::chapter::imports()
-    );
+    if !statements.status.success() {
+        return Ok(all("the statement is not accepted").collect());
+    }
+    let forms = coqc.closed_forms(folder, section, scratch, limits)?;
+    if forms.is_err() {
+        return Ok(all("the definitions of the section have no closed forms").collect());
+    }
+    let proofs = folder.files.get(&format!("{section}{PROOFS}"));
+    let mut text = split(proofs.map_or("", String::as_str)).head.to_owned();
     for (place, theorem) in theorems.iter().enumerate() {
         text.push_str(&format!(
             "Definition mark_{place} := O.\nCheck mark_{place}.\n{}",

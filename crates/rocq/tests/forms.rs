@@ -226,7 +226,7 @@ fn false_coefficients_are_rejected_with_the_scripts_of_the_true_ones() {
     let folder = folder(&claims(&statements), Verdict::Holds);
     assert_eq!(folder.theorems.len(), PAIRS.len(), "{:?}", folder.missing);
     let scratch = tempfile::tempdir().unwrap();
-    let failing = trial::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|| ()).unwrap();
+    let failing = trial::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|_, _| ()).unwrap();
     let wanted: BTreeSet<String> = folder.theorems.iter().map(|t| t.name()).collect();
     let found: BTreeSet<String> = failing.keys().cloned().collect();
     assert_eq!(found, wanted);
@@ -259,6 +259,6 @@ fn wrong_values_of_unknowns_prove_nothing() {
     };
     let folder = Folder::new(&[("p".to_owned(), vec![finding])], &BTreeMap::new());
     let scratch = tempfile::tempdir().unwrap();
-    let failing = trial::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|| ()).unwrap();
+    let failing = trial::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|_, _| ()).unwrap();
     assert_eq!(failing.len(), 1);
 }

@@ -10,7 +10,7 @@ use std::time::Duration;
 use torse_language::derivation::{Claim, LoadError, Source, paper};
 use torse_language::words::Verdict;
 use torse_rocq::coqc::{AXIOMS, Answer, Coqc, Limits};
-use torse_rocq::folder::Folder;
+use torse_rocq::folder::{Folder, Layout};
 use torse_rocq::script::OTHERS;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
@@ -183,7 +183,7 @@ fn false_statements_are_rejected_with_the_scripts_of_the_true_ones() {
     let claims = claims(&statements);
     let folder = folder(&claims, |place| PAIRS[place].2);
     let scratch = tempfile::tempdir().unwrap();
-    let failing = trial::failing(&coqc, &folder, scratch.path(), 20, LIMITS, &|| ()).unwrap();
+    let failing = trial::failing(&coqc, &folder, scratch.path(), 20, LIMITS, &|_, _| ()).unwrap();
     let wanted: BTreeSet<String> = folder.theorems.iter().map(|t| t.name()).collect();
     let failing: BTreeSet<String> = failing.into_keys().collect();
     assert_eq!(failing, wanted);
@@ -290,15 +290,26 @@ fn other_scripts_prove_what_follows_from_equations_and_nothing_else() {
     let papers = [("p".to_owned(), findings)];
     for which in 1..=OTHERS.len() {
         let chosen = ["P/Section_1.c0", "P/Section_1.c1"].map(|name| (name.to_owned(), which));
-        let folder = Folder::with_scripts(&papers, &BTreeMap::new(), &BTreeMap::from(chosen));
+        let folder = Folder::with_scripts(
+            &papers,
+            &BTreeMap::new(),
+            &BTreeMap::from(chosen),
+            Layout::Together,
+        );
         let scratch = tempfile::tempdir().unwrap();
-        let failing = trial::failing(&coqc, &folder, scratch.path(), 40, LIMITS, &|| ()).unwrap();
+        let failing =
+            trial::failing(&coqc, &folder, scratch.path(), 40, LIMITS, &|_, _| ()).unwrap();
         let failing: Vec<&String> = failing.keys().collect();
         assert_eq!(failing, ["P/Section_1.c1"], "{which}");
     }
     // There is no further script.
     let chosen = [("P/Section_1.c0".to_owned(), OTHERS.len() + 1)];
-    let folder = Folder::with_scripts(&papers, &BTreeMap::new(), &BTreeMap::from(chosen));
+    let folder = Folder::with_scripts(
+        &papers,
+        &BTreeMap::new(),
+        &BTreeMap::from(chosen),
+        Layout::Together,
+    );
     let names: Vec<String> = folder.theorems.iter().map(|t| t.name()).collect();
     assert_eq!(names, ["P/Section_1.c1"]);
 }
