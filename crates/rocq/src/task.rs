@@ -170,7 +170,7 @@ fn goal(
         .chain([&core.statement])
         .flat_map(Statement::terms);
     // Where a radicand is zero its root has no derivative, by SEMANTICS.md, and may have one in Rocq.
-    if rooted.roots().next().is_some() && terms.any(|term| differentiates_roots(term)) {
+    if rooted.roots().next().is_some() && terms.any(differentiates_roots) {
         return Err(Gap::Theory("derivatives of roots of formulas with symbols"));
     }
     let mut added = vec![];

@@ -19,6 +19,9 @@ const SCRIPTS: [(&str, &str); 3] = [
     ("met", "no values are found that meet all premises"),
 ];
 
+/// Is told which theorems of a section were tried, and what fails of them.
+pub type Found<'a> = dyn Fn(&[String], &BTreeMap<String, String>) + Sync + 'a;
+
 /// The names of the theorems of a folder whose scripts fail, each tried for so many seconds, with what fails. `found` is
 /// told section by section which theorems were tried, and what fails of them.
 ///
@@ -30,7 +33,7 @@ pub fn failing(
     scratch: &Path,
     seconds: u64,
     limits: Limits,
-    found: &(dyn Fn(&[String], &BTreeMap<String, String>) + Sync),
+    found: &Found<'_>,
 ) -> Result<BTreeMap<String, String>, CheckError> {
     coqc.prepare(folder, scratch, limits, &|| ())?;
     let of_section = |section: &str| {

@@ -40,7 +40,7 @@ pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<Derivatio
     decide_claim_within(STANDARD_WORK, paper, claim)
 }
 
-/// The same with another budget of work, in the units of [`work`]: as much for the verdict, and as much again for the
+/// The same with another budget of work, in the units of [`torse_algebra::work`]: as much for the verdict, and as much again for the
 /// search for a correction. A claim that needs more is undecided, and says so.
 ///
 /// # Errors
