@@ -74,11 +74,15 @@ impl Report {
         let pictures: usize = wanted.iter().map(|(figures, _)| figures.len()).sum();
         let progress = Progress::new("reporting", pictures + 5 * wanted.len() + 3);
         let mut written = Vec::new();
-        let figures = self.figures(&wanted, &progress, &mut written)?;
+        // The statements for the kernel are written one after the other: beside the figures they take no time of their own.
+        let (figures, accepted) = rayon::join(
+            || self.figures(&wanted, &progress, &mut written),
+            || self.kernel.accepted(&papers, &run),
+        );
+        let figures = figures?;
         let shown: Vec<(&PaperOutcome, &[FigureImage])> = (wanted.iter().zip(&figures))
             .map(|((_, outcome), figures)| (*outcome, figures.as_slice()))
             .collect();
-        let accepted = self.kernel.accepted(&papers, &run);
         let sources: Vec<Source> = (papers.iter())
             .map(|paper| self.derivations.source(&paper.head))
             .collect::<Result<_, _>>()?;

@@ -1,6 +1,7 @@
 //! Names that Rocq takes.
 
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 /// Words of Rocq and names of its libraries that statements use: a bound variable of that name would hide them.
 const TAKEN: &str = "
@@ -11,6 +12,8 @@ const TAKEN: &str = "
     solve agrees_up agrees_down zeros mzeros vadd vsub vopp vscale vdiv madd msub mopp mscale mdiv mvec mmul
     Derive_n vDerive ex_derive_n locally powerRZ fact linear update1 update2 statement printed corrected instance
     refuted O S I C D E le lt ge gt plus minus mult pow id left right";
+
+static WORDS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| TAKEN.split_whitespace().collect());
 
 /// A supply of names, none of them twice.
 #[derive(Debug, Clone, Default)]
@@ -23,7 +26,7 @@ impl Names {
     pub fn fresh(&mut self, like: &str) -> String {
         let base = identifier(like);
         let mut name = base.clone();
-        while TAKEN.split_whitespace().any(|word| word == name) || self.used.contains(&name) {
+        while WORDS.contains(name.as_str()) || self.used.contains(&name) {
             name.push('_');
         }
         self.used.insert(name.clone());

@@ -3,7 +3,7 @@
 //! A shaded view has one or two paints in many lights, which a palette of 256 colours holds with steps that are hardly seen,
 //! at a third of the size.
 
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Straight pixels of red, green, blue and alpha, row by row.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -104,7 +104,7 @@ impl Pixels {
 
     /// A PNG file with a palette: colours in steps of at least `finest`, the finest of which 256 suffice.
     pub fn indexed(&self, finest: u8) -> Option<Vec<u8>> {
-        let mut met = HashSet::new();
+        let mut met = FxHashSet::default();
         let colours: Vec<[u8; 4]> = self
             .rgba
             .iter()
@@ -138,14 +138,14 @@ impl Pixels {
 /// Colours in steps, and which of them stands for which colour of a picture.
 struct Palette {
     colours: Vec<[u8; 4]>,
-    places: HashMap<[u8; 4], u8>,
+    places: FxHashMap<[u8; 4], u8>,
 }
 
 impl Palette {
     /// One for these colours, in the order in which they are met; none if 256 do not suffice.
     fn of(colours: &[[u8; 4]], step: u8) -> Option<Self> {
-        let mut numbers: HashMap<[u8; 4], u8> = HashMap::new();
-        let (mut own, mut places) = (vec![], HashMap::new());
+        let mut numbers: FxHashMap<[u8; 4], u8> = FxHashMap::default();
+        let (mut own, mut places) = (vec![], FxHashMap::default());
         for colour in colours {
             let coarse = coarser(*colour, step);
             let number = match numbers.get(&coarse) {
