@@ -4,6 +4,7 @@ use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
 use crate::format::Format;
 use crate::run::{Budget, Run};
+use crate::terminal::Progress;
 use crate::{guard, selection, terminal};
 use clap::Args;
 use serde::Serialize;
@@ -65,7 +66,9 @@ impl Audit {
         let looked_at = selection::only(&papers, &ids);
         let run = Run::of(&looked_at, self.budget, &mut mistakes);
         let pairs = pairs(&looked_at, &run);
-        let found = audit(&papers, &pairs);
+        let progress = Progress::new("auditing", pairs.len());
+        let found = audit(&papers, &pairs, || progress.step());
+        progress.finish();
         guard::finished();
         for audited in &found {
             for answer in &audited.stale {

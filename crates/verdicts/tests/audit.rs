@@ -64,7 +64,9 @@ fn signs(claims: &str) -> Vec<Sign> {
     let paper = loaded(claims);
     let outcomes = decided(&paper);
     let pairs: Vec<_> = paper.claims.iter().zip(&outcomes).collect();
-    audit(std::slice::from_ref(&paper), &pairs).remove(0).open
+    audit(std::slice::from_ref(&paper), &pairs, || ())
+        .remove(0)
+        .open
 }
 
 /// What is seen under a flag.
@@ -363,7 +365,7 @@ fn an_answer_closes_its_flag_and_is_stale_where_there_is_none() {
         let paper = loaded(&lines(states));
         let outcomes = decided(&paper);
         let pairs: Vec<_> = paper.claims.iter().zip(&outcomes).collect();
-        let found = audit(std::slice::from_ref(&paper), &pairs).remove(0);
+        let found = audit(std::slice::from_ref(&paper), &pairs, || ()).remove(0);
         assert!(found.open.iter().all(|s| s.flag != Flag::AddsNumber));
         assert_eq!(
             (found.answered.len(), found.stale.len()),

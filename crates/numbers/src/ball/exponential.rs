@@ -73,10 +73,10 @@ fn at_point(numerator: &Integer, bits: usize) -> Result<Ball, ExactError> {
 
 /// The power at `numerator * 2^-places >= 0`, which is at most `whole`, with a few more than so many bits.
 fn upward(numerator: &Integer, places: usize, whole: usize, bits: usize) -> Ball {
-    // h < 2^-t
-    let t = bits.sqrt() / 2 + 3;
-    let squarings = whole.next_power_of_two().trailing_zeros() as usize + t;
     let before_point = whole + whole / 2 + 1;
+    // h < 2^-t: about as many terms as squarings, whatever part of the digits stands before the point.
+    let t = (bits + before_point).sqrt() * 2 / 3 + 3;
+    let squarings = whole.next_power_of_two().trailing_zeros() as usize + t;
     let working = bits + before_point + squarings + 16;
     let h = Ball {
         lo: numerator.clone(),

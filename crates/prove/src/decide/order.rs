@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 use torse_algebra::rational::integer;
-use torse_algebra::{Ball, Fraction, Polynomial, Rational, Scalar as _, Symbol};
+use torse_algebra::{Ball, Finest, Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_language::syntax::Relation;
 
 /// Bits of the enclosures that decide signs of constants, tried in turn.
@@ -32,19 +32,23 @@ pub fn enclosure(value: &Fraction, bits: usize) -> Option<Ball> {
     part(value.numerator())?.divided_by(&denominator).ok()
 }
 
-/// How a fraction without free symbols compares with zero: zero is decided by the normal form, the sign of a nonzero number
-/// by an enclosure.
+/// How a fraction without free symbols compares with zero: zero is decided by the normal form with each exponent in its
+/// finest part, the sign of a nonzero number by an enclosure.
 #[must_use]
 pub fn order(value: &Fraction) -> Option<Ordering> {
+    if let Some(number) = value.as_rational() {
+        return Some(number.cmp(&Rational::default()));
+    }
+    let symbols = value.symbols();
+    if !symbols.iter().all(Symbol::is_number) {
+        return None;
+    }
+    let value = Finest::of(symbols.iter()).write(value)?;
     if value.is_zero() {
         return Some(Ordering::Equal);
     }
-    match value.as_rational() {
-        Some(number) => Some(number.cmp(&Rational::default())),
-        None => BITS
-            .into_iter()
-            .find_map(|bits| enclosure(value, bits).and_then(|ball| ball.sign())),
-    }
+    BITS.into_iter()
+        .find_map(|bits| enclosure(&value, bits)?.sign())
 }
 
 /// Whether `value relation 0` holds, for a fraction without free symbols.
@@ -59,4 +63,28 @@ pub fn truth(value: &Fraction, relation: Relation) -> Option<bool> {
         Relation::Greater => order == Ordering::Greater,
         Relation::AtLeast => order != Ordering::Less,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use torse_algebra::rational::ratio;
+
+    fn power_of_e(n: i64, d: i64) -> Fraction {
+        let exponent = Fraction::integer(n).scaled(&ratio(1, d).unwrap());
+        exponent.exponential().unwrap()
+    }
+
+    #[test]
+    fn powers_of_e_in_different_parts_are_told_equal() {
+        let sixth = power_of_e(1, 6);
+        let difference = power_of_e(1, 3) - sixth.clone() * sixth.clone();
+        assert_eq!(order(&difference), Some(Ordering::Equal));
+        assert_eq!(order(&(power_of_e(1, 3) - sixth)), Some(Ordering::Greater));
+    }
+
+    #[test]
+    fn what_varies_has_no_order() {
+        assert_eq!(order(&Fraction::named("x")), None);
+    }
 }

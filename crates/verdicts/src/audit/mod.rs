@@ -21,6 +21,7 @@ mod unstated;
 use crate::outcome::Outcome;
 use formulas::Formulas;
 use print::Print;
+use rayon::prelude::*;
 use setting::Setting;
 use std::collections::BTreeMap;
 use torse_language::derivation::{Answer, Claim, Paper};
@@ -62,9 +63,14 @@ struct Subject<'a> {
     relations_of_all_parts: usize,
 }
 
-/// Looks at claims of these papers with their outcomes; parts of a sentence are counted together if they are all among them.
+/// Looks at claims of these papers with their outcomes, and says after each that it is `done`; parts of a sentence are counted
+/// together if they are all among them.
 #[must_use]
-pub fn audit<'a>(papers: &'a [Paper], claims: &[(&'a Claim, &'a Outcome)]) -> Vec<Audited<'a>> {
+pub fn audit<'a>(
+    papers: &'a [Paper],
+    claims: &[(&'a Claim, &'a Outcome)],
+    done: impl Fn() + Sync,
+) -> Vec<Audited<'a>> {
     let mut together: BTreeMap<&str, usize> = BTreeMap::new();
     for (claim, _) in claims {
         if let Some(whole) = claim.whole() {
@@ -75,9 +81,12 @@ pub fn audit<'a>(papers: &'a [Paper], claims: &[(&'a Claim, &'a Outcome)]) -> Ve
     let audited = |(claim, outcome): &(&'a Claim, &'a Outcome)| {
         let whole = claim.whole().and_then(|id| together.get(id.as_str()));
         let signs = signs(claim, outcome, &setting, whole.copied());
+        done();
         answered(claim, signs)
     };
-    claims.iter().map(audited).collect()
+    // Slips of a statement are decided like claims: each may go to whoever is free.
+    let each = claims.par_iter().with_max_len(1);
+    each.map(audited).collect()
 }
 
 /// The signs at a claim, those of its readings among them, each flag in the order of its declaration.
