@@ -90,53 +90,58 @@ pub fn shown(
 ) -> Result<Vec<Shown>, Failure> {
     let shown: Vec<Result<Shown, Failure>> = figures
         .par_iter()
-        .map(
-            |Evaluated {
-                 entry: figure,
-                 plate,
-             }| {
-                progress.doing(&figure.id);
-                let failed = |source| Failure::Figure {
-                    figure: figure.id.clone(),
-                    source,
-                };
-                let name = plate.name();
-                let fingerprint = format!("{:016x}", plate.fingerprint().map_err(failed)?);
-                let kept = match known.get(&name) == Some(&fingerprint) {
-                    true => drawn_before(folder, &name),
-                    false => None,
-                };
-                let (svg, kept) = match kept {
-                    Some(svg) => (svg, true),
-                    None => (draw(plate, folder, &name, failed)?, false),
-                };
-                let interactive = plate.interactive().map_err(failed)?;
-                let torse = plate.torse().map_err(failed)?;
-                let step = match &torse {
-                    Some(torse) => Some(solid(torse, &figure.id, folder, &name, kept)?),
-                    None => None,
-                };
-                progress.step();
-                let drawing = plate.drawing();
-                let image = FigureImage {
-                    name,
-                    caption: drawing.caption.clone(),
-                    alt: drawing.alt.clone(),
-                    image: Image::Svg(svg),
-                    claims: drawing.claims.clone(),
-                    verdict: figure.verdict(),
-                    assumes: drawing.assumes.clone(),
-                    stand_in: drawing.stand_in.clone(),
-                    interactive,
-                    torse,
-                    step,
-                };
-                Ok(Shown { image, fingerprint })
-            },
-        )
+        .map(|figure| {
+            progress.doing(&figure.entry.id);
+            let shown = one(figure, folder, known);
+            progress.step();
+            shown
+        })
         .collect();
     // Collected first, so that the first failure told is always the same.
     shown.into_iter().collect()
+}
+
+/// A figure with its files in `folder`: drawn, unless an equal one was drawn before.
+fn one(
+    Evaluated { entry, plate }: &Evaluated,
+    folder: &Path,
+    known: &Fingerprints,
+) -> Result<Shown, Failure> {
+    let failed = |source| Failure::Figure {
+        figure: entry.id.clone(),
+        source,
+    };
+    let name = plate.name();
+    let fingerprint = format!("{:016x}", plate.fingerprint().map_err(failed)?);
+    let kept = match known.get(&name) == Some(&fingerprint) {
+        true => drawn_before(folder, &name),
+        false => None,
+    };
+    let (svg, kept) = match kept {
+        Some(svg) => (svg, true),
+        None => (draw(plate, folder, &name, failed)?, false),
+    };
+    let interactive = plate.interactive().map_err(failed)?;
+    let torse = plate.torse().map_err(failed)?;
+    let step = match &torse {
+        Some(torse) => Some(solid(torse, &entry.id, folder, &name, kept)?),
+        None => None,
+    };
+    let drawing = plate.drawing();
+    let image = FigureImage {
+        name,
+        caption: drawing.caption.clone(),
+        alt: drawing.alt.clone(),
+        image: Image::Svg(svg),
+        claims: drawing.claims.clone(),
+        verdict: entry.verdict(),
+        assumes: drawing.assumes.clone(),
+        stand_in: drawing.stand_in.clone(),
+        interactive,
+        torse,
+        step,
+    };
+    Ok(Shown { image, fingerprint })
 }
 
 /// The names of a figure's files in its folder.

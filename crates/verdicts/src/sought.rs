@@ -8,8 +8,9 @@ use crate::concluded::{conclude, rest_on};
 use crate::outcome::{Outcome, Replay};
 use crate::{condition, net, provenance};
 use std::sync::Arc;
-use torse_algebra::work;
+use torse_algebra::work::{self, OutOfWork};
 use torse_language::derivation::{Claim, DerivationError, Hypothesis, Provenance, Written};
+use torse_language::fault::Fault;
 use torse_language::notation::{self, Formula};
 use torse_language::syntax::{Connective, Expr, Node};
 use torse_language::words::Verdict;
@@ -28,35 +29,17 @@ pub(crate) fn decided(
     statement: &Written,
     budget: u64,
 ) -> Result<(), Box<DerivationError>> {
-    let failed =
-        |fault: torse_language::fault::Fault| Box::new(fault.into_error(&statement.origin));
-    let found = match work::within(budget / 5, || sought::witnessed(claim, statement)) {
-        Ok(Ok(found)) => found,
-        Ok(Err(fault)) if fault.is_limit() => {
-            outcome.steps = vec![fault.problem.to_string()];
-            return Ok(());
-        }
-        Ok(Err(fault)) => return Err(failed(fault)),
-        Err(out) => {
-            outcome.steps = vec![out.to_string()];
-            return Ok(());
-        }
+    let found = work::within(budget / 5, || sought::witnessed(claim, statement));
+    let Some(found) = known(outcome, statement, found)? else {
+        return Ok(());
     };
     let (own, steps) = match &found {
         Some(found) => (&found.claim, found.steps.clone()),
         None => (claim, vec![]),
     };
-    let decision = match work::within(budget, || decide_statement(own, statement)) {
-        Ok(Ok(decision)) => decision,
-        Ok(Err(fault)) if fault.is_limit() => {
-            outcome.steps = vec![fault.problem.to_string()];
-            return Ok(());
-        }
-        Ok(Err(fault)) => return Err(failed(fault)),
-        Err(out) => {
-            outcome.steps = vec![out.to_string()];
-            return Ok(());
-        }
+    let decision = work::within(budget, || decide_statement(own, statement));
+    let Some(decision) = known(outcome, statement, decision)? else {
+        return Ok(());
     };
     if let Decision::Proven(proof) = &decision
         && says_nothing_somewhere(proof)
@@ -78,6 +61,22 @@ pub(crate) fn decided(
     }
     net::secure(outcome, own, statement, budget / 5);
     Ok(())
+}
+
+/// What was found; where a limit ended the work that is told, and nothing is known.
+fn known<T>(
+    outcome: &mut Outcome,
+    statement: &Written,
+    found: Result<Result<T, Fault>, OutOfWork>,
+) -> Result<Option<T>, Box<DerivationError>> {
+    let limit = match found {
+        Ok(Ok(found)) => return Ok(Some(found)),
+        Ok(Err(fault)) if fault.is_limit() => fault.problem.to_string(),
+        Ok(Err(fault)) => return Err(Box::new(fault.into_error(&statement.origin))),
+        Err(spent) => spent.to_string(),
+    };
+    outcome.steps = vec![limit];
+    Ok(None)
 }
 
 /// The claim with witnesses for all that it seeks, as its verdict was found with; the claim itself if it gives them all.
