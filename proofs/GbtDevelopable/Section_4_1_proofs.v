@@ -52,14 +52,6 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance E1_0 E1_1 E1_2 E1_3 normal midpoint volume]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_1_coplanar.
 
-Module ex_4_1_c1_a.
-Import GbtDevelopable.Section_4_1.ex_4_1_c1_a.
-Theorem proved : statement.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in let lines := fun _ => (compute_goal; intros; repeat match goal with L : locally _ _ |- _ => apply locally_singleton in L; cbv beta in L end; conjuncts; parts; derivatives; roots; equal) in cbv beta zeta delta [statement]; at_place E1 E1_ 0%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; lines (). Qed.
-Theorem met : instance.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [instance]; at_place E1 E1_ 0%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; exists 0, 0; compute_goal; repeat match goal with |- _ /\ _ => split end; first [ lra | near ]. Qed.
-End ex_4_1_c1_a.
-
 Module ex_4_1_lengths.
 Import GbtDevelopable.Section_4_1.ex_4_1_lengths.
 Theorem proved : statement.
@@ -75,14 +67,6 @@ Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d 
 Theorem met : instance.
 Proof. cbv delta [instance]; exists 0, 0; lra. Qed.
 End ex_4_1_lengths_exchanged.
-
-Module ex_4_1_c1_b.
-Import GbtDevelopable.Section_4_1.ex_4_1_c1_b.
-Theorem proved : statement.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in let lines := fun _ => (compute_goal; intros; repeat match goal with L : locally _ _ |- _ => apply locally_singleton in L; cbv beta in L end; conjuncts; parts; derivatives; roots; equal) in cbv beta zeta delta [statement]; at_place E1 E1_ 1%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; lines (). Qed.
-Theorem met : instance.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [instance]; at_place E1 E1_ 1%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; exists 0, 0; compute_goal; repeat match goal with |- _ /\ _ => split end; first [ lra | near ]. Qed.
-End ex_4_1_c1_b.
 
 Module ex_4_1_c1_c.
 Import GbtDevelopable.Section_4_1.ex_4_1_c1_c.
@@ -107,22 +91,6 @@ Import GbtDevelopable.Section_4_1.ex_4_1_c1_f_there_and_nowhere_else.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g E1_0 E1_1 E1_2 E1_3 E1 E1_ E1__ E1___ normal direction length2 len len_] in no; refuting (no (1) (0)). Qed.
 End ex_4_1_c1_f_there_and_nowhere_else.
-
-Module ex_4_1_c2_a.
-Import GbtDevelopable.Section_4_1.ex_4_1_c2_a.
-Theorem proved : statement.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in let lines := fun _ => (compute_goal; intros; repeat match goal with L : locally _ _ |- _ => apply locally_singleton in L; cbv beta in L end; conjuncts; parts; derivatives; roots; equal) in cbv beta zeta delta [statement]; at_place E1 E1_ 0%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); at_place E1__ E1___ 0%Z ltac:(cbv beta delta [E1__ E1___ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; lines (). Qed.
-Theorem met : instance.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [instance]; at_place E1 E1_ 0%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; exists 0, 0; compute_goal; repeat match goal with |- _ /\ _ => split end; first [ lra | near ]. Qed.
-End ex_4_1_c2_a.
-
-Module ex_4_1_c2_b.
-Import GbtDevelopable.Section_4_1.ex_4_1_c2_b.
-Theorem proved : statement.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in let lines := fun _ => (compute_goal; intros; repeat match goal with L : locally _ _ |- _ => apply locally_singleton in L; cbv beta in L end; conjuncts; parts; derivatives; roots; equal) in cbv beta zeta delta [statement]; at_place E1 E1_ 1%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); at_place E1__ E1___ 1%Z ltac:(cbv beta delta [E1__ E1___ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; lines (). Qed.
-Theorem met : instance.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [instance]; at_place E1 E1_ 1%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; exists 0, 0; compute_goal; repeat match goal with |- _ /\ _ => split end; first [ lra | near ]. Qed.
-End ex_4_1_c2_b.
 
 Module ex_4_1_c2_c.
 Import GbtDevelopable.Section_4_1.ex_4_1_c2_c.
@@ -211,22 +179,6 @@ Import GbtDevelopable.Section_4_1.ex_4_2_c1_a.
 Theorem refuted : ~ statement.
 Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [statement not]; intro no; apply (no 0 0 ltac:(lra) ltac:(lra)); clear no; at_place E2 E2_ 1%Z ltac:(cbv beta delta [E2 E2_ g E2_0 E2_1]); cbv beta delta [normal direction moment foot length2]; compute_goal; intros; derivatives; atoms; equal. Qed.
 End ex_4_2_c1_a.
-
-Module ex_4_2_c1_b.
-Import GbtDevelopable.Section_4_1.ex_4_2_c1_b.
-Theorem proved : statement.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in let lines := fun _ => (compute_goal; intros; repeat match goal with L : locally _ _ |- _ => apply locally_singleton in L; cbv beta in L end; conjuncts; parts; derivatives; roots; equal) in cbv beta zeta delta [statement]; at_place E2 E2_ 1%Z ltac:(cbv beta delta [E2 E2_ g E2_0 E2_1]); at_place E2__ E2___ 1%Z ltac:(cbv beta delta [E2__ E2___ g E2_0 E2_1]); cbv beta delta [normal direction moment foot length2]; lines (). Qed.
-Theorem met : instance.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [instance]; at_place E2 E2_ 1%Z ltac:(cbv beta delta [E2 E2_ g E2_0 E2_1]); cbv beta delta [normal direction moment foot length2]; exists 0, 0; compute_goal; repeat match goal with |- _ /\ _ => split end; first [ lra | near ]. Qed.
-End ex_4_2_c1_b.
-
-Module ex_4_2_c1_c.
-Import GbtDevelopable.Section_4_1.ex_4_2_c1_c.
-Theorem proved : statement.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in let lines := fun _ => (compute_goal; intros; repeat match goal with L : locally _ _ |- _ => apply locally_singleton in L; cbv beta in L end; conjuncts; parts; derivatives; roots; equal) in cbv beta zeta delta [statement]; at_place E2 E2_ 0%Z ltac:(cbv beta delta [E2 E2_ g E2_0 E2_1]); at_place E2__ E2___ 0%Z ltac:(cbv beta delta [E2__ E2___ g E2_0 E2_1]); cbv beta delta [normal direction moment foot length2]; lines (). Qed.
-Theorem met : instance.
-Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [instance]; at_place E2 E2_ 0%Z ltac:(cbv beta delta [E2 E2_ g E2_0 E2_1]); cbv beta delta [normal direction moment foot length2]; exists 0, 0; compute_goal; repeat match goal with |- _ /\ _ => split end; first [ lra | near ]. Qed.
-End ex_4_2_c1_c.
 
 Module ex_4_2_c1_d.
 Import GbtDevelopable.Section_4_1.ex_4_2_c1_d.
