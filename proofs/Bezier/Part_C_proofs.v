@@ -95,3 +95,11 @@ Proof. cbv beta zeta delta [statement T G F G_ F_]; unstaged; prepared; known ((
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance T G F G_ F_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 2), ((-1) / 2), ((-1) / 2), ((-1) / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 1), (fun _ => 1), ((-1)), ((-1)), ((-1)), ((-1)); met) | (exists (fun _ => 0), (fun _ => 0), ((-1)), ((-1)), ((-1)), ((-1)); met)]. Qed.
 End trigonometric_C1_inside.
+
+Module trigonometric_bezier.
+Import Bezier.Part_C.trigonometric_bezier.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement S_ S__ F F_ B T]; intros n P R_ l m L M N _ A D _ Z; revert A D; closed_parts; derivatives; operators; ends; special; compute_goal; derivatives; special; rewrite (Z.max_l n 0) by lia; intros A D; assert (A' : R_ 0%Z = P 3%Z) by lra; rewrite A' in D; apply (Rmult_eq_reg_l (2 * IZR n)); [ | exact Z ]; match goal with |- _ = ?r => replace r with (2 * IZR n * P 3%Z + PI * (2 + m) * (P 3%Z - P 2%Z)) by (field; intro E; apply Z; rewrite E; ring) end; lra. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance S_ S__ F F_ B T]; exists 3%Z, (fun _ => 0), (fun _ => 0), 0, 0; repeat match goal with |- _ /\ _ => split end; intros; try lra; try lia; compute_goal; derivatives; special; ring. Qed.
+End trigonometric_bezier.

@@ -17,7 +17,7 @@ Import Bezier.Part_Families.family_casteljau.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement B Q]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance B Q]; first [(exists (3)%Z, (fun _ => 3), (4), (1 / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (1 / 2); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (8), (1 / 3); met) | (exists (3)%Z, (fun _ => 1), (1), (1 / 3); met) | (exists (3)%Z, (fun _ => 0), (1), (1 / 3); met)]. Qed.
+Proof. cbv delta [instance]; exists 3%Z, (fun _ => 0), 0, 0; repeat split; intros; (lra || lia). Qed.
 End family_casteljau.
 
 Module family_casteljau_slip.

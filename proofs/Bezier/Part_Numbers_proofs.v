@@ -36,9 +36,9 @@ End exists_none.
 Module exists_parallel.
 Import Bezier.Part_Numbers.exists_parallel.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; identity. Qed.
+Proof. cbv delta [statement]; intros p1 p2 q1 q2; compute_goal; intros S E N; parts; pose proof (f_equal (Rmult p1) E); pose proof (f_equal (Rmult p2) E); field_simplify_eq; [ lra | intro Z; apply N; lra | lra | intro Z; apply N; lra ]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5; met) | (exists 0, 0, 0, 0; met) | (exists 13, 8, 8, 6; met) | (exists 7, 7, 7, 2; met) | (exists 1, 0, 0, 1; met)]. Qed.
+Proof. cbv delta [instance]; exists 1, 0, 1, 0; compute_goal; repeat split; lra. Qed.
 End exists_parallel.
 
 Module exists_parallel_only.

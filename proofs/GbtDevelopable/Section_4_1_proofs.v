@@ -60,11 +60,25 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance g E1_0 E1_1 E1_2 E1_3 E1 E1_ normal direction length2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_1_lengths.
 
+Module ex_4_1_lengths_exchanged.
+Import GbtDevelopable.Section_4_1.ex_4_1_lengths_exchanged.
+Theorem proved : statement.
+Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [statement]; at_place E1 E1_ 0%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); at_place E1 E1_ 1%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); at_place E1__ E1___ 0%Z ltac:(cbv beta delta [E1__ E1___ g E1_0 E1_1 E1_2 E1_3]); at_place E1__ E1___ 1%Z ltac:(cbv beta delta [E1__ E1___ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; compute_goal; intros; conjuncts; derivatives; pose proof PI_RGT_0; first [ solve [field] | nra ]. Qed.
+Theorem met : instance.
+Proof. cbv delta [instance]; exists 0, 0; lra. Qed.
+End ex_4_1_lengths_exchanged.
+
 Module ex_4_1_c1_c.
 Import GbtDevelopable.Section_4_1.ex_4_1_c1_c.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g E1_0 E1_1 E1_2 E1_3 E1 E1_ normal direction length2] in no; refuting (no (0) (1)). Qed.
 End ex_4_1_c1_c.
+
+Module ex_4_1_c1_d.
+Import GbtDevelopable.Section_4_1.ex_4_1_c1_d.
+Theorem refuted : ~ statement.
+Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [statement not]; intro no; apply (no 0 0 ltac:(lra) ltac:(lra)); clear no; at_place E1 E1_ 0%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; compute_goal; intros; derivatives; ring. Qed.
+End ex_4_1_c1_d.
 
 Module ex_4_1_c1_e.
 Import GbtDevelopable.Section_4_1.ex_4_1_c1_e.
@@ -78,6 +92,12 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g E1_0 E1_1 E1_2 E1_3 E1 E1_ E1__ E1___ normal direction length2 len len_] in no; refuting (no (1) (0)). Qed.
 End ex_4_1_c1_f_there_and_nowhere_else.
 
+Module ex_4_1_c2_c.
+Import GbtDevelopable.Section_4_1.ex_4_1_c2_c.
+Theorem refuted : ~ statement.
+Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [statement not]; intro no; apply (no 0 0 ltac:(lra) ltac:(lra)); clear no; at_place E1 E1_ 1%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; compute_goal; intros; derivatives; ring. Qed.
+End ex_4_1_c2_c.
+
 Module ex_4_1_c2_d.
 Import GbtDevelopable.Section_4_1.ex_4_1_c2_d.
 Theorem refuted : ~ statement.
@@ -89,6 +109,22 @@ Import GbtDevelopable.Section_4_1.ex_4_1_c2_e_there_and_nowhere_else.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g E1_0 E1_1 E1_2 E1_3 E1 E1_ E1__ E1___ normal direction length2 len len_] in no; refuting (no (0) (1)). Qed.
 End ex_4_1_c2_e_there_and_nowhere_else.
+
+Module ex_4_1_c3_b.
+Import GbtDevelopable.Section_4_1.ex_4_1_c3_b.
+Theorem proved : statement.
+Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [statement not]; at_place E1 E1_ 0%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); at_place E1 E1_ 1%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; compute_goal; intros nu N; split; intro no; specialize (no 0 ltac:(lra)); revert no; derivatives; pose proof PI_RGT_0; nra. Qed.
+Theorem met : instance.
+Proof. cbv delta [instance]; exists 0; lra. Qed.
+End ex_4_1_c3_b.
+
+Module ex_4_1_c3_c.
+Import GbtDevelopable.Section_4_1.ex_4_1_c3_c.
+Theorem proved : statement.
+Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [statement]; at_place E1 E1_ 0%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); at_place E1 E1_ 1%Z ltac:(cbv beta delta [E1 E1_ g E1_0 E1_1 E1_2 E1_3]); cbv beta delta [normal direction moment foot length2]; compute_goal; intros; split; derivatives; pose proof PI_RGT_0; nra. Qed.
+Theorem met : instance.
+Proof. cbv delta [instance]; exists 0; lra. Qed.
+End ex_4_1_c3_c.
 
 Module ex_4_2_Q0.
 Import GbtDevelopable.Section_4_1.ex_4_2_Q0.
@@ -138,6 +174,12 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance g E2_0 E2_1 E2 E2_ normal direction length2]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_4_2_lengths.
 
+Module ex_4_2_c1_a.
+Import GbtDevelopable.Section_4_1.ex_4_2_c1_a.
+Theorem refuted : ~ statement.
+Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [statement not]; intro no; apply (no 0 0 ltac:(lra) ltac:(lra)); clear no; at_place E2 E2_ 1%Z ltac:(cbv beta delta [E2 E2_ g E2_0 E2_1]); cbv beta delta [normal direction moment foot length2]; compute_goal; intros; derivatives; atoms; equal. Qed.
+End ex_4_2_c1_a.
+
 Module ex_4_2_c1_d.
 Import GbtDevelopable.Section_4_1.ex_4_2_c1_d.
 Theorem refuted : ~ statement.
@@ -149,3 +191,25 @@ Import GbtDevelopable.Section_4_1.ex_4_2_c1_e.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement g E2_0 E2_1 E2 E2_ normal direction length2] in no; refuting (no (0) (0)). Qed.
 End ex_4_2_c1_e.
+
+Module ex_4_2_c2_a.
+Import GbtDevelopable.Section_4_1.ex_4_2_c2_a.
+Theorem refuted : ~ statement.
+Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [statement not]; at_place E2 E2_ 0%Z ltac:(cbv beta delta [E2 E2_ g E2_0 E2_1]); at_place E2__ E2___ 0%Z ltac:(cbv beta delta [E2__ E2___ g E2_0 E2_1]); cbv beta delta [normal direction moment foot length2]; compute_goal; intro no; destruct (no (1 / 2) (1 / 2) ltac:(lra) ltac:(lra)) as [A B]; revert A B; derivatives; roots; pose proof PI_RGT_0; intros; nra. Qed.
+End ex_4_2_c2_a.
+
+Module ex_4_2_c2_d.
+Import GbtDevelopable.Section_4_1.ex_4_2_c2_d.
+Theorem proved : statement.
+Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [statement not]; at_place E2 E2_ 1%Z ltac:(cbv beta delta [E2 E2_ g E2_0 E2_1]); at_place E2__ E2___ 1%Z ltac:(cbv beta delta [E2__ E2___ g E2_0 E2_1]); cbv beta delta [normal direction moment foot length2]; compute_goal; intros mu nu M N no; destruct (no (1 / 2) (1 / 2) ltac:(lra) ltac:(lra)) as [A B]; revert A B; derivatives; roots; pose proof PI_RGT_0; intros; nra. Qed.
+Theorem met : instance.
+Proof. cbv delta [instance]; exists 1, 1; lra. Qed.
+End ex_4_2_c2_d.
+
+Module ex_4_2_c3_c.
+Import GbtDevelopable.Section_4_1.ex_4_2_c3_c.
+Theorem proved : statement.
+Proof. let at_place := fun E E_ z unfolding => (let p := fresh "value" in let d := fresh "rate" in let P := fresh in let D := fresh in pose (p := fun a b => E a b z); pose (d := fun a b => vDerive 4 (fun x => E_ a b x) 1 (IZR z)); change (vDerive 4 (fun x => E_ ?a ?b x) 1 (IZR z)) with (d a b); change (E ?a ?b z) with (p a b); eassert (D : d = _) by (subst d; arguments; unfolding; etransitivity; [ on_left; derivatives; special; entries | reflexivity ]); eassert (P : p = _) by (subst p; arguments; unfolding; etransitivity; [ on_left; special; entries | reflexivity ]); rewrite D, P; clear D P d p; cbv beta) in cbv beta zeta delta [statement not]; at_place E2 E2_ 0%Z ltac:(cbv beta delta [E2 E2_ g E2_0 E2_1]); at_place E2 E2_ 1%Z ltac:(cbv beta delta [E2 E2_ g E2_0 E2_1]); cbv beta delta [normal direction moment foot length2]; compute_goal; intros nu N; split; intro no; specialize (no (- (1 / 2)) ltac:(lra)); revert no; derivatives; roots; pose proof PI_RGT_0; nra. Qed.
+Theorem met : instance.
+Proof. cbv delta [instance]; exists (-1); lra. Qed.
+End ex_4_2_c3_c.

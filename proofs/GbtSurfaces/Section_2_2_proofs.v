@@ -282,6 +282,22 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance a1 a1_]; first [(exists (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, (0), (0); met) | (exists (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_2_a1_sign.
 
+Module thm_2_a2.
+Import GbtSurfaces.Section_2_2.thm_2_a2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F]; formed. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_a2.
+
+Module thm_2_b1.
+Import GbtSurfaces.Section_2_2.thm_2_b1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F1]; formed. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F1]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_b1.
+
 Module thm_2_b1_sign.
 Import GbtSurfaces.Section_2_2.thm_2_b1_sign.
 Theorem proved : statement.

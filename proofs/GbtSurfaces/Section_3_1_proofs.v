@@ -208,6 +208,14 @@ Theorem proved : statement.
 Proof. cbv beta zeta delta [statement V31 Q31]; compute_goal; conjuncts; [ ring | ring | ring | ring | transitivity (sqrt 1); [ f_equal; ring | apply sqrt_1 ] ]. Qed.
 End ex_3_1_normal.
 
+Module eq_13.
+Import GbtSurfaces.Section_3_1.eq_13.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q31 f alpha31 V31 b]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance Q31 f alpha31 V31 b]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (0), (0), (1 / 2), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_13.
+
 Module ex_3_1_net.
 Import GbtSurfaces.Section_3_1.ex_3_1_net.
 Theorem proved : statement.

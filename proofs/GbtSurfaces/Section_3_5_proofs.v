@@ -2,6 +2,7 @@
 From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
 From GbtSurfaces Require Section_3_5.
 Import GbtSurfaces.Section_3_5.Definitions.
+From GbtSurfaces Require Import Section_3_5_closed.
 Open Scope R_scope.
 
 Module eq_27.
@@ -115,3 +116,25 @@ Import GbtSurfaces.Section_3_5.ex_3_5_trajectories.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement T1 T2]; identity. Qed.
 End ex_3_5_trajectories.
+
+Module ex_3_5_c1_sections.
+Import GbtSurfaces.Section_3_5.ex_3_5_c1_sections.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage S1; stage S2; stage f; stage second; stage first; staged_goal gap; unstaged; prepared; known (mu1) (nu) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage S1; stage S2; stage f; stage second; stage first; staged_goal gap; unstaged; first [(exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists (0), ((((0))) / (1)), (0), (0); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End ex_3_5_c1_sections.
+
+Module ex_3_5_c1_trajectories.
+Import GbtSurfaces.Section_3_5.ex_3_5_c1_trajectories.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage T1; stage T2; stage f; stage second; stage first; staged_goal gap; unstaged; prepared; known (mu1) (nu) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage T1; stage T2; stage f; stage second; stage first; staged_goal gap; unstaged; first [(exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists (0), ((((0))) / (1)), (0), (0); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End ex_3_5_c1_trajectories.
+
+Module ex_3_5_c2_trajectories.
+Import GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement T1 T2 f second first gap] in no; refuting (no (1) (-2/(2 + PI)) (-2/(2 + PI)) ((10 + PI)/(2 + PI))). Qed.
+End ex_3_5_c2_trajectories.

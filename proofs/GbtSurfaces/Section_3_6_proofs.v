@@ -155,3 +155,19 @@ Import GbtSurfaces.Section_3_6.eq_35.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement Q36]; identity. Qed.
 End eq_35.
+
+Module ex_3_6_curve.
+Import GbtSurfaces.Section_3_6.ex_3_6_curve.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement Q36 f F4 F4_]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance Q36 f F4 F4_]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End ex_3_6_curve.
+
+Module eq_36.
+Import GbtSurfaces.Section_3_6.eq_36.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement at_angle T Tm cosine sine]; intros mu nu q z M N Q Z K S D; generalize (entry (F4 mu nu z) 1) (entry (F4 mu nu z) 3); intros x w; split; rewrite (arc_cos _ _ (square_sum _) S), (arc_sin _ _ (square_sum _) S), half_cos, half_sin; parts; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance Q36 f F4 at_angle cosine sine T Tm]; first [(exists ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (0), (0), (1 / 2), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End eq_36.

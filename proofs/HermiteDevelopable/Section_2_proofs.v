@@ -5,6 +5,14 @@ Import HermiteDevelopable.Section_2.Definitions.
 From HermiteDevelopable Require Import Section_2_closed.
 Open Scope R_scope.
 
+Module sec_2_cubic_conditions.
+Import HermiteDevelopable.Section_2.sec_2_cubic_conditions.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage cubic_basis_; stage blend4; stage hermite3; stage p3; stage hermite3_; staged_goal p3_; computed; intros; conjuncts; first [ assumption | derivatives; atoms; equal ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage cubic_basis_; stage blend4; stage hermite3; stage p3; stage hermite3_; staged_goal p3_; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7; met) | (exists 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
+End sec_2_cubic_conditions.
+
 Module sec_2_cubic_equations.
 Import HermiteDevelopable.Section_2.sec_2_cubic_equations.
 Theorem proved : statement.
@@ -90,6 +98,14 @@ Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_conditions; sta
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_conditions; stage cubic_conditions_; stage cubic_conditions__; stage cubic_conditions___; stage cubic_; stage cubic_conditions____; stage cubic_conditions_____; stage cubic_conditions______; staged_goal cubic_conditions_______; unstaged; first [(exists ((2*(6) + (7) - 2*(8) + (9)) / (1)), ((-3*(6) - 2*(7) + 3*(8) - (9)) / (1)), (((7)) / (1)), (((6)) / (1)), 6, 7, 8, 9, (1 / 3), (fun p1u => ((2*(6) + (7) - 2*(8) + p1u) / (1))), (fun p1u => ((-3*(6) - 2*(7) + 3*(8) - p1u) / (1))), (fun p1u => (((7)) / (1))), (fun p1u => (((6)) / (1))); met) | (exists ((2*(0) + (0) - 2*(0) + (0)) / (1)), ((-3*(0) - 2*(0) + 3*(0) - (0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 0, 0, (1 / 2), (fun p1u => ((2*(0) + (0) - 2*(0) + p1u) / (1))), (fun p1u => ((-3*(0) - 2*(0) + 3*(0) - p1u) / (1))), (fun p1u => (((0)) / (1))), (fun p1u => (((0)) / (1))); met) | (exists ((2*(8) + (7) - 2*(9) + (7)) / (1)), ((-3*(8) - 2*(7) + 3*(9) - (7)) / (1)), (((7)) / (1)), (((8)) / (1)), 8, 7, 9, 7, (1 / 3), (fun p1u => ((2*(8) + (7) - 2*(9) + p1u) / (1))), (fun p1u => ((-3*(8) - 2*(7) + 3*(9) - p1u) / (1))), (fun p1u => (((7)) / (1))), (fun p1u => (((8)) / (1))); met) | (exists ((2*(1) + (1) - 2*(1) + (1)) / (1)), ((-3*(1) - 2*(1) + 3*(1) - (1)) / (1)), (((1)) / (1)), (((1)) / (1)), 1, 1, 1, 1, (1 / 3), (fun p1u => ((2*(1) + (1) - 2*(1) + p1u) / (1))), (fun p1u => ((-3*(1) - 2*(1) + 3*(1) - p1u) / (1))), (fun p1u => (((1)) / (1))), (fun p1u => (((1)) / (1))); met) | (exists ((2*(0) + (0) - 2*(0) + (0)) / (1)), ((-3*(0) - 2*(0) + 3*(0) - (0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 0, 0, (1 / 3), (fun p1u => ((2*(0) + (0) - 2*(0) + p1u) / (1))), (fun p1u => ((-3*(0) - 2*(0) + 3*(0) - p1u) / (1))), (fun p1u => (((0)) / (1))), (fun p1u => (((0)) / (1))); met)]. Qed.
 End eq_2_1b_H4.
+
+Module sec_2_quartic_conditions.
+Import HermiteDevelopable.Section_2.sec_2_quartic_conditions.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage quartic_basis_; stage blend5; stage hermite4; stage p4; stage hermite4_; staged_goal p4_; computed; intros; conjuncts; first [ assumption | derivatives; atoms; equal ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage quartic_basis_; stage blend5; stage hermite4; stage p4; stage hermite4_; staged_goal p4_; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2; met) | (exists 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
+End sec_2_quartic_conditions.
 
 Module sec_2_quartic_solvable.
 Import HermiteDevelopable.Section_2.sec_2_quartic_solvable.

@@ -147,6 +147,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, (((2)*((17)) - (5) + (11)*((17)) - ((17))*(21) + (21)) / (1)), (((3)*((17)) - (6) + (12)*((17)) - ((17))*(22) + (22)) / (1)), (((4)*((17)) - (7) + (13)*((17)) - ((17))*(23) + (23)) / (1)), (17), 18, 19, 20, 21, 22, 23; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (0), 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, (((13)*((8)) - (6) + (2)*((8)) - ((8))*(9) + (9)) / (1)), (((8)*((8)) - (8) + (11)*((8)) - ((8))*(7) + (7)) / (1)), (((8)*((8)) - (7) + (1)*((8)) - ((8))*(7) + (7)) / (1)), (8), 6, 8, 7, 9, 7, 7; met) | (exists 8, 8, 6, 8, 6, 8, 7, 7, 2, 6, 8, 7, (((8)*((1)) - (8) + (6)*((1)) - ((1))*(9) + (9)) / (1)), (((8)*((1)) - (6) + (8)*((1)) - ((1))*(7) + (7)) / (1)), (((6)*((1)) - (8) + (7)*((1)) - ((1))*(7) + (7)) / (1)), (1), 8, 7, 9, 9, 7, 7; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, (((1)*((1)) - (0) + (1)*((1)) - ((1))*(1) + (1)) / (1)), (((0)*((1)) - (1) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (((0)*((1)) - (0) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (1), 0, 0, 1, 1, 0, 0; met)]. Qed.
 End eq_3_2_across_summit.
 
+Module eq_3_2_every_degree.
+Import HermiteDevelopable.Section_3.eq_3_2_every_degree.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement leading H H_]; intros n c d N _ _ _ _; rewrite Rmult_0_r, Rmult_0_l, Rplus_0_r; rewrite sum_last by lia; rewrite (sum_ext 0 (n - 1) _ (fun _ => 0 * 0)) by (intros i I; rewrite (natural_power 0 (n - i)) by lia; replace (Z.to_nat (n - i)) with (S (Z.to_nat (n - i - 1))) by lia; cbn [pow]; ring); rewrite sum_scal, Rmult_0_l, Rplus_0_l; rewrite Z.sub_diag, !natural_power by lia; rewrite pow1; cbn [Z.to_nat pow]; assert (F : forall m, falling (INR m) m = 1) by (let m := fresh in intro m; induction m as [|m IH]; [ reflexivity | pose proof (not_zero m); apply Rmult_eq_reg_r with (INR (S m)); [ rewrite S_INR at 1; rewrite lowered, IH, S_INR; ring | assumption ] ]); assert (B1 : binom (IZR n) n = 1) by (unfold binom; destruct (Z.leb_spec 0 n); [ | lia ]; transitivity (falling (INR (Z.to_nat n)) (Z.to_nat n)); [ | apply F ]; f_equal; rewrite INR_IZR_INZ, Z2Nat.id by lia; reflexivity); rewrite B1; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; exists 1%Z, 0, (fun _ => 0); repeat match goal with |- _ /\ _ => split end; intros; try (left; lia); try lia; apply filter_forall; intros; left; lia. Qed.
+End eq_3_2_every_degree.
+
 Module eq_3_3_g_generatrix.
 Import HermiteDevelopable.Section_3.eq_3_3_g_generatrix.
 Theorem refuted : ~ statement.

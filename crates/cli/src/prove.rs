@@ -47,6 +47,9 @@ pub struct Prove {
     /// Run coqc on everything that is written
     #[arg(long)]
     check: bool,
+    /// With `--check`: leave out the sections of which the kernel accepted each theorem as it stands
+    #[arg(long, requires = "check")]
+    changed: bool,
     /// Find out which scripts prove their theorems, for so many seconds each; the others are left out from then on
     #[arg(long = "try", value_name = "SECONDS", num_args = 0..=1, default_missing_value = "20")]
     attempt: Option<u64>,
@@ -100,7 +103,10 @@ impl Prove {
         let mut exit = Exit::AsExpected;
         let mut text = written(&folder);
         if let (true, Some(coqc)) = (self.check, &coqc) {
-            let (told, found) = self.checked(coqc, &folder)?;
+            let (told, found) = match self.changed {
+                true => self.checked(coqc, &self.not_accepted(coqc, &folder))?,
+                false => self.checked(coqc, &folder)?,
+            };
             text.push_str(&told);
             exit = found;
         }
@@ -219,6 +225,18 @@ impl Prove {
         unkept.map_or(Ok(()), Err)
     }
 
+    /// The sections with a theorem that the kernel did not accept yet as it stands: with this library, statement and proof.
+    fn not_accepted(&self, coqc: &Coqc, folder: &Folder) -> Folder {
+        let prints = Fingerprints::of_version(&coqc.version);
+        let old = Accepted::read(&self.out).filter(|old| old.coq == coqc.version);
+        let known = |theorem: &Theorem| {
+            let old = old.as_ref();
+            old.is_some_and(|old| old.has(theorem, &prints.of(theorem)))
+        };
+        let open = folder.theorems.iter().filter(|theorem| !known(theorem));
+        folder.of_sections(&open.map(|theorem| theorem.section.as_str()).collect())
+    }
+
     /// Asks the kernel, keeps what it accepted, and says so.
     fn checked(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
         let scratch = scratch()?;
@@ -285,7 +303,7 @@ impl Prove {
 
     /// What was accepted before, of claims that were not asked for now.
     fn with_others(&self, mut fresh: Accepted, folder: &Folder) -> Accepted {
-        let old = match self.names.is_empty() {
+        let old = match self.names.is_empty() && !self.changed {
             true => None,
             false => Accepted::read(&self.out).filter(|old| old.coq == fresh.coq),
         };

@@ -183,6 +183,16 @@ impl Folder {
         all.filter(|theorem| theorem.section == section).collect()
     }
 
+    /// The same folder with the theorems of some sections alone.
+    #[must_use]
+    pub fn of_sections(&self, sections: &BTreeSet<&str>) -> Self {
+        let mut folder = self.clone();
+        folder
+            .theorems
+            .retain(|theorem| sections.contains(theorem.section.as_str()));
+        folder
+    }
+
     fn paper(
         &mut self,
         slug: &str,
@@ -270,5 +280,36 @@ impl Folder {
             evidence,
             reason: gap.to_string(),
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn theorem(section: &str, module: &str) -> Theorem {
+        Theorem {
+            section: section.to_owned(),
+            module: module.to_owned(),
+            id: format!("paper/{module}"),
+            role: Role::Holds,
+            evidence: Evidence::Identity,
+            says: "True".to_owned(),
+            proof: "exact I".to_owned(),
+        }
+    }
+
+    #[test]
+    fn a_folder_of_some_sections_has_their_theorems_and_all_files() {
+        let folder = Folder {
+            files: BTreeMap::from([("P/Two.v".to_owned(), String::new())]),
+            theorems: vec![theorem("P/One", "a"), theorem("P/Two", "b")],
+            ..Folder::default()
+        };
+        let some = folder.of_sections(&BTreeSet::from(["P/One"]));
+        assert_eq!(some.theorems, [theorem("P/One", "a")]);
+        assert_eq!(some.files, folder.files);
+        let none = folder.of_sections(&BTreeSet::new());
+        assert!(none.sections().is_empty());
     }
 }

@@ -47,7 +47,7 @@ pub fn scripts(goal: &Goal, which: usize) -> Option<Vec<Script>> {
         let mut scripts = first_scripts(goal);
         for script in &mut scripts {
             if let Some(tactics) = by_hand::tactics(goal, script.name) {
-                script.tactics = tactics.to_owned();
+                script.tactics = tactics;
             }
         }
         return Some(scripts);

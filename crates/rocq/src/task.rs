@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_language::core::{self, BuiltIn, Elaborator, Node, Set, Statement, Term};
 use torse_language::derivation::{self, Origin, Source, Written};
+use torse_language::fault::Fault;
 use torse_language::syntax::parse;
 use torse_language::words::Verdict;
 
@@ -162,7 +163,7 @@ fn goal(
 ) -> Result<Goal, Gap> {
     let claim = finding.claim;
     let elaborator = Elaborator::new(&claim.declarations);
-    let unread = |what: &dyn std::fmt::Debug| Gap::Unread(format!("{what:?}"));
+    let unread = |fault: &Fault| Gap::Unread(fault.problem.to_string());
     let core = core::Claim::elaborated(&elaborator, claim, statement).map_err(|f| unread(&f))?;
     let rooted = core.rooted(&statement.origin).map_err(|f| unread(&f))?;
     let hypotheses = core.hypotheses.iter().map(|h| &h.statement);
