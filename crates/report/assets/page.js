@@ -8,14 +8,14 @@
   const chips = [...document.querySelectorAll(".chip")];
   const search = byId("search"), kind = byId("kind"), section = byId("section");
 
-  // The insides of the claims: a list in JSON, packed.
+  // The insides of the claims and of the notation: a list in JSON, packed.
   const insides = (async () => {
     const bytes = Uint8Array.from(atob(byId("packed").textContent), (sign) => sign.charCodeAt(0));
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
     return JSON.parse(await new Response(stream).text());
   })();
 
-  // Puts the inside into a claim, once.
+  // Puts the inside into its place, once.
   function fill(details, list) {
     if (details.dataset.inside === undefined) return;
     details.insertAdjacentHTML("beforeend", list[details.dataset.inside]);
@@ -25,16 +25,19 @@
     if (target.open && target.dataset.inside !== undefined) fill(target, await insides);
   }, true);
 
-  // Readers search what they have not opened, too.
-  insides.then((list) => {
-    for (const claim of claims) {
-      const { inside } = claim.querySelector("details").dataset;
-      if (inside === undefined) continue;
-      const words = list[inside].replace(/<(script|svg).*?<\/\1>/gs, " ").replace(/<[^>]*>/g, " ");
-      texts.set(claim, `${texts.get(claim)} ${words.toLowerCase()}`);
-    }
-    if (search.value) filter();
-  });
+  // Readers search what they have not opened, too. Its words are gathered when somebody searches: they are many.
+  let gathered;
+  const gather = () => {
+    gathered ??= insides.then((list) => {
+      for (const claim of claims) {
+        const { inside } = claim.querySelector("details").dataset;
+        if (inside === undefined) continue;
+        const words = list[inside].replace(/<(script|svg).*?<\/\1>/gs, " ").replace(/<[^>]*>/g, " ");
+        texts.set(claim, `${texts.get(claim)} ${words.toLowerCase()}`);
+      }
+      filter();
+    });
+  };
 
   const visible = () => claims.filter((claim) => !claim.hidden);
 
@@ -44,6 +47,7 @@
 
   function filter() {
     const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    if (words.length) gather();
     const verdicts = pressed();
     for (const claim of claims) {
       claim.hidden = !((!verdicts.length || verdicts.includes(claim.dataset.verdict))
@@ -133,6 +137,7 @@
     const open = event.currentTarget.getAttribute("aria-pressed") !== "true";
     event.currentTarget.setAttribute("aria-pressed", String(open));
     for (const claim of claims) claim.querySelector("details").open = open;
+    for (const more of document.querySelectorAll(".more")) more.open = open;
   });
   byId("theme").addEventListener("click", () => {
     const root = document.documentElement;

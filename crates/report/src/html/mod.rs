@@ -167,7 +167,7 @@ impl Page<'_> {
                 self.figure(out, *position)?;
             }
         }
-        overview::write_appendix(out, self.report)?;
+        overview::write_appendix(out, self.report, pack)?;
         colophon::write(out, self.report)?;
         out.push_str("</main>\n");
         Ok(())

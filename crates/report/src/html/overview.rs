@@ -2,6 +2,7 @@
 //! what the words mean.
 
 use super::claim::correction;
+use super::pack::Pack;
 use super::text::{Sentence, Text, badge, formula};
 use crate::Tally;
 use crate::corrections::Corrected;
@@ -248,14 +249,19 @@ fn tally(out: &mut String, tally: &Tally) -> fmt::Result {
     Ok(())
 }
 
-/// The counts, what the words mean, and the rules relied on.
-pub(super) fn write_appendix(out: &mut String, report: &Report) -> fmt::Result {
+/// The notation, packed like the claims; the counts, what the words mean, and the rules relied on.
+pub(super) fn write_appendix(out: &mut String, report: &Report, pack: &mut Pack) -> fmt::Result {
     if !report.notation.is_empty() {
-        out.push_str("<details class=\"more\"><summary><h2 id=\"notation\">Notation that statements share</h2></summary>\n<ul class=\"rests\">\n");
+        let mut inside = String::from("<ul class=\"rests\">\n");
         for line in &report.notation {
-            writeln!(out, "<li>{}</li>", Sentence(line))?;
+            writeln!(inside, "<li>{}</li>", Sentence(line))?;
         }
-        out.push_str("</ul></details>\n");
+        inside.push_str("</ul>");
+        let number = pack.put(inside);
+        writeln!(
+            out,
+            "<details class=\"more\" data-inside=\"{number}\"><summary><h2 id=\"notation\">Notation that statements share</h2></summary></details>"
+        )?;
     }
     out.push_str("<h2>Counts</h2>\n");
     tally(out, &report.tally)?;

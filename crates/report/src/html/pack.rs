@@ -1,4 +1,4 @@
-//! What stands inside of the claims, packed: it is most of a page, and few readers open more than a few claims.
+//! What stands inside of the claims and the notation, packed: it is most of a page, and few readers open more than a few claims.
 //!
 //! Without the script a claim opens to its printed sentence; the rest is put in by the script when it is asked for.
 
@@ -12,7 +12,7 @@ const LEVEL: u8 = 9;
 pub(super) struct Pack(Vec<String>);
 
 impl Pack {
-    /// Packs the inside of a claim; its number stands at the claim.
+    /// Packs what is inside of an element; its number stands there.
     pub fn put(&mut self, inside: String) -> usize {
         self.0.push(inside);
         self.0.len() - 1
