@@ -42,10 +42,19 @@ addEventListener("load", async () => {
     section.dispatchEvent(new Event("input"));
     seen.section = { left: shown().length, wrong: shown().filter((claim) => claim.dataset.section !== section.value).length };
     document.getElementById("reset").click();
+    // The words of an opened claim are found like those of the others.
+    const opened = shown()[0], details = opened.querySelector("details");
+    details.open = true;
+    for (let tries = 0; details.dataset.inside && tries < 20; tries += 1) await frame();
+    const within = details.querySelector("dl + dl").innerHTML.replace(/<[^>]*>/g, " ").trim().split(/\s+/).slice(-3).join(" ");
     const search = document.getElementById("search");
-    search.value = shown()[0].querySelector("h3").textContent;
+    search.value = opened.querySelector("h3").textContent;
     search.dispatchEvent(new Event("input"));
     seen.search = shown().length;
+    search.value = within;
+    search.dispatchEvent(new Event("input"));
+    for (let tries = 0; opened.hidden && tries < 20; tries += 1) await frame();
+    seen.within = !opened.hidden;
     search.value = "no claim has these words";
     search.dispatchEvent(new Event("input"));
     seen.none = { left: shown().length, told: !document.getElementById("nothing").hidden };
@@ -173,6 +182,8 @@ def faults(seen):
             wrong.append(f"the filter by {name} shows something else")
     if not 0 < seen["search"] < seen["claims"] and seen["claims"] > 1:
         wrong.append("the search finds nothing or everything")
+    if not seen["within"]:
+        wrong.append("the search does not find the words of an opened claim")
     if seen["packed"]:
         wrong.append(f"{seen['packed']} claims stay packed")
     for figure in seen["moving"]:

@@ -15,6 +15,9 @@
     return JSON.parse(await new Response(stream).text());
   })();
 
+  // What is packed, with the number of its inside, which the element loses when it is filled.
+  const packed = new Map([...document.querySelectorAll("[data-inside]")].map((details) => [details, details.dataset.inside]));
+
   // Puts the inside into its place, once.
   function fill(details, list) {
     if (details.dataset.inside === undefined) return;
@@ -30,9 +33,8 @@
   const gather = () => {
     gathered ??= insides.then((list) => {
       for (const claim of claims) {
-        const { inside } = claim.querySelector("details").dataset;
-        if (inside === undefined) continue;
-        const words = list[inside].replace(/<(script|svg).*?<\/\1>/gs, " ").replace(/<[^>]*>/g, " ");
+        const inside = list[packed.get(claim.querySelector("details"))];
+        const words = inside.replace(/<(script|svg).*?<\/\1>/gs, " ").replace(/<[^>]*>/g, " ");
         texts.set(claim, `${texts.get(claim)} ${words.toLowerCase()}`);
       }
       filter();
@@ -136,8 +138,7 @@
   byId("unfold").addEventListener("click", (event) => {
     const open = event.currentTarget.getAttribute("aria-pressed") !== "true";
     event.currentTarget.setAttribute("aria-pressed", String(open));
-    for (const claim of claims) claim.querySelector("details").open = open;
-    for (const more of document.querySelectorAll(".more")) more.open = open;
+    for (const details of packed.keys()) details.open = open;
   });
   byId("theme").addEventListener("click", () => {
     const root = document.documentElement;
