@@ -15,7 +15,7 @@ import sys
 import chromium
 
 # The boxes of what is not near the window are otherwise not worked out.
-WHOLE = "<style>article { content-visibility: visible !important; }</style>"
+WHOLE = "<style>article, .sides { content-visibility: visible !important; }</style>"
 
 LOOK = """<script>
 addEventListener("load", async () => {
