@@ -11,6 +11,7 @@ use crate::scope::{Expansion, Memory, Scope};
 use crate::series::{Series, Turned};
 use crate::value::Value;
 use std::cell::{Cell, RefCell};
+use std::ops::RangeInclusive;
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_language::core::{BuiltIn, Claim, Family, Node, Points, Term, Variable};
@@ -589,6 +590,22 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         Ok(value)
     }
 
+    /// The values of an index from one bound to the other: of what, and what its bounds are called.
+    fn values_of_index(
+        &self,
+        low: &Term,
+        high: &Term,
+        [what, bound]: [&'static str; 2],
+        scope: &Sc<'_, A>,
+    ) -> Result<RangeInclusive<i64>, Gap> {
+        let low = self.integer(low, bound, scope)?;
+        let high = self.integer(high, bound, scope)?;
+        if high.saturating_sub(low) > MAX_TERMS {
+            return Err(Unknown::Large { what }.into());
+        }
+        Ok(low..=high)
+    }
+
     /// Term by term; an empty sum is 0.
     fn sum(
         &self,
@@ -598,12 +615,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         term: &Term,
         scope: &Sc<'_, A>,
     ) -> Outcome<A> {
-        let low = self.integer(low, "a bound of a sum", scope)?;
-        let high = self.integer(high, "a bound of a sum", scope)?;
-        if high.saturating_sub(low) > MAX_TERMS {
-            return Err(Unknown::Large { what: "a sum" }.into());
-        }
-        (low..=high).try_fold(self.integer_value(0), |total, i| {
+        let mut values = self.values_of_index(low, high, ["a sum", "a bound of a sum"], scope)?;
+        values.try_fold(self.integer_value(0), |total, i| {
             let inner = scope.with(index, self.integer_value(i));
             total.plus(&self.term(term, &inner)?, self.arithmetic)
         })
@@ -618,12 +631,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
         term: &Term,
         scope: &Sc<'_, A>,
     ) -> Outcome<A> {
-        let low = self.integer(low, "a bound of a product", scope)?;
-        let high = self.integer(high, "a bound of a product", scope)?;
-        if high.saturating_sub(low) > MAX_TERMS {
-            return Err(Unknown::Large { what: "a product" }.into());
-        }
-        (low..=high).try_fold(self.integer_value(1), |product, i| {
+        let mut values =
+            self.values_of_index(low, high, ["a product", "a bound of a product"], scope)?;
+        values.try_fold(self.integer_value(1), |product, i| {
             let inner = scope.with(index, self.integer_value(i));
             product.times(&self.term(term, &inner)?, self.arithmetic)
         })
