@@ -1,6 +1,6 @@
 (* Curves of blended trigonometric functions at the ends of their interval, for every degree, with the derivatives up to the
    third: nobody has to read it. Statements about joins speak of nothing else, and each value is computed once here. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Smooth.
 From Coq Require Import Lia.
 Open Scope R_scope.
 
@@ -91,8 +91,11 @@ Ltac back := repeat lazymatch goal with x : ?T |- _ => lazymatch T with mark => 
 Ltac brought := repeat match goal with
   | H : context [sum _ _ _] |- _ => revert H
   end.
-Ltac curves_at_ends :=
-  let M := fresh in pose proof (I : mark) as M; lists; intros; whole_numbers; brought; at_ends; back; clear M.
+Ltac premises_with tactic :=
+  let M := fresh in pose proof (I : mark) as M; lists; intros; whole_numbers; brought; tactic; back; clear M.
+Ltac curves_at_ends := premises_with at_ends.
+(* the same for sums of curves *)
+Ltac sums_at_ends := premises_with ltac:(try at_ends; spread_derivatives; try at_ends).
 Ltac computed ::= try curves_at_ends; tryif assert_succeeds symbolic_integers then lists else compute_goal.
 Ltac evaluated ::= cbv beta; try at_ends; derivatives; operators; ends; special; tidied; maxes; units; members; numbers.
 

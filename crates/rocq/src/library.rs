@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 19] = [
+pub const LIBRARY: [(&str, &str); 20] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -67,6 +67,10 @@ pub const LIBRARY: [(&str, &str); 19] = [
     (
         "Torse/Mixed.v",
         include_str!("../../../proofs/Torse/Mixed.v"),
+    ),
+    (
+        "Torse/Smooth.v",
+        include_str!("../../../proofs/Torse/Smooth.v"),
     ),
     ("Torse/Ends.v", include_str!("../../../proofs/Torse/Ends.v")),
 ];
