@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 18] = [
+pub const LIBRARY: [(&str, &str); 19] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -67,5 +67,9 @@ pub const LIBRARY: [(&str, &str); 18] = [
     (
         "Torse/Mixed.v",
         include_str!("../../../proofs/Torse/Mixed.v"),
+    ),
+    (
+        "Torse/Hermite.v",
+        include_str!("../../../proofs/Torse/Hermite.v"),
     ),
 ];
