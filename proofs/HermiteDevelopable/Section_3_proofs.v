@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Hermite.
 From HermiteDevelopable Require Section_3.
 Import HermiteDevelopable.Section_3.Definitions.
 From HermiteDevelopable Require Import Section_3_closed.
@@ -262,6 +262,14 @@ Proof. cbv beta zeta delta [statement cone_normal cone_gap P Q]; unstaged; prepa
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance cone_normal cone_gap P Q]; first [(exists ((0) / (1)), 3, 4, 5, (2), ((((2))) / (1)), 8, 9, 10, 11, 12, 13; met) | (exists ((0) / (1)), 0, 0, 0, (2), ((((2))) / (1)), 0, 0, 0, 0, 0, 0; met) | (exists ((0) / (1)), 8, 8, 6, (9), ((((9))) / (1)), 9, 7, 7, 2, 11, 1; met) | (exists ((0) / (1)), 1, 4, 13, (2), ((((2))) / (1)), 9, 7, 7, 8, 6, 8; met) | (exists ((0) / (1)), 1, 0, 0, (2), ((((2))) / (1)), 0, 1, 0, 0, 0, 1; met)]. Qed.
 End eq_3_3_k_above_1.
+
+Module sec_3_summit_outside.
+Import HermiteDevelopable.Section_3.sec_3_summit_outside.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a5 a4 a3 a2 a1 a0 p gap part criterion criterion__ criterion___ criterion____ criterion_____ criterion______ q]; intros; joins ltac:(fun u => apply monomial_curve); cbv beta iota delta [zeros repeat]; similarities 5%nat; curve_at ltac:(fun u => apply monomial_curve); rewrite !monomial_curve; cbv beta iota delta [slope_n]; images; cbv beta iota delta [entry nth Nat.pred]; split; [cbv beta iota delta [slope slopes tl poly]; ring | match goal with K : 0 < ?k, N : ?h ^ 2 > 0 |- ?x > 0 => replace x with (k * h ^ 2) by (cbn [poly]; ring); apply Rmult_lt_0_compat; [exact K | exact N] end]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a5 a4 a3 a2 a1 a0 p gap part criterion criterion__ criterion___ criterion____ criterion_____ criterion______ q]; exists 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; joins ltac:(fun u => apply monomial_curve); counted_joins; cbv beta iota delta [entry nth Nat.pred]; met_joins. Qed.
+End sec_3_summit_outside.
 
 Module eq_3_4.
 Import HermiteDevelopable.Section_3.eq_3_4.

@@ -204,10 +204,49 @@ Ltac with_quintics D go := let W := fresh "W" in
 Ltac cubic_joins D := intros; with_cubics D joins; counted_joins.
 Ltac quartic_joins D := intros; with_quartics D joins; counted_joins.
 Ltac quintic_joins D := intros; with_quintics D joins; counted_joins.
+(* curves of numbers *)
+Lemma cubic_value w u a b s t : cubic_weights w u ->
+  entry w 1 * a + entry w 2 * b + entry w 3 * s + entry w 4 * t = poly (cubic_of a b s t) u.
+Proof. intros ->. unfold entry, cubic_of. cbn [nth Nat.pred poly]. ring. Qed.
+Lemma quartic_value w u a m b s t : quartic_weights w u ->
+  entry w 1 * a + entry w 2 * m + entry w 3 * b + entry w 4 * s + entry w 5 * t = poly (quartic_of a m b s t) u.
+Proof. intros ->. unfold entry, quartic_of. cbn [nth Nat.pred poly]. ring. Qed.
+Lemma quintic_value w u a m b s r t : quintic_weights w u ->
+  entry w 1 * a + entry w 2 * m + entry w 3 * b + entry w 4 * s + entry w 5 * r + entry w 6 * t =
+  poly (quintic_of a m b s r t) u.
+Proof. intros ->. unfold entry, quintic_of. cbn [nth Nat.pred poly]. ring. Qed.
+Definition gap_at (q p : R -> R) (k o u : R) : R := q u + Derive_n q 1 u - k * (p u + Derive_n p 1 u) - (1 - k) * o.
+Lemma scalar_part (q p : R -> R) cq cp k o z : (forall u, q u = poly cq u) -> (forall u, p u = poly cp u) ->
+  Derive_n (gap_at q p k o) (Z.to_nat z) 0 / factorial z = joined k cq cp o (Z.to_nat z).
+Proof. intros Q P. unfold factorial. apply (gap_part q p cq cp k o (Z.to_nat z) Q P). Qed.
+Ltac join_numbers curve := match goal with
+  | |- context [Derive_n (fun u => @?q u + Derive_n _ 1 u - ?k * (@?p u + Derive_n _ 1 u) - _ * ?o) ?n ?x / factorial ?z] =>
+      let t := match goal with |- context [Derive_n ?f n x / factorial z] => constr:(Derive_n f n x / factorial z) end in
+      let Q := fresh in eassert (Q : forall u, q u = _) by (let u := fresh in intro u; curve u);
+      let P := fresh in eassert (P : forall u, p u = _) by (let u := fresh in intro u; curve u);
+      let E := fresh in pose proof (scalar_part q p _ _ k o z Q P) as E;
+      change (Derive_n (gap_at q p k o) (Z.to_nat z) 0 / factorial z) with t in E; rewrite E; clear E P Q
+  end.
+Ltac joins_of_numbers curve := repeat match goal with H : context [Derive_n] |- _ => revert H end;
+  repeat lazymatch goal with |- context [Derive_n] => lazymatch goal with |- context [factorial] => join_numbers curve end end.
+Ltac values curve := repeat lazymatch goal with |- context [entry _ _ * _] => match goal with
+  | |- context [?a + entry ?w ?i * ?t] =>
+      let u := match w with _ ?u => u end in
+      let E := fresh in eassert (E : a + entry w i * t = _) by curve u; rewrite E; clear E
+  end end.
+Ltac with_quintic_numbers D go := let W := fresh "W" in
+  assert (W : forall a b c d e f u, quintic_weights (D a b c d e f u) u) by weights quintic_weights D;
+  go ltac:(fun u => apply (quintic_value _ u), W); clear W.
+Ltac with_quartic_numbers D go := let W := fresh "W" in
+  assert (W : forall a b c d e u, quartic_weights (D a b c d e u) u) by weights quartic_weights D;
+  go ltac:(fun u => apply (quartic_value _ u), W); clear W.
+Ltac with_cubic_numbers D go := let W := fresh "W" in
+  assert (W : forall a b c d u, cubic_weights (D a b c d u) u) by weights cubic_weights D;
+  go ltac:(fun u => apply (cubic_value _ u), W); clear W.
 (* the same, with what follows for the curves *)
 Ltac similarities d := intros; equations; cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add] in *;
   repeat match goal with H : joined ?k ?q ?p ?o O = 0 |- _ =>
-    lazymatch goal with _ : forall u, poly q u = _ |- _ => fail | _ =>
+    lazymatch goal with _ : forall u, poly q u = k * poly p u + _ |- _ => fail | _ =>
       let S := fresh "similar" in let V := fresh "values" in let T := fresh "tangents" in
       destruct (similar d k q p o ltac:(cbn [quintic_of quartic_of cubic_of length]; lia) ltac:(cbn [quintic_of quartic_of cubic_of length]; lia)
         ltac:(let n := fresh "n" in intros n ?; do 6 (destruct n as [|n]; [first [assumption | lia]|]); lia)) as [V T] end end;
@@ -259,3 +298,83 @@ Ltac premise := met_joins; first [ lra | compute_goal; numeric | compute_goal; l
 Ltac premises_met := repeat lazymatch goal with |- (?A -> _) -> False =>
   let K := fresh in assert (K : A) by premise; let N := fresh in intro N; specialize (N K); clear K; revert N end.
 Ltac fails := premises_met; compute_goal; let C := fresh in intro C; contradiction_in C.
+(* points of the one curve by those of the other *)
+Ltac preimages := repeat match goal with
+  | V : forall u, poly ?q u = ?k * poly ?p u + ?c |- context [poly ?p ?x] =>
+      replace (poly p x) with ((poly q x - c) / k) by (rewrite (V x); field; nonzero)
+  | T : forall u, poly ?q u = ?k * poly ?p u |- context [poly ?p ?x] =>
+      replace (poly p x) with (poly q x / k) by (rewrite (T x); field; nonzero)
+  end.
+(* points of curves of numbers, each worked out once *)
+Ltac point_value := cbv beta iota zeta delta [slope slopes tl poly quintic_of quartic_of cubic_of]; on_left; value.
+Ltac points := preimages; repeat match goal with |- context [poly ?c ?x] =>
+    let E := fresh in eassert (E : poly c x = _) by point_value; rewrite E; clear E end.
+Ltac images := repeat match goal with
+  | V : forall u, poly ?q u = _ |- context [poly ?q ?x] => rewrite (V x)
+  end.
+(* the weights at integers *)
+Ltac whole_points D_ D := intros; repeat match goal with H : context [vDerive] |- _ => revert H end;
+  repeat match goal with |- context [D_ ?a ?b ?c ?d ?e ?f ?u] => change (D_ a b c d e f u) with (D a b c d e f (IZR u)) end; intros.
+Ltac closed_numbers := conjuncts; compute_goal; parts; lazymatch goal with
+  | |- _ = _ => etransitivity; [value | reflexivity]
+  | |- _ => numeric
+  end.
+Ltac similar_quintic_numbers D := intros; with_quintic_numbers D joins_of_numbers; similarities 5%nat; with_quintic_numbers D values.
+Ltac quintic_number_joins D := intros; with_quintic_numbers D joins_of_numbers; counted_joins.
+Ltac quartic_number_joins D := intros; with_quartic_numbers D joins_of_numbers; counted_joins.
+Ltac cubic_number_joins D := intros; with_cubic_numbers D joins_of_numbers; counted_joins.
+Ltac flat c v := repeat match goal with |- context [poly c ?x] => replace (poly c x) with v by by_coefficients end.
+Ltac any_points := repeat match goal with |- context [poly ?c ?x] => generalize (poly c x) end; intros.
+(* a vector that is longer than one in the same direction *)
+Lemma longer c b : c < 1 -> 0 < b -> c * b < b.
+Proof. intros C B. apply (Rmult_lt_compat_r b) in C; lra. Qed.
+Lemma length_positive x y z : 0 < x * x -> 0 < x * x + (y * y + (z * z + 0)).
+Proof. intro X. pose proof (Rle_0_sqr y). pose proof (Rle_0_sqr z). unfold Rsqr in *. lra. Qed.
+
+(* ---- patches ---- *)
+Lemma patch_along (p q : R -> list R) p1 p2 p3 q1 q2 q3 a b u :
+  (forall u, p u = [poly p1 u; poly p2 u; poly p3 u]) -> (forall u, q u = [poly q1 u; poly q2 u; poly q3 u]) ->
+  vDerive 3 (fun u => vadd (vscale a (p u)) (vscale b (q u))) 1 u =
+  [a * poly (slope p1) u + b * poly (slope q1) u; a * poly (slope p2) u + b * poly (slope q2) u;
+   a * poly (slope p3) u + b * poly (slope q3) u].
+Proof.
+  intros P Q.
+  assert (S : forall t, vadd (vscale a (p t)) (vscale b (q t)) = [poly (sums (map (Rmult a) p1) (map (Rmult b) q1)) t;
+    poly (sums (map (Rmult a) p2) (map (Rmult b) q2)) t; poly (sums (map (Rmult a) p3) (map (Rmult b) q3)) t]).
+  { intro t. rewrite P, Q. unfold vadd, vscale. cbn [zip map]. rewrite !poly_sums, !poly_scaled. reflexivity. }
+  rewrite (curve_derive _ _ _ _ 1 u S). cbn [slope_n]. repeat apply (f_equal2 (@cons R)); try reflexivity.
+  all: rewrite <- !poly_scaled, <- poly_sums; apply poly_nth; intro n;
+    rewrite !slope_nth, !nth_sums, !nth_scaled, !slope_nth; ring.
+Qed.
+Lemma patch_across P1 P2 P3 Q1 Q2 Q3 v :
+  vDerive 3 (fun v => vadd (vscale (1 - v) [P1; P2; P3]) (vscale v [Q1; Q2; Q3])) 1 v = [Q1 - P1; Q2 - P2; Q3 - P3].
+Proof.
+  unfold vDerive, vadd, vscale. cbn [seq map zip nth]. repeat apply (f_equal2 (@cons R)); [| | |reflexivity].
+  all: derivative; ring.
+Qed.
+Ltac patch_at curve := match goal with
+  | |- context [vDerive 3 ?f 1 ?x] => lazymatch f with (fun u => vadd (vscale ?a (@?p u)) (vscale ?b (@?q u))) =>
+      let t := constr:(vDerive 3 f 1 x) in
+      let P := fresh in eassert (P : forall u, p u = _) by (let u := fresh in intro u; curve u);
+      let Q := fresh in eassert (Q : forall u, q u = _) by (let u := fresh in intro u; curve u);
+      let E := fresh in pose proof (patch_along p q _ _ _ _ _ _ a b x P Q) as E;
+      change (vDerive 3 (fun u => vadd (vscale a (p u)) (vscale b (q u))) 1 x) with t in E; rewrite E; clear E P Q
+  end end.
+Ltac patches curve := repeat patch_at curve; repeat curve_value curve; rewrite ?patch_across.
+
+(* ---- powers ---- *)
+Lemma monomial_curve u a1 a2 a3 b1 b2 b3 c1 c2 c3 d1 d2 d3 e1 e2 e3 f1 f2 f3 :
+  vadd (vadd (vadd (vadd (vadd (vscale (u ^ 5) [a1; a2; a3]) (vscale (u ^ 4) [b1; b2; b3])) (vscale (u ^ 3) [c1; c2; c3]))
+    (vscale (u ^ 2) [d1; d2; d3])) (vscale u [e1; e2; e3])) [f1; f2; f3] =
+  [poly [f1; e1; d1; c1; b1; a1] u; poly [f2; e2; d2; c2; b2; a2] u; poly [f3; e3; d3; c3; b3; a3] u].
+Proof. unfold vadd, vscale. cbn [zip map poly]. repeat apply (f_equal2 (@cons R)); try reflexivity; ring. Qed.
+Ltac number_curve_at curve := match goal with |- context [Derive_n ?f ?n ?x] =>
+  let Q := fresh in eassert (Q : forall u, f u = _) by (let u := fresh in intro u; curve u);
+  rewrite (Derive_n_ext f (poly _) n x Q), poly_derive_n; clear Q end.
+Ltac number_curves curve := repeat lazymatch goal with |- context [Derive_n] => number_curve_at curve end; values curve.
+
+(* ---- unknowns of the equations between numbers ---- *)
+Ltac found := intros; equations; conjuncts; lazymatch goal with
+  | |- _ = _ / _ => apply value_of; [nonzero | lra]
+  | |- _ => lra
+  end.
