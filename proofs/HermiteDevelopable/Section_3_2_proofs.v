@@ -123,6 +123,14 @@ Theorem proved : statement.
 Proof. cbv beta zeta delta [statement A36]; identity. Qed.
 End eq_3_6_det_corrected.
 
+Module eq_3_6_det_true.
+Import HermiteDevelopable.Section_3_2.eq_3_6_det_true.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_system; cbv beta zeta delta [statement]; intros; match goal with E : quartic_system = _ |- _ => rewrite E end; unstaged; cbv beta delta [A36]; match goal with |- det ?A = ?v /\ det ?S = ?v => let E := fresh in assert (E : S = A) by (repeat first [reflexivity | apply (f_equal2 (@cons (list R))) | apply (f_equal2 (@cons R))]; field); rewrite E end; split; compute_goal; ring. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
+End eq_3_6_det_true.
+
 Module eq_3_6_det_slip.
 Import HermiteDevelopable.Section_3_2.eq_3_6_det_slip.
 Theorem proved : statement.
@@ -150,6 +158,14 @@ Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage qua
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met) | (exists 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
 End eq_3_6_k_every.
+
+Module eq_3_6_k_135_136.
+Import HermiteDevelopable.Section_3_2.eq_3_6_k_135_136.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement k quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____ A36 blend5 hermite4 quartic_criterion_ q4 p4]; quartic_number_joins quartic_basis; split; [determinants; numeric | found]. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance k quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____ A36 blend5 hermite4 quartic_criterion_ q4 p4]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quartic_number_joins quartic_basis; met_joins; first [lra | numeric]. Qed.
+End eq_3_6_k_135_136.
 
 Module eq_3_6_sol_q.
 Import HermiteDevelopable.Section_3_2.eq_3_6_sol_q.
