@@ -1,5 +1,5 @@
 (* Closed forms of the definitions of a section: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Hermite.
 From HermiteDevelopable Require Section_2.
 Import HermiteDevelopable.Section_2.Definitions.
 Open Scope R_scope.
@@ -89,6 +89,10 @@ Definition quintic_closed := ltac:(closed_once quintic).
 #[export] Instance quintic_is : Closed quintic _ := quintic_closed.
 Definition quintic__closed := ltac:(closed_once quintic_).
 #[export] Instance quintic__is : Closed quintic_ _ := quintic__closed.
+Definition quintic_data_closed := ltac:(stage quintic; stage quintic_; closed_once quintic_data).
+#[export] Instance quintic_data_is : Closed quintic_data _ := quintic_data_closed.
+Definition quintic_basis__closed := ltac:(stage quintic_data; closed_once quintic_basis_).
+#[export] Instance quintic_basis__is : Closed quintic_basis_ _ := quintic_basis__closed.
 Definition quintic_conditions_closed := ltac:(stage quintic; closed_once quintic_conditions).
 #[export] Instance quintic_conditions_is : Closed quintic_conditions _ := quintic_conditions_closed.
 Definition quintic_conditions__closed := ltac:(closed_once quintic_conditions_).

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Hermite.
 From HermiteDevelopable Require Section_2.
 Import HermiteDevelopable.Section_2.Definitions.
 From HermiteDevelopable Require Import Section_2_closed.
@@ -220,6 +220,14 @@ Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_conditions;
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_conditions; stage quartic_conditions_; stage quartic_; stage quartic_conditions__; stage quartic_conditions___; stage quartic_conditions____; stage quartic_conditions_____; stage quartic_conditions______; stage quartic_conditions_______; stage quartic_conditions________; staged_goal quartic_conditions_________; unstaged; first [(exists ((-8*(7) - 2*(8) - 8*(9) + 2*(10) + 16*(11)) / (1)), ((18*(7) + 5*(8) + 14*(9) - 3*(10) - 32*(11)) / (1)), ((-11*(7) - 4*(8) - 5*(9) + (10) + 16*(11)) / (1)), (((8)) / (1)), (((7)) / (1)), 7, 8, 9, 10, 11, (1 / 3), (fun p1u => ((-8*(7) - 2*(8) - 8*(9) + 2*p1u + 16*(11)) / (1))), (fun p1u => ((18*(7) + 5*(8) + 14*(9) - 3*p1u - 32*(11)) / (1))), (fun p1u => ((-11*(7) - 4*(8) - 5*(9) + p1u + 16*(11)) / (1))), (fun p1u => (((8)) / (1))), (fun p1u => (((7)) / (1))); met) | (exists ((-8*(0) - 2*(0) - 8*(0) + 2*(0) + 16*(0)) / (1)), ((18*(0) + 5*(0) + 14*(0) - 3*(0) - 32*(0)) / (1)), ((-11*(0) - 4*(0) - 5*(0) + (0) + 16*(0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 0, 0, 0, (1 / 2), (fun p1u => ((-8*(0) - 2*(0) - 8*(0) + 2*p1u + 16*(0)) / (1))), (fun p1u => ((18*(0) + 5*(0) + 14*(0) - 3*p1u - 32*(0)) / (1))), (fun p1u => ((-11*(0) - 4*(0) - 5*(0) + p1u + 16*(0)) / (1))), (fun p1u => (((0)) / (1))), (fun p1u => (((0)) / (1))); met) | (exists ((-8*(7) - 2*(9) - 8*(7) + 2*(7) + 16*(2)) / (1)), ((18*(7) + 5*(9) + 14*(7) - 3*(7) - 32*(2)) / (1)), ((-11*(7) - 4*(9) - 5*(7) + (7) + 16*(2)) / (1)), (((9)) / (1)), (((7)) / (1)), 7, 9, 7, 7, 2, (1 / 3), (fun p1u => ((-8*(7) - 2*(9) - 8*(7) + 2*p1u + 16*(2)) / (1))), (fun p1u => ((18*(7) + 5*(9) + 14*(7) - 3*p1u - 32*(2)) / (1))), (fun p1u => ((-11*(7) - 4*(9) - 5*(7) + p1u + 16*(2)) / (1))), (fun p1u => (((9)) / (1))), (fun p1u => (((7)) / (1))); met) | (exists ((-8*(1) - 2*(1) - 8*(1) + 2*(1) + 16*(1)) / (1)), ((18*(1) + 5*(1) + 14*(1) - 3*(1) - 32*(1)) / (1)), ((-11*(1) - 4*(1) - 5*(1) + (1) + 16*(1)) / (1)), (((1)) / (1)), (((1)) / (1)), 1, 1, 1, 1, 1, (1 / 3), (fun p1u => ((-8*(1) - 2*(1) - 8*(1) + 2*p1u + 16*(1)) / (1))), (fun p1u => ((18*(1) + 5*(1) + 14*(1) - 3*p1u - 32*(1)) / (1))), (fun p1u => ((-11*(1) - 4*(1) - 5*(1) + p1u + 16*(1)) / (1))), (fun p1u => (((1)) / (1))), (fun p1u => (((1)) / (1))); met) | (exists ((-8*(0) - 2*(0) - 8*(0) + 2*(0) + 16*(0)) / (1)), ((18*(0) + 5*(0) + 14*(0) - 3*(0) - 32*(0)) / (1)), ((-11*(0) - 4*(0) - 5*(0) + (0) + 16*(0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 0, 0, 0, (1 / 3), (fun p1u => ((-8*(0) - 2*(0) - 8*(0) + 2*p1u + 16*(0)) / (1))), (fun p1u => ((18*(0) + 5*(0) + 14*(0) - 3*p1u - 32*(0)) / (1))), (fun p1u => ((-11*(0) - 4*(0) - 5*(0) + p1u + 16*(0)) / (1))), (fun p1u => (((0)) / (1))), (fun p1u => (((0)) / (1))); met)]. Qed.
 End eq_2_3_H5.
+
+Module sec_2_quintic_conditions.
+Import HermiteDevelopable.Section_2.sec_2_quintic_conditions.
+Theorem proved : statement.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis_; cbv beta zeta delta [statement blend6 hermite5 p5 hermite5_ p5_]; whole_points quintic_basis quintic_basis_; split; [assumption|]; with_quintic_numbers quintic_basis_ number_curves; cbv beta iota zeta delta [slope_n slope slopes tl poly quintic_of]; conjuncts; field. Qed.
+Theorem met : instance.
+Proof. stage quintic; stage quintic_; stage quintic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
+End sec_2_quintic_conditions.
 
 Module sec_2_quintic_a1.
 Import HermiteDevelopable.Section_2.sec_2_quintic_a1.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Hermite.
 From HermiteDevelopable Require Section_3_2.
 Import HermiteDevelopable.Section_3_2.Definitions.
 From HermiteDevelopable Require Import Section_3_2_closed.
@@ -123,6 +123,14 @@ Theorem proved : statement.
 Proof. cbv beta zeta delta [statement A36]; identity. Qed.
 End eq_3_6_det_corrected.
 
+Module eq_3_6_det_true.
+Import HermiteDevelopable.Section_3_2.eq_3_6_det_true.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_system; cbv beta zeta delta [statement]; intros; match goal with E : quartic_system = _ |- _ => rewrite E end; unstaged; cbv beta delta [A36]; match goal with |- det ?A = ?v /\ det ?S = ?v => let E := fresh in assert (E : S = A) by (repeat first [reflexivity | apply (f_equal2 (@cons (list R))) | apply (f_equal2 (@cons R))]; field); rewrite E end; split; compute_goal; ring. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
+End eq_3_6_det_true.
+
 Module eq_3_6_det_slip.
 Import HermiteDevelopable.Section_3_2.eq_3_6_det_slip.
 Theorem proved : statement.
@@ -138,9 +146,9 @@ End eq_3_6_det_factored.
 Module eq_3_6_k.
 Import HermiteDevelopable.Section_3_2.eq_3_6_k.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); put_known; Solved.concluded. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_number_joins quartic_basis; found. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met) | (exists 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quartic_number_joins quartic_basis; met_joins; first [lra | numeric]. Qed.
 End eq_3_6_k.
 
 Module eq_3_6_k_every.
@@ -151,44 +159,52 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met) | (exists 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
 End eq_3_6_k_every.
 
+Module eq_3_6_k_135_136.
+Import HermiteDevelopable.Section_3_2.eq_3_6_k_135_136.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement k quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____ A36 blend5 hermite4 quartic_criterion_ q4 p4]; quartic_number_joins quartic_basis; split; [determinants; numeric | found]. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance k quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____ A36 blend5 hermite4 quartic_criterion_ q4 p4]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quartic_number_joins quartic_basis; met_joins; first [lra | numeric]. Qed.
+End eq_3_6_k_135_136.
+
 Module eq_3_6_sol_q.
 Import HermiteDevelopable.Section_3_2.eq_3_6_sol_q.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); put_known; Solved.concluded. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_number_joins quartic_basis; found. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met) | (exists 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quartic_number_joins quartic_basis; met_joins; first [lra | numeric]. Qed.
 End eq_3_6_sol_q.
 
 Module eq_3_6_sol_p1.
 Import HermiteDevelopable.Section_3_2.eq_3_6_sol_p1.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); put_known; Solved.concluded. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_number_joins quartic_basis; found. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met) | (exists 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quartic_number_joins quartic_basis; met_joins; first [lra | numeric]. Qed.
 End eq_3_6_sol_p1.
 
 Module eq_3_6_sol_p0u.
 Import HermiteDevelopable.Section_3_2.eq_3_6_sol_p0u.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); put_known; Solved.concluded. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_number_joins quartic_basis; found. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met) | (exists 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quartic_number_joins quartic_basis; met_joins; first [lra | numeric]. Qed.
 End eq_3_6_sol_p0u.
 
 Module eq_3_6_sol_p1u.
 Import HermiteDevelopable.Section_3_2.eq_3_6_sol_p1u.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); put_known; Solved.concluded. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_number_joins quartic_basis; found. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met) | (exists 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quartic_number_joins quartic_basis; met_joins; first [lra | numeric]. Qed.
 End eq_3_6_sol_p1u.
 
 Module eq_3_6_sol_o.
 Import HermiteDevelopable.Section_3_2.eq_3_6_sol_o.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); put_known; Solved.concluded. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_number_joins quartic_basis; found. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage blend5; stage hermite4; stage q4; stage p4; stage quartic_gap; stage_at quartic_part [0; 1; 2; 3; 4]%Z; stage quartic_criterion; stage quartic_criterion_; stage quartic_criterion__; stage quartic_criterion___; stage quartic_criterion____; staged_goal quartic_criterion_____; unstaged; first [(exists 2, 3, 4, 5, 6, (7), ((((7))*(9) - (14)) / (((7)) - 1)), 9, (((15)) / (((7)))), ((((7))*(9) - (14) + (16)) / (((7)))), (((17)) / (((7)))), 13, 14, 15, 16, 17, ((-((7))*(9) + ((7))*(13) + (14)) / (1)); met) | (exists 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)); met) | (exists 13, 8, 8, 6, 8, (7), ((((7))*(7) - (4)) / (((7)) - 1)), 7, (((13)) / (((7)))), ((((7))*(7) - (4) + (8)) / (((7)))), (((8)) / (((7)))), 1, 4, 13, 8, 8, ((-((7))*(7) + ((7))*(1) + (4)) / (1)); met) | (exists 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met) | (exists 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)); met)]. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quartic_number_joins quartic_basis; met_joins; first [lra | numeric]. Qed.
 End eq_3_6_sol_o.
 
 Module eq_3_6_system.
@@ -198,3 +214,51 @@ Proof. cbv beta zeta delta [statement A36 right_]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance A36 right_]; first [(exists (2), (3), (4), (5), (6), (7), (8); met) | (exists (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9); met) | (exists (1), (1), (1), (1), (1), (1), (1); met) | (exists (1), (0), (0), (0), (0), (0), (0); met)]. Qed.
 End eq_3_6_system.
+
+Module ex_3_2_q.
+Import HermiteDevelopable.Section_3_2.ex_3_2_q.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_joins quartic_basis; linearly. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 100, 20, 45, 0, (-15), 30, 40, (-15), 45, 0, (-25), (-30), (-20), 5, 75; quartic_joins quartic_basis; met_joins. Qed.
+End ex_3_2_q.
+
+Module ex_3_2_p1.
+Import HermiteDevelopable.Section_3_2.ex_3_2_p1.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_joins quartic_basis; linearly. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 100, 20, 45, 0, (-15), 30, 40, (-15), 45, 0, (-25), (-30), (-20), 5, 75; quartic_joins quartic_basis; met_joins. Qed.
+End ex_3_2_p1.
+
+Module ex_3_2_p0u.
+Import HermiteDevelopable.Section_3_2.ex_3_2_p0u.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_joins quartic_basis; linearly. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 100, 20, 45, 0, (-15), 30, 40, (-15), 45, 0, (-25), (-30), (-20), 5, 75; quartic_joins quartic_basis; met_joins. Qed.
+End ex_3_2_p0u.
+
+Module ex_3_2_p1u.
+Import HermiteDevelopable.Section_3_2.ex_3_2_p1u.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_joins quartic_basis; linearly. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 100, 20, 45, 0, (-15), 30, 40, (-15), 45, 0, (-25), (-30), (-20), 5, 75; quartic_joins quartic_basis; met_joins. Qed.
+End ex_3_2_p1u.
+
+Module ex_3_2_o.
+Import HermiteDevelopable.Section_3_2.ex_3_2_o.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_joins quartic_basis; linearly. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 100, 20, 45, 0, (-15), 30, 40, (-15), 45, 0, (-25), (-30), (-20), 5, 75; quartic_joins quartic_basis; met_joins. Qed.
+End ex_3_2_o.
+
+Module ex_3_2_parallel.
+Import HermiteDevelopable.Section_3_2.ex_3_2_parallel.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; quartic_joins quartic_basis; intros; equations; worth o'1 (100); worth p0u'1 (0); worth p1u'1 (0); worth p1'1 (40); worth qm'1 (-20); quartic_curves quartic_basis; parts; cbv beta iota delta [entry nth Nat.pred]; ring. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; exists 0, 0, 0, 0, 0, 100, 20, 45, 0, (-15), 30, 40, (-15), 45, 0, (-25), (-30), (-20), (-20), (-45), 0, 0, 0; quartic_joins quartic_basis; met_joins. Qed.
+End ex_3_2_parallel.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Hermite.
 From HermiteDevelopable Require Section_3.
 Import HermiteDevelopable.Section_3.Definitions.
 From HermiteDevelopable Require Import Section_3_closed.
@@ -100,6 +100,14 @@ Proof. cbv beta zeta delta [statement]; stage q; stage p; stage_at parallel [0; 
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; stage q; stage p; stage_at parallel [0; 1; 2; 3; 4]%Z; stage q_; staged_goal p_; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, (((5)*((38))) / (1)), (((6)*((38))) / (1)), (((7)*((38))) / (1)), (((8)*((38))) / (1)), (((9)*((38))) / (1)), (((10)*((38))) / (1)), (((11)*((38))) / (1)), (((12)*((38))) / (1)), (((13)*((38))) / (1)), (((14)*((38))) / (1)), (((15)*((38))) / (1)), (((16)*((38))) / (1)), (((17)*((38))) / (1)), (((18)*((38))) / (1)), (((19)*((38))) / (1)), (38), (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (0), (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, (((6)*((11))) / (1)), (((8)*((11))) / (1)), (((7)*((11))) / (1)), (((9)*((11))) / (1)), (((7)*((11))) / (1)), (((7)*((11))) / (1)), (((2)*((11))) / (1)), (((11)*((11))) / (1)), (((1)*((11))) / (1)), (((4)*((11))) / (1)), (((13)*((11))) / (1)), (((8)*((11))) / (1)), (((8)*((11))) / (1)), (((6)*((11))) / (1)), (((8)*((11))) / (1)), (11), (1 / 3); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 9, 7, 7, (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (1), (1 / 3); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (1), (1 / 3); met)]. Qed.
 End eq_3_1_rho_constant.
+
+Module eq_3_1_difficulties_same.
+Import HermiteDevelopable.Section_3.eq_3_1_difficulties_same.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement q q_ p_ p gap part criterion criterion__ criterion___ criterion____ criterion_____ criterion______]; intros; joins ltac:(fun u => apply monomial_curve); cbv beta iota delta [zeros repeat]; similarities 5%nat; repeat curve_at ltac:(fun u => apply monomial_curve); rewrite !monomial_curve; cbv beta iota delta [slope_n]; images; compute_goal; parts; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance q q_ p_ p gap part criterion criterion__ criterion___ criterion____ criterion_____ criterion______]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; joins ltac:(fun u => apply monomial_curve); counted_joins; met_joins. Qed.
+End eq_3_1_difficulties_same.
 
 Module eq_3_2.
 Import HermiteDevelopable.Section_3.eq_3_2.
@@ -262,6 +270,14 @@ Proof. cbv beta zeta delta [statement cone_normal cone_gap P Q]; unstaged; prepa
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance cone_normal cone_gap P Q]; first [(exists ((0) / (1)), 3, 4, 5, (2), ((((2))) / (1)), 8, 9, 10, 11, 12, 13; met) | (exists ((0) / (1)), 0, 0, 0, (2), ((((2))) / (1)), 0, 0, 0, 0, 0, 0; met) | (exists ((0) / (1)), 8, 8, 6, (9), ((((9))) / (1)), 9, 7, 7, 2, 11, 1; met) | (exists ((0) / (1)), 1, 4, 13, (2), ((((2))) / (1)), 9, 7, 7, 8, 6, 8; met) | (exists ((0) / (1)), 1, 0, 0, (2), ((((2))) / (1)), 0, 1, 0, 0, 0, 1; met)]. Qed.
 End eq_3_3_k_above_1.
+
+Module sec_3_summit_outside.
+Import HermiteDevelopable.Section_3.sec_3_summit_outside.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a5 a4 a3 a2 a1 a0 p gap part criterion criterion__ criterion___ criterion____ criterion_____ criterion______ q]; intros; joins ltac:(fun u => apply monomial_curve); cbv beta iota delta [zeros repeat]; similarities 5%nat; curve_at ltac:(fun u => apply monomial_curve); rewrite !monomial_curve; cbv beta iota delta [slope_n]; images; cbv beta iota delta [entry nth Nat.pred]; split; [cbv beta iota delta [slope slopes tl poly]; ring | match goal with K : 0 < ?k, N : ?h ^ 2 > 0 |- ?x > 0 => replace x with (k * h ^ 2) by (cbn [poly]; ring); apply Rmult_lt_0_compat; [exact K | exact N] end]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a5 a4 a3 a2 a1 a0 p gap part criterion criterion__ criterion___ criterion____ criterion_____ criterion______ q]; exists 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; joins ltac:(fun u => apply monomial_curve); counted_joins; cbv beta iota delta [entry nth Nat.pred]; met_joins. Qed.
+End sec_3_summit_outside.
 
 Module eq_3_4.
 Import HermiteDevelopable.Section_3.eq_3_4.

@@ -1,5 +1,5 @@
 (* Closed forms of the definitions of a section: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Hermite.
 From HermiteDevelopable Require Section_4.
 Import HermiteDevelopable.Section_4.Definitions.
 Open Scope R_scope.
@@ -15,8 +15,6 @@ Definition blend6_closed := ltac:(closed_once blend6).
 #[export] Instance blend6_is : Closed blend6 _ := blend6_closed.
 Definition hermite5_closed := ltac:(stage quintic_basis; stage blend6; closed_once hermite5).
 #[export] Instance hermite5_is : Closed hermite5 _ := hermite5_closed.
-Definition quintic_criterion__closed := ltac:(closed_once quintic_criterion_).
-#[export] Instance quintic_criterion__is : Closed quintic_criterion_ _ := quintic_criterion__closed.
 Definition r0_closed := ltac:(closed_once r0).
 #[export] Instance r0_is : Closed r0 _ := r0_closed.
 Definition p5_closed := ltac:(stage hermite5; closed_once p5).

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Hermite.
 From HermiteDevelopable Require Section_4.
 Import HermiteDevelopable.Section_4.Definitions.
 From HermiteDevelopable Require Import Section_4_closed.
@@ -8,9 +8,9 @@ Open Scope R_scope.
 Module sec_4_cone.
 Import HermiteDevelopable.Section_4.sec_4_cone.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; prepared; known (o) (k*p0 - q0) (k - 1); known (p0u) (q0u) (k); known (p1) (k*p0 - q0 + q1) (k); known (p1u) (q1u) (k); known (qm) (-k*p0 + k*pm + q0) (1); known (qu) (k*pu) (1); put_known; Solved.concluded. Qed.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement blend6 hermite5 q5 p5 quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ quintic_criterion_ a d normal image r]; similar_quintic_numbers quintic_basis; images; ring. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage q5; stage p5; stage quintic_gap; stage_at quintic_part [0; 1; 2; 3; 4; 5]%Z; stage quintic_criterion; stage quintic_criterion_; stage quintic_criterion__; stage quintic_criterion___; stage quintic_criterion____; stage quintic_criterion_____; staged_goal quintic_criterion______; unstaged; first [(exists 2, 3, 4, 5, 6, 7, (8), ((((8))*(10) - (16)) / (((8)) - 1)), 10, (((17)) / (((8)))), ((((8))*(10) - (16) + (18)) / (((8)))), (((19)) / (((8)))), 14, 15, 16, 17, 18, 19, ((-((8))*(10) + ((8))*(14) + (16)) / (1)), ((((8))*(15)) / (1)), (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, (0), ((((0))*(0) - (0)) / (((0)) - 1)), 0, (((0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), (((0)) / (((0)))), 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)), (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, (9), ((((9))*(7) - (8)) / (((9)) - 1)), 7, (((8)) / (((9)))), ((((9))*(7) - (8) + (6)) / (((9)))), (((8)) / (((9)))), 4, 13, 8, 8, 6, 8, ((-((9))*(7) + ((9))*(4) + (8)) / (1)), ((((9))*(13)) / (1)), (1 / 3); met) | (exists 1, 1, 1, 1, 1, 1, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)), (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, (1), ((((1))*(1) - (1)) / (((1)) - 1)), 1, (((1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), (((1)) / (((1)))), 1, 1, 1, 1, 1, 1, ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((((1))*(1)) / (1)), (1 / 3); met)]. Qed.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance blend6 hermite5 q5 p5 quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ quintic_criterion_ a d normal image r]; exists 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quintic_number_joins quintic_basis; met_joins; first [lra | numeric]. Qed.
 End sec_4_cone.
 
 Module eq_4_1.
@@ -52,6 +52,14 @@ Proof. cbv beta zeta delta [statement]; stage normal; stage shadow; stage turned
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; stage normal; stage shadow; stage turned; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; stage blend6; stage hermite5; stage p5; staged_goal r_; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, (1 / 3), 39, 40, 41; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, (1 / 3), 1, 4, 13; met) | (exists 1, 1, 1, 1, 1, 1, 7, 9, 7, 7, 7, 2, 7, 2, 11, 7, 7, 2, 7, 7, 2, 7, 7, 2, 7, 7, 2, 4, 13, 8, 7, 7, 2, 7, 2, 11, (1 / 3), 8, 6, 8; met) | (exists 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, (1 / 3), 0, 1, 0; met)]. Qed.
 End sec_4_goal_parallel.
+
+Module sec_4_in_plane.
+Import HermiteDevelopable.Section_4.sec_4_in_plane.
+Theorem proved : statement.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement r0 a d normal image r r1 r0u r1u ru]; intros; repeat match goal with H : det _ <> 0 |- _ => clear H end; match goal with E : quintic_basis = _ |- _ => rewrite E; clear E end; unstaged; conjuncts; lazymatch goal with |- dot _ _ = 0 => back; identity | |- _ => cbv beta iota delta [entry nth Nat.pred]; ring end. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage normal; stage quintic; stage quintic_; stage quintic_data; stage r0; stage image; stage r; stage r1; stage r0u; stage ru; stage r1u; staged_goal quintic_basis; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, (1 / 3); met) | (exists 1, 1, 1, 1, 1, 1, 7, 9, 7, 7, 2, 11, 9, 7, 7, 7, 2, 11, 7, 2, 11, 7, 2, 11, 7, 2, 11, 13, 8, 8, 7, 2, 11, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, (1 / 3); met)]. Qed.
+End sec_4_in_plane.
 
 Module sec_4_r0.
 Import HermiteDevelopable.Section_4.sec_4_r0.
@@ -175,6 +183,14 @@ Theorem proved : statement.
 Proof. cbv beta zeta delta [statement normal normal2 a d not]; compute_goal; split; intro E; injection E; intros; lra. Qed.
 End sec_4_oblique.
 
+Module ex_4_data.
+Import HermiteDevelopable.Section_4.ex_4_data.
+Theorem proved : statement.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u p0 pm pu q5 k p5 quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ q5_ blend6 hermite5 a hermite5_]; whole_points quintic_basis_ quintic_basis; quintic_joins quintic_basis; intros; equations; worth o'1 (100); worth o'2 (20); worth o'3 (45); worth qm'1 (-20); worth qm'2 (5); worth qm'3 (35); worth qu'1 (0); worth qu'2 (-50); worth qu'3 (70); quintic_curves quintic_basis; parts; lra. Qed.
+Theorem met : instance.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance q0 q1 q0u q1u p0 pm pu q5 k p5 quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ q5_ blend6 hermite5 a quintic_basis_ hermite5_]; exists 0, 0, 0, 0, 0, 0, 100, 20, 45, 0, (-30), 45, 40, (-15), 45, 0, (-25), (-15), (-20), 5, 35, 0, (-50), 70; quintic_joins quintic_basis; met_joins. Qed.
+End ex_4_data.
+
 Module ex_4_r0.
 Import HermiteDevelopable.Section_4.ex_4_r0.
 Theorem proved : statement.
@@ -233,6 +249,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance q0 o q0u a d normal qm qu q1 q1u r0u image r ru r1 r1u]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_other_data.
 
+Module ex_4_other_data_twist.
+Import HermiteDevelopable.Section_4.ex_4_other_data_twist.
+Theorem proved : statement.
+Proof. let one D := (let E := fresh in eassert (E : D = _) by (cbv delta [D r_ r1 image normal q0 qm q1 q0u qu q1u o a_ d_]; on_left; entries); rewrite E; clear E) in stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement q0 qm q1 q0u qu q1u q5 k o quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ r0 normal image r5 near far turn size blend6 hermite5 a p5 a_ d_]; whole_points quintic_basis_ quintic_basis; intros; one r_; one r1; one r0u; one ru; one r1u; similar_quintics quintic_basis; points; closed_numbers. Qed.
+Theorem met : instance.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance q0 qm q1 q0u qu q1u q5 k o quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ r0 normal image r_ r1 r0u ru r1u r5 near far turn size blend6 hermite5 a p5 a_ d_]; exists 0, 0, 0, 0, 0, 0, 40, 40, 45, 0, (-25), 30, 40, (-15), 45, 0, (-25), (-30), 40, (25/2), 40, 0, (-30), 40; quintic_joins quintic_basis; met_joins; compute_goal; numeric. Qed.
+End ex_4_other_data_twist.
+
 Module ex_4_stated_data.
 Import HermiteDevelopable.Section_4.ex_4_stated_data.
 Theorem proved : statement.
@@ -248,3 +272,25 @@ Proof. cbv beta zeta delta [statement q0 q0u first o a d normal qm qu middle q1 
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance q0 q0u first o a d normal qm qu middle q1 q1u last image]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_true_tangents.
+
+Module ex_4_a_twist.
+Import HermiteDevelopable.Section_4.ex_4_a_twist.
+Theorem proved : statement.
+Proof. let one D := (let E := fresh in eassert (E : D = _) by (cbv delta [D r_ r1 image normal q0 qm q1 q0u qu q1u o a_ d_]; on_left; entries); rewrite E; clear E) in stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement q0 qm q1 q0u qu q1u q5 k o quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ r0 normal image r5 near far turn size r5_ near_ far_ turn_ blend6 hermite5 a p5  hermite5_ a_ d_ p5_]; whole_points quintic_basis_ quintic_basis; intros; one r_; one r1; one r0u; one ru; one r1u; similar_quintics quintic_basis; points; closed_numbers. Qed.
+Theorem met : instance.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance q0 qm q1 q0u qu q1u q5 k o quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ r0 normal image r_ r1 r0u ru r1u r5 near far turn size r5_ near_ far_ turn_ blend6 hermite5 a p5 hermite5_ a_ d_ p5_]; exists 0, 0, 0, 0, 0, 0, 40, 40, 45, 0, (-30), 45, 40, (-15), 45, 0, (-25), (-15), 40, (25/2), 40, 0, (-25), 35; quintic_joins quintic_basis; met_joins; compute_goal; numeric. Qed.
+End ex_4_a_twist.
+
+Module ex_4_a_twist_printed.
+Import HermiteDevelopable.Section_4.ex_4_a_twist_printed.
+Theorem proved : statement.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement q0 qm q1 q0u qu q1u q5 k o quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ rp r5 near rp_ r5_ far turn near_ far_ turn_ size blend6 hermite5 a d p5  hermite5_ normal image r p5_]; whole_points quintic_basis_ quintic_basis; similar_quintics quintic_basis; points; closed_numbers. Qed.
+Theorem met : instance.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance q0 qm q1 q0u qu q1u q5 k o quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ rp r5 near rp_ r5_ far turn near_ far_ turn_ size blend6 hermite5 a d p5 hermite5_ normal image r p5_]; exists 0, 0, 0, 0, 0, 0, 40, 40, 45, 0, (-30), 45, 40, (-15), 45, 0, (-25), (-15), 40, (25/2), 40, 0, (-25), 35; quintic_joins quintic_basis; met_joins; compute_goal; numeric. Qed.
+End ex_4_a_twist_printed.
+
+Module ex_4_b_developable.
+Import HermiteDevelopable.Section_4.ex_4_b_developable.
+Theorem refuted : ~ statement.
+Proof. unfold not; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement q0 qm q1 q0u qu q1u q5 k o quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ r0 a_ normal image r_ r1 r0u ru r1u r5 blend6 hermite5 p5 d_]; intro no; generalize (no 0 0 0 0 0 0 40 40 45 0 (-30) 45 40 (-15) 45 0 (-25) (-15) 40 (25/2) 40 0 (-25) 35 (1/4)); clear no; with_quintics quintic_basis joins; with_quintics quintic_basis curves_at; fails. Qed.
+End ex_4_b_developable.

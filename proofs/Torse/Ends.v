@@ -4,7 +4,7 @@ From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs S
 From Coq Require Import Lia.
 Open Scope R_scope.
 
-Notation curve P k mu nu x := (sum 0 k (fun i => basis (1 - x) x
+Local Notation curve P k mu nu x := (sum 0 k (fun i => basis (1 - x) x
   [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x));
    1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x));
    (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k * P i)) (only parsing).
@@ -43,11 +43,11 @@ End Ends.
 
 
 (* a cubic curve whose four terms are written out *)
-Notation blend mu nu x i := (basis (1 - x) x
+Local Notation blend mu nu x i := (basis (1 - x) x
   [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x));
    1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x));
    (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i 3%Z) (only parsing).
-Notation cubic mu nu a b c d x :=
+Local Notation cubic mu nu a b c d x :=
   (blend mu nu x 0%Z * a + blend mu nu x 1%Z * b + blend mu nu x 2%Z * c + blend mu nu x 3%Z * d) (only parsing).
 Section Cubic.
 Variables mu nu a b c d : R.
@@ -111,7 +111,7 @@ Qed.
 Section Matrices.
 Variables (Q : Z -> R) (k : Z) (mu nu : R).
 Hypothesis K : (2 <= k)%Z.
-Notation by_member i f := (Derive_n (fun t => f (update1 Q i t)) 1 (Q i)) (only parsing).
+Local Notation by_member i f := (Derive_n (fun t => f (update1 Q i t)) 1 (Q i)) (only parsing).
 Lemma start_matrix :
   [[by_member 0%Z (fun Q => curve Q k mu nu 0); by_member 1%Z (fun Q => curve Q k mu nu 0); by_member 2%Z (fun Q => curve Q k mu nu 0)];
    [by_member 0%Z (fun Q => Derive_n (fun x => curve Q k mu nu x) 1 0); by_member 1%Z (fun Q => Derive_n (fun x => curve Q k mu nu x) 1 0); by_member 2%Z (fun Q => Derive_n (fun x => curve Q k mu nu x) 1 0)];

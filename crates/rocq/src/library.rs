@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 20] = [
+pub const LIBRARY: [(&str, &str); 21] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -73,4 +73,8 @@ pub const LIBRARY: [(&str, &str); 20] = [
         include_str!("../../../proofs/Torse/Smooth.v"),
     ),
     ("Torse/Ends.v", include_str!("../../../proofs/Torse/Ends.v")),
+    (
+        "Torse/Hermite.v",
+        include_str!("../../../proofs/Torse/Hermite.v"),
+    ),
 ];
