@@ -85,8 +85,8 @@ Ltac smooths := cbv beta; lazymatch goal with
   | |- smooth (fun x => @?f x - @?g x) => apply (smooth_minus f g); smooths
   | |- smooth (fun x => @?f x * @?g x) => apply (smooth_mult f g); smooths
   | |- smooth (fun x => - @?f x) => apply (smooth_opp f); smooths
-  | |- smooth (fun x => sin (?h * x)) => apply smooth_turn
-  | |- smooth (fun x => cos (?h * x)) => apply smooth_turn
+  | |- smooth (fun x => sin (?h * x)) => exact (proj1 (smooth_turn h))
+  | |- smooth (fun x => cos (?h * x)) => exact (proj2 (smooth_turn h))
   | |- smooth (fun x => ?f x) => try assumption
   | |- _ => idtac
   end.
@@ -123,18 +123,23 @@ Lemma rate_const c n p : Derive_n (fun _ => c) (S n) p = 0.
 Proof. apply Derive_n_const. Qed.
 (* which functions they are: those with a curve of a symbolic degree in them *)
 Ltac smooth_curves := smooths; try (apply smooth_series; [assumption || lia | smooths ..]).
-Ltac spread_derivatives := repeat match goal with
-  | |- context [Derive_n ?f (Z.to_nat ?n) ?p] => closed_integer n; let k := eval vm_compute in (Z.to_nat n) in change (Z.to_nat n) with k
+(* the equation of a derivative, in the form in which it stands in the goal *)
+Ltac by_rate L := let E := fresh in pose proof L as E; cbv beta in E; rewrite E; clear E.
+Ltac both_smooth u v L n p :=
+  let F := fresh in let G := fresh in
+  assert (F : smooth u) by smooth_curves; assert (G : smooth v) by smooth_curves;
+  by_rate (L u v n p F G); clear F G.
+Ltac spread_derivatives := orders; repeat match goal with
   | |- context [Derive_n ?f 0 ?p] => change (Derive_n f 0 p) with (f p); cbv beta
+  | |- context [Derive_n (fun _ => ?c) (S ?n) ?p] => rewrite (rate_const c n p)
   | |- context [Derive_n ?f ?n ?p] =>
       match f with context [basis] => idtac end;
       lazymatch f with
-      | fun x => @?u x + @?v x => rewrite (rate_plus u v n p) by (cbv beta; smooth_curves)
-      | fun x => @?u x - @?v x => rewrite (rate_minus u v n p) by (cbv beta; smooth_curves)
-      | fun x => - @?u x => rewrite (rate_opp u n p)
-      | fun x => ?c * @?u x => rewrite (rate_left c u n p)
-      | fun x => @?u x * ?c => rewrite (rate_right c u n p)
-      | fun x => @?u x / ?c => rewrite (rate_over c u n p)
-      end; cbv beta
-  | |- context [Derive_n (fun _ => ?c) (S ?n) ?p] => rewrite (rate_const c n p)
+      | fun x => @?u x + @?v x => both_smooth u v rate_plus n p
+      | fun x => @?u x - @?v x => both_smooth u v rate_minus n p
+      | fun x => - @?u x => by_rate (rate_opp u n p)
+      | fun x => ?c * @?u x => by_rate (rate_left c u n p)
+      | fun x => @?u x * ?c => by_rate (rate_right c u n p)
+      | fun x => @?u x / ?c => by_rate (rate_over c u n p)
+      end
   end.
