@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From GbtDevelopable Require Section_3_4.
 Import GbtDevelopable.Section_3_4.Definitions.
 Open Scope R_scope.
@@ -119,7 +119,7 @@ End sec_3_4_m0_r2.
 Module sec_3_4_m0_r3_c1.
 Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_c1.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g H H_ start]; formed. Qed.
+Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends start start_matrix; field; nonzero. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H H_ start]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_4_m0_r3_c1.
@@ -133,7 +133,7 @@ End sec_3_4_m0_r3_c2.
 Module sec_3_4_m0_r3_c2_corrected.
 Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_c2_corrected.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement k1 k2]; intros k Q mu nu K; intros; assert (E : start Q k mu nu = [[1; 0; 0]; [- (IZR k - 2 + PI / 2 * (1 + mu)); IZR k - 2 + PI / 2 * (1 + mu); 0]; [(IZR k - 2) * (IZR k - 3 + PI * (1 + mu)) + 2 * mu * (PI / 2) ^ 2; - (2 * ((IZR k - 2) * (IZR k - 3 + PI * (1 + mu)))) - (2 * mu + 1 - nu) * (PI / 2) ^ 2; (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)) + (1 - nu) * (PI / 2) ^ 2]]) by (clear -K; cbv beta zeta delta [start H H_ g]; formed); rewrite E in *; clear E; match goal with D : det _ <> 0 |- _ => revert D end; repeat match goal with D : _ <> 0 |- _ => revert D end; compute_goal; intros; field; nonzero. Qed.
+Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends start start_matrix; field; nonzero. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H H_ start k1]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_4_m0_r3_c2_corrected.
@@ -155,7 +155,7 @@ End sec_3_4_m0_r3_c3.
 Module sec_3_4_m0_r3_c3_corrected.
 Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_c3_corrected.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement k1 k2]; intros k Q mu nu K; intros; assert (E : start Q k mu nu = [[1; 0; 0]; [- (IZR k - 2 + PI / 2 * (1 + mu)); IZR k - 2 + PI / 2 * (1 + mu); 0]; [(IZR k - 2) * (IZR k - 3 + PI * (1 + mu)) + 2 * mu * (PI / 2) ^ 2; - (2 * ((IZR k - 2) * (IZR k - 3 + PI * (1 + mu)))) - (2 * mu + 1 - nu) * (PI / 2) ^ 2; (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)) + (1 - nu) * (PI / 2) ^ 2]]) by (clear -K; cbv beta zeta delta [start H H_ g]; formed); rewrite E in *; clear E; match goal with D : det _ <> 0 |- _ => revert D end; repeat match goal with D : _ <> 0 |- _ => revert D end; compute_goal; intros; field; nonzero. Qed.
+Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends start start_matrix; field; nonzero. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H H_ start k1]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_4_m0_r3_c3_corrected.
@@ -179,7 +179,7 @@ End sec_3_4_m1_r2.
 Module sec_3_4_m1_r3_c1.
 Import GbtDevelopable.Section_3_4.sec_3_4_m1_r3_c1.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement k1 k2]; intros k Q mu nu K; intros; assert (E : end_ Q k mu nu = [[1; 0; 0]; [IZR k - 2 + PI / 2 * (1 + nu); - (IZR k - 2 + PI / 2 * (1 + nu)); 0]; [(IZR k - 2) * (IZR k - 3 + PI * (1 + nu)) + 2 * nu * (PI / 2) ^ 2; - (2 * ((IZR k - 2) * (IZR k - 3 + PI * (1 + nu)))) - (2 * nu + 1 - mu) * (PI / 2) ^ 2; (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)) + (1 - mu) * (PI / 2) ^ 2]]) by (clear -K; cbv beta zeta delta [end_ H H_ g]; lists; parts; match goal with |- Derive_n ?f 1 ?p = _ => rewrite (slope f p) by (let t := fresh "t" in intro t; evaluated; equal) end; evaluated; intros; settle); rewrite E in *; clear E; match goal with D : det _ <> 0 |- _ => revert D end; repeat match goal with D : _ <> 0 |- _ => revert D end; compute_goal; intros; field; nonzero. Qed.
+Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends end_ end_matrix; field; nonzero. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H H_ end_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_4_m1_r3_c1.
@@ -193,7 +193,7 @@ End sec_3_4_m1_r3_c2.
 Module sec_3_4_m1_r3_c2_corrected.
 Import GbtDevelopable.Section_3_4.sec_3_4_m1_r3_c2_corrected.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement k1 k2]; intros k Q mu nu K; intros; assert (E : end_ Q k mu nu = [[1; 0; 0]; [IZR k - 2 + PI / 2 * (1 + nu); - (IZR k - 2 + PI / 2 * (1 + nu)); 0]; [(IZR k - 2) * (IZR k - 3 + PI * (1 + nu)) + 2 * nu * (PI / 2) ^ 2; - (2 * ((IZR k - 2) * (IZR k - 3 + PI * (1 + nu)))) - (2 * nu + 1 - mu) * (PI / 2) ^ 2; (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)) + (1 - mu) * (PI / 2) ^ 2]]) by (clear -K; cbv beta zeta delta [end_ H H_ g]; lists; parts; match goal with |- Derive_n ?f 1 ?p = _ => rewrite (slope f p) by (let t := fresh "t" in intro t; evaluated; equal) end; evaluated; intros; settle); rewrite E in *; clear E; match goal with D : det _ <> 0 |- _ => revert D end; repeat match goal with D : _ <> 0 |- _ => revert D end; compute_goal; intros; field; nonzero. Qed.
+Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends end_ end_matrix; field; nonzero. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H H_ end_ k2]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_4_m1_r3_c2_corrected.
@@ -209,7 +209,7 @@ End sec_3_4_m1_r3_true.
 Module sec_3_4_m1_r3_c3.
 Import GbtDevelopable.Section_3_4.sec_3_4_m1_r3_c3.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement k1 k2]; intros k Q mu nu K; intros; assert (E : end_ Q k mu nu = [[1; 0; 0]; [IZR k - 2 + PI / 2 * (1 + nu); - (IZR k - 2 + PI / 2 * (1 + nu)); 0]; [(IZR k - 2) * (IZR k - 3 + PI * (1 + nu)) + 2 * nu * (PI / 2) ^ 2; - (2 * ((IZR k - 2) * (IZR k - 3 + PI * (1 + nu)))) - (2 * nu + 1 - mu) * (PI / 2) ^ 2; (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)) + (1 - mu) * (PI / 2) ^ 2]]) by (clear -K; cbv beta zeta delta [end_ H H_ g]; lists; parts; match goal with |- Derive_n ?f 1 ?p = _ => rewrite (slope f p) by (let t := fresh "t" in intro t; evaluated; equal) end; evaluated; intros; settle); rewrite E in *; clear E; match goal with D : det _ <> 0 |- _ => revert D end; repeat match goal with D : _ <> 0 |- _ => revert D end; compute_goal; intros; field; nonzero. Qed.
+Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends end_ end_matrix; field; nonzero. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H H_ end_ k2]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_4_m1_r3_c3.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From GbtDevelopable Require Section_5_1.
 Import GbtDevelopable.Section_5_1.Definitions.
 Open Scope R_scope.
@@ -145,6 +145,14 @@ Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ kappa2 c]; prepared; unkno
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ kappa2 c]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (11), (12); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (8), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (2), (11); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
 End thm_2_true_necessary.
+
+Module thm_2_true_sufficient.
+Import GbtDevelopable.Section_5_1.thm_2_true_sufficient.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement kappa2 c g H2 H1 H2_ H1_]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); put_in; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance kappa2 c g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (11), (12); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (8), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (2), (11); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
+End thm_2_true_sufficient.
 
 Module thm_2_true_generator.
 Import GbtDevelopable.Section_5_1.thm_2_true_generator.

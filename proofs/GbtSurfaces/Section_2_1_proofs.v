@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From GbtSurfaces Require Section_2_1.
 Import GbtSurfaces.Section_2_1.Definitions.
 Open Scope R_scope.
@@ -135,6 +135,14 @@ Proof. cbv beta zeta delta [statement f F second1 r0 r2]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f F second1 r0 r2]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_d2_1_values.
+
+Module thm_1_5_d3_0_values.
+Import GbtSurfaces.Section_2_1.thm_1_5_d3_0_values.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f start third p0 p2]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f start third p0 p2]; first [(exists (4)%Z, (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, (4)%Z, (0), (0); met) | (exists (4)%Z, (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, (4)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_1_5_d3_0_values.
 
 Module thm_1_5_d3_1_values.
 Import GbtSurfaces.Section_2_1.thm_1_5_d3_1_values.

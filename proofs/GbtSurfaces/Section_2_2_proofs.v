@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From GbtSurfaces Require Section_2_2.
 Import GbtSurfaces.Section_2_2.Definitions.
 Open Scope R_scope.
@@ -258,6 +258,38 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f F1 F F1_ F_ a1 b1 a printed11 a2 a3 printed12 b2 c1 b3 b4 printed13] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (2*(16 + 3*PI)/(8 + PI)) else if (Z.eqb i0 (3))%bool then (2*(40 + 9*PI)/(8 + PI)) else 0) (1) (1) (1) (0)). Qed.
 End thm_2_4_b.
 
+Module thm_2_4_true.
+Import GbtSurfaces.Section_2_2.thm_2_4_true.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F1 F b1 c1 b3_true b2_true b5_true]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F1 F b1 c1 b3_true b2_true b5_true]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_4_true.
+
+Module thm_2_4_iff.
+Import GbtSurfaces.Section_2_2.thm_2_4_iff.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a join1 join11 a1 a2 a3_true join2 join12 b1 f F1 F b2_true c1 b3_true b5_true b4_true join3 join13]; prepared; unknown (Q1 0%Z); unknown (Q1 1%Z); unknown (Q1 2%Z); put_in; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a join1 join11 a1 a2 a3_true join2 join12 b1 f F1 F b2_true c1 b3_true b5_true b4_true join3 join13]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_4_iff.
+
+Module thm_2_4_sufficient.
+Import GbtSurfaces.Section_2_2.thm_2_4_sufficient.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a join1 join11 a1 a2 a3_true join2 join12 b1 b2_true c1 b3_true b5_true b4_true join3 join13 f F1 F F1_ F_]; prepared; unknown (Q1 0%Z); unknown (Q1 1%Z); unknown (Q1 2%Z); unknown (Q1 3%Z); put_in; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a join1 join11 a1 a2 a3_true join2 join12 b1 b2_true c1 b3_true b5_true b4_true join3 join13 f F1 F F1_ F_]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_4_sufficient.
+
+Module thm_2_4_sufficient_quintic.
+Import GbtSurfaces.Section_2_2.thm_2_4_sufficient_quintic.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a join1 join11 a1 a2 a3_true join2 join12 b1 b2_true c1 b3_true b5_true b4_true join3 join13 f F1 F F1_ F_]; prepared; unknown (Q1 0%Z); unknown (Q1 1%Z); unknown (Q1 2%Z); unknown (Q1 3%Z); put_in; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a join1 join11 a1 a2 a3_true join2 join12 b1 b2_true c1 b3_true b5_true b4_true join3 join13 f F1 F F1_ F_]; first [(exists (3)%Z, (5)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (5)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (5)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (5)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (5)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_4_sufficient_quintic.
+
 Module thm_2_4_cubic.
 Import GbtSurfaces.Section_2_2.thm_2_4_cubic.
 Theorem proved : statement.
@@ -312,11 +344,35 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f F] in no; refuting (no ((3))%Z (fun i0 => 0) (0) (1)). Qed.
 End thm_2_b2.
 
+Module thm_2_b2_true.
+Import GbtSurfaces.Section_2_2.thm_2_b2_true.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F b2_true]; formed. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F b2_true]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_b2_true.
+
 Module thm_2_b3.
 Import GbtSurfaces.Section_2_2.thm_2_b3.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f F1 c1] in no; refuting (no ((3))%Z (fun i0 => 0) (1) (1)). Qed.
 End thm_2_b3.
+
+Module thm_2_b3_corrected.
+Import GbtSurfaces.Section_2_2.thm_2_b3_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F1 c1]; formed. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F1 c1]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_b3_corrected.
+
+Module thm_2_b3_true.
+Import GbtSurfaces.Section_2_2.thm_2_b3_true.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F1 c1 b3_true]; formed. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F1 c1 b3_true]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_2_b3_true.
 
 Module thm_2_c1.
 Import GbtSurfaces.Section_2_2.thm_2_c1.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From GbtSurfaces Require Section_3_3.
 Import GbtSurfaces.Section_3_3.Definitions.
 Open Scope R_scope.
@@ -148,6 +148,14 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement b f with_own tensor] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
 End prop_3_4_a_with_f_l.
 
+Module prop_3_4_b.
+Import GbtSurfaces.Section_3_3.prop_3_4_b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement M0 M1 S2 jump jump0 jump1 S2_ S__ jump_ f L0 L1 S_ S__ b printed_ with_own tensor a1 a2 b1 c1 F pair F_ pair_ b3_true own4]; sums_at_ends; intros; conjuncts; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f M0 M1 S2 L0 L1 S_ jump jump0 jump1 S2_ S__ jump_]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (0), (0), (0), (1 / 2); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End prop_3_4_b.
+
 Module alg_3_a_as_printed.
 Import GbtSurfaces.Section_3_3.alg_3_a_as_printed.
 Theorem refuted : ~ statement.
@@ -245,3 +253,11 @@ Proof. cbv beta zeta delta [statement f]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists 2, 3, 4, 5, 6, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists 0, 0, 0, 0, 0, (0), (0), (1 / 2); met) | (exists 13, 8, 8, 6, 8, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists 1, 1, 1, 1, 1, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists 0, 0, 0, 0, 0, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End ex_3_3_gl_1_corrected.
+
+Module ex_3_3_composite.
+Import GbtSurfaces.Section_3_3.ex_3_3_composite.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next cubic left_ next_ cubic_ left__ quartic quartic_]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next cubic left_ next_ cubic_ left__ quartic quartic_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End ex_3_3_composite.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From GbtSurfaces Require Section_3_4.
 Import GbtSurfaces.Section_3_4.Definitions.
 From GbtSurfaces Require Import Section_3_4_closed.
@@ -208,6 +208,22 @@ Proof. cbv beta zeta delta [statement f FX FZ FU FV swung net FX_ FX__ FU_ FU__]
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f FX FZ FU FV swung net FX_ FX__ FU_ FU__]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End sec_3_4_features_a.
+
+Module sec_3_4_continuity_pc.
+Import GbtSurfaces.Section_3_4.sec_3_4_continuity_pc.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FX2 FZ2 FX FZ jumpX jumpZ swung along_profiles]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FX2 FZ2 FX FZ jumpX jumpZ swung along_profiles]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (13), (14); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (4); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
+End sec_3_4_continuity_pc.
+
+Module sec_3_4_continuity_tc.
+Import GbtSurfaces.Section_3_4.sec_3_4_continuity_tc.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FU2 FV2 FU FV swung along_trajectories jumpU jumpV]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FU2 FV2 FU FV swung along_trajectories jumpU jumpV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (13), (14); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (4); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
+End sec_3_4_continuity_tc.
 
 Module sec_3_4_revolution.
 Import GbtSurfaces.Section_3_4.sec_3_4_revolution.

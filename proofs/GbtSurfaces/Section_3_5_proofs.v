@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From GbtSurfaces Require Section_3_5.
 Import GbtSurfaces.Section_3_5.Definitions.
 From GbtSurfaces Require Import Section_3_5_closed.
@@ -91,6 +91,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f trajectory section T section_ T_ trajectory_ T__ T___]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End prop_3_7_2a.
 
+Module prop_3_7_2b.
+Import GbtSurfaces.Section_3_5.prop_3_7_2b.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement section2 along_sections jump_section trajectory2 along_trajectories jump_trajectory f section trajectory T a2 F before F_ before_ S1 S2 T1 T2 second first gap first_]; sums_at_ends; intros; conjuncts; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f section2 section along_sections jump_section trajectory2 trajectory along_trajectories jump_trajectory]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), 8, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), 0, (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), 9, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), 1, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), 0, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End prop_3_7_2b.
+
 Module alg_5_a.
 Import GbtSurfaces.Section_3_5.alg_5_a.
 Theorem proved : statement.
@@ -104,6 +112,14 @@ Import GbtSurfaces.Section_3_5.alg_5_b_by_the_printed_conditions.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 f F1 after F before F1_ after_ F_ before_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (-1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((32 + 7*PI)/(8 + PI)) else 0) 0 (1) (1) (1) (0)). Qed.
 End alg_5_b_by_the_printed_conditions.
+
+Module alg_5_b_there_are_such_connections.
+Import GbtSurfaces.Section_3_5.alg_5_b_there_are_such_connections.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next after F before next_ after_ F_ before_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next after F before next_ after_ F_ before_]; first [(exists (3)%Z, (fun _ => 3), 4, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), 0, (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), 8, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), 1, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), 0, ((-1) / 3), ((-1) / 3); met)]. Qed.
+End alg_5_b_there_are_such_connections.
 
 Module ex_3_5_sections.
 Import GbtSurfaces.Section_3_5.ex_3_5_sections.
@@ -138,3 +154,25 @@ Import GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement T1 T2 f second first gap] in no; refuting (no (1) (-2/(2 + PI)) (-2/(2 + PI)) ((10 + PI)/(2 + PI))). Qed.
 End ex_3_5_c2_trajectories.
+
+Module ex_3_5_contiguous_each_with_its_own.
+Import GbtSurfaces.Section_3_5.ex_3_5_contiguous_each_with_its_own.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement S1 T1 S2 T2 f first first_ second second_] in no; refuting (no (1) (1) (1) (1) (1/2)). Qed.
+End ex_3_5_contiguous_each_with_its_own.
+
+Module ex_3_5_contiguous_one_trajectory.
+Import GbtSurfaces.Section_3_5.ex_3_5_contiguous_one_trajectory.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement S1 T1 S2 f first first_ second]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance S1 T1 S2 f first first_ second]; first [(exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End ex_3_5_contiguous_one_trajectory.
+
+Module ex_3_5_contiguous_one_section.
+Import GbtSurfaces.Section_3_5.ex_3_5_contiguous_one_section.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement S1 T1 T2 f first first_ second]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance S1 T1 T2 f first first_ second]; first [(exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End ex_3_5_contiguous_one_section.

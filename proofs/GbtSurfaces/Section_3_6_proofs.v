@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From GbtSurfaces Require Section_3_6.
 Import GbtSurfaces.Section_3_6.Definitions.
 Open Scope R_scope.
@@ -33,6 +33,14 @@ Proof. cbv beta zeta delta [statement cosine sine]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance cosine sine]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End sec_3_6_rounding_rational.
+
+Module sec_3_6_c1c2.
+Import GbtSurfaces.Section_3_6.sec_3_6_c1c2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f line2X line2Z FX FZ jumpX jumpZ turned jump]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f line2X line2Z FX FZ jumpX jumpZ turned jump]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (8), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (13); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (0); met)]. Qed.
+End sec_3_6_c1c2.
 
 Module eq_33_T.
 Import GbtSurfaces.Section_3_6.eq_33_T.
@@ -149,6 +157,14 @@ Proof. cbv beta zeta delta [statement A f FX FZ]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance A f FX FZ]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (5), (6), (7), (8), (9), (10), (11), (12), (13), (14), ((-1) / 3), ((-1) / 3), 17, 18, 19, (20), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), (0), 0, 0, 0, (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (6), (8), (7), (9), (7), (7), (2), (11), (1), (4), ((-1) / 3), ((-1) / 3), 8, 6, 8, (7), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), (1), (1), (1), (1), (1), (1), (1), (1), (1), (1), ((-1) / 3), ((-1) / 3), 2, 11, 1, (1), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0), (0), (0), (0), ((-1) / 3), ((-1) / 3), 1, 0, 0, (0), (1 / 3); met)]. Qed.
 End prop_3_9_b.
+
+Module alg_6.
+Import GbtSurfaces.Section_3_6.alg_6.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f FX FZ at_angle cosine sine T Tm]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f FX FZ at_angle cosine sine T Tm]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End alg_6.
 
 Module eq_35.
 Import GbtSurfaces.Section_3_6.eq_35.
