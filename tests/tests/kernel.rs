@@ -100,6 +100,7 @@ fn the_proofs_of_true_statements_do_not_prove_what_the_engine_refutes() {
         at_once: 1,
     };
     let scratch = tempfile::tempdir().unwrap();
+    coqc.library(scratch.path(), limits, &|| ()).unwrap();
     let failing =
         trial::failing(&coqc, &folder, scratch.path(), SECONDS, limits, &|_, _| ()).unwrap();
     let stated: BTreeSet<String> = folder.theorems.iter().map(|t| t.name()).collect();

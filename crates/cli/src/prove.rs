@@ -7,7 +7,7 @@ use crate::terminal::Progress;
 use crate::{guard, terminal};
 use clap::Args;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use tempfile::TempDir;
@@ -16,6 +16,7 @@ use torse_prove::evidence;
 use torse_report::{ReportError, write_file};
 use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Fingerprints, Limits};
 use torse_rocq::folder::{self, ACCEPTED, Folder, Layout, SCRIPTS, Theorem, UNPROVED};
+use torse_rocq::library::LIBRARY;
 use torse_rocq::merge;
 use torse_rocq::solutions::{Solved, solutions};
 use torse_rocq::task::{Evidence, Finding};
@@ -166,6 +167,7 @@ impl Prove {
         unproved.retain(|name, _| kept(name));
         chosen.retain(|name, _| kept(name));
         let mut left = own;
+        let scratch = self.library(coqc)?;
         for which in 0..=script::OTHERS.len() {
             // Only what is left is tried.
             let known = all.theorems.iter().map(Theorem::name);
@@ -174,7 +176,7 @@ impl Prove {
             let scripts = left.iter().map(|name| (name.clone(), which)).collect();
             let folder = Folder::with_scripts(findings, &known, &scripts, self.layout());
             let found = Mutex::new((unproved, chosen, left));
-            self.failing(coqc, &folder, &|names, failing| {
+            self.failing(coqc, &folder, scratch.path(), &|names, failing| {
                 let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
                 let (unproved, chosen, left) = &mut *found;
                 for name in names {
@@ -202,12 +204,23 @@ impl Prove {
         Ok((unproved, chosen))
     }
 
-    /// Tries the scripts of a folder, and tells `keep` what is found out of each section.
-    fn failing(&self, coqc: &Coqc, folder: &Folder, keep: Keep<'_>) -> Result<(), Failure> {
-        if folder.theorems.is_empty() {
-            return Ok(());
-        }
+    /// A scratch folder with the compiled library.
+    fn library(&self, coqc: &Coqc) -> Result<TempDir, Failure> {
         let scratch = scratch()?;
+        let progress = Progress::new("compiling the library", LIBRARY.len());
+        coqc.library(scratch.path(), self.limits(), &|| progress.step())?;
+        progress.finish();
+        Ok(scratch)
+    }
+
+    /// Tries the scripts of a folder, and tells `keep` what is found out of each section.
+    fn failing(
+        &self,
+        coqc: &Coqc,
+        folder: &Folder,
+        scratch: &Path,
+        keep: Keep<'_>,
+    ) -> Result<(), Failure> {
         let progress = Progress::new("trying", folder.sections().len());
         let seconds = self.attempt.unwrap_or(20);
         let limits = self.limits();
@@ -219,7 +232,7 @@ impl Prove {
                 unkept.get_or_insert(failure);
             }
         };
-        trial::failing(coqc, folder, scratch.path(), seconds, limits, &found)?;
+        trial::failing(coqc, folder, scratch, seconds, limits, &found)?;
         progress.finish();
         let unkept = unkept.into_inner().unwrap_or_else(PoisonError::into_inner);
         unkept.map_or(Ok(()), Err)
@@ -239,8 +252,8 @@ impl Prove {
 
     /// Asks the kernel, keeps what it accepted, and says so.
     fn checked(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
-        let scratch = scratch()?;
-        let progress = Progress::new("checking", folder.sections().len() + 4);
+        let scratch = self.library(coqc)?;
+        let progress = Progress::new("checking", folder.sections().len() + 1);
         let checked = coqc.check(folder, scratch.path(), self.limits(), &|| progress.step());
         progress.finish();
         let (answers, axioms) = checked?;

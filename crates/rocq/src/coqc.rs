@@ -158,7 +158,8 @@ impl Coqc {
         }
     }
 
-    /// Checks all theorems of a folder in `scratch`, an empty folder. `done` is called once a file.
+    /// Checks all theorems of a folder in `scratch`, where the [library](Self::library) was compiled and nothing else stands.
+    /// `done` is called once a section, and at the end.
     ///
     /// # Errors
     /// [`CheckError`] where nothing could be checked.
@@ -169,7 +170,7 @@ impl Coqc {
         limits: Limits,
         done: &(dyn Fn() + Sync),
     ) -> Result<(BTreeMap<String, Answer>, Vec<String>), CheckError> {
-        self.prepare(folder, scratch, limits, done)?;
+        lay_out(folder, scratch)?;
         let of_section = |section: &str| self.section(folder, section, scratch, limits);
         let found = each_section(folder, limits.at_once, done, &of_section)?;
         let mut answers: BTreeMap<String, Answer> = found.into_iter().flatten().collect();
@@ -230,19 +231,19 @@ impl Coqc {
         write(&scratch.join(CHECK), &check::referee(&left))
     }
 
-    /// Lays out a folder and compiles the library. `done` is called once a file of the library.
+    /// Writes the library into `scratch`, an empty folder, and compiles it: once, whatever is asked there afterwards. `done`
+    /// is called once a file.
     ///
     /// # Errors
     /// [`CheckError`]; [`CheckError::Library`] if the library is not accepted.
-    pub(crate) fn prepare(
+    pub fn library(
         &self,
-        folder: &Folder,
         scratch: &Path,
         limits: Limits,
         done: &dyn Fn(),
     ) -> Result<(), CheckError> {
-        lay_out(folder, scratch)?;
-        for (path, _) in LIBRARY {
+        for (path, text) in LIBRARY {
+            write(&scratch.join(path), text)?;
             let run = self.run(scratch, path, limits)?;
             done();
             if !run.status.success() {

@@ -4,7 +4,7 @@
 //! reported as missing: a failing script says nothing against the claim.
 
 use crate::check::PROOFS;
-use crate::coqc::{CheckError, Coqc, Limits, each_section, limited, prefixes, run};
+use crate::coqc::{CheckError, Coqc, Limits, each_section, lay_out, limited, prefixes, run};
 use crate::folder::{Folder, Theorem};
 use crate::modules::split;
 use std::collections::BTreeMap;
@@ -23,10 +23,11 @@ const SCRIPTS: [(&str, &str); 3] = [
 pub type Found<'a> = dyn Fn(&[String], &BTreeMap<String, String>) + Sync + 'a;
 
 /// The names of the theorems of a folder whose scripts fail, each tried for so many seconds, with what fails. `found` is
-/// told section by section which theorems were tried, and what fails of them.
+/// told section by section which theorems were tried, and what fails of them. In `scratch` the [library](Coqc::library) was
+/// compiled.
 ///
 /// # Errors
-/// [`CheckError`] if nothing can be run, and if the library is not accepted.
+/// [`CheckError`] if nothing can be run.
 pub fn failing(
     coqc: &Coqc,
     folder: &Folder,
@@ -35,7 +36,7 @@ pub fn failing(
     limits: Limits,
     found: &Found<'_>,
 ) -> Result<BTreeMap<String, String>, CheckError> {
-    coqc.prepare(folder, scratch, limits, &|| ())?;
+    lay_out(folder, scratch)?;
     let of_section = |section: &str| {
         let failing = section_failing(coqc, folder, section, scratch, seconds, limits)?;
         let failing: BTreeMap<String, String> = failing.into_iter().collect();

@@ -111,11 +111,11 @@ fn foreign_files_stay_and_the_same_run_writes_the_same_bytes() {
     );
 }
 
+#[cfg(unix)]
 #[test]
 fn a_stale_list_of_accepted_theorems_is_told_and_written_anew() {
-    if !has_coqc() {
-        return;
-    }
+    let bin = stand_in(ACCEPTS);
+    let path = with(&bin);
     let (derivations, out) = (square(), tempfile::tempdir().unwrap());
     let folder = out.path().to_str().unwrap();
     let accepted = out.path().join("accepted.json");
@@ -124,13 +124,13 @@ fn a_stale_list_of_accepted_theorems_is_told_and_written_anew() {
         "{\"coq\": \"0\", \"axioms\": [], \"theorems\": {}}",
     )
     .unwrap();
-    let (code, said, err) = prove(&derivations, folder, None, &["--check"]);
+    let (code, said, err) = prove(&derivations, folder, Some(&path), &["--check"]);
     assert_eq!(code, Some(0), "{said}{err}");
     assert!(
         said.contains("1 accepted, 0 rejected") && said.contains("was stale"),
         "{said}"
     );
-    let (_, said, _) = prove(&derivations, folder, None, &["--check"]);
+    let (_, said, _) = prove(&derivations, folder, Some(&path), &["--check"]);
     assert!(said.contains("accepted.json agrees"), "{said}");
 }
 
@@ -161,6 +161,30 @@ fn a_run_for_one_claim_keeps_what_the_folder_has_of_the_others() {
     assert_eq!(written(), all);
 }
 
+#[test]
+fn the_commands_of_the_page_about_proofs_compile_them() {
+    if !has_coqc() {
+        return;
+    }
+    let (derivations, out) = (square(), tempfile::tempdir().unwrap());
+    let folder = out.path().to_str().unwrap();
+    let (code, _, err) = prove(&derivations, folder, None, &[]);
+    assert_eq!(code, Some(0), "{err}");
+    let run = |program: &str, arguments: &[&str]| {
+        let mut command = Command::new(program);
+        command.args(arguments).current_dir(out.path());
+        let done = command.output().unwrap();
+        let said = String::from_utf8_lossy(&done.stderr).into_owned();
+        assert!(done.status.success(), "{program} {arguments:?}: {said}");
+        said
+    };
+    let said = run("coq_makefile", &["-f", "_CoqProject", "-o", "Makefile"]);
+    // Else each folder has two names, and no file finds another.
+    assert!(!said.contains("overlap"), "{said}");
+    // A file of the library that rests on another, and the statements: the proofs take what `--check` takes.
+    run("make", &["Torse/Series.vo", "Mini/Section_1.vo"]);
+}
+
 /// Runs `torse verify --format json` with this folder of proofs.
 fn verified(derivations: &tempfile::TempDir, proofs: &str) -> String {
     let path = derivations.path().to_str().unwrap();
@@ -177,16 +201,15 @@ fn verified(derivations: &tempfile::TempDir, proofs: &str) -> String {
     ran.out
 }
 
+#[cfg(unix)]
 #[test]
 fn the_level_kernel_is_shown_from_the_kept_answers_while_they_fit() {
-    if !has_coqc() {
-        return;
-    }
+    let bin = stand_in(ACCEPTS);
     let (derivations, out) = (square(), tempfile::tempdir().unwrap());
     let folder = out.path().to_str().unwrap();
     let level = "\"kernel\": \"accepted\"";
     assert!(!verified(&derivations, folder).contains(level));
-    let (code, said, err) = prove(&derivations, folder, None, &["--check"]);
+    let (code, said, err) = prove(&derivations, folder, Some(&with(&bin)), &["--check"]);
     assert_eq!(code, Some(0), "{said}{err}");
     assert!(verified(&derivations, folder).contains(level));
     let explained = |derivations: &tempfile::TempDir| {
@@ -217,6 +240,16 @@ fn the_level_kernel_is_shown_from_the_kept_answers_while_they_fit() {
     assert!(!verified(&derivations, folder).contains(level));
 }
 
+/// What coqc says where it accepts everything.
+#[cfg(unix)]
+const ACCEPTS: &str = "*) ;;";
+
+/// A path on which this folder of programs comes first.
+#[cfg(unix)]
+fn with(bin: &tempfile::TempDir) -> String {
+    format!("{}:/usr/bin:/bin", bin.path().display())
+}
+
 /// A folder with a program called coqc that says what it is told to.
 #[cfg(unix)]
 fn stand_in(answer: &str) -> tempfile::TempDir {
@@ -237,7 +270,7 @@ fn a_proof_that_the_kernel_rejects_contradicts_the_verdict() {
     let bin = stand_in(
         "*_proofs.v) echo 'File \"S.v\", line 8, characters 0-1:\nError: no.'; exit 1;; *) ;;",
     );
-    let path = format!("{}:/usr/bin:/bin", bin.path().display());
+    let path = with(&bin);
     let folder = out.path().to_str().unwrap();
     let (code, said, err) = prove(&derivations, folder, Some(&path), &["--check"]);
     assert_eq!(code, Some(6), "{said}{err}");
@@ -251,10 +284,39 @@ fn a_proof_that_the_kernel_rejects_contradicts_the_verdict() {
 
 #[cfg(unix)]
 #[test]
+fn a_check_of_what_changed_asks_for_changed_sections_and_keeps_the_other_answers() {
+    let one = claim("a", "(x + 1)^2 == x^2 + 2*x + 1", "");
+    let other = |states| claim("b", states, "").replace("Sect. 1", "Sect. 2");
+    let out = tempfile::tempdir().unwrap();
+    let folder = out.path().to_str().unwrap();
+    let bin = stand_in(ACCEPTS);
+    let path = with(&bin);
+    let checked = |claims: &str, options: &[&str]| {
+        let (code, said, err) = prove(&mini(claims), folder, Some(&path), options);
+        assert_eq!(code, Some(0), "{said}{err}");
+        let kept = fs::read_to_string(out.path().join("accepted.json")).unwrap();
+        (said, kept)
+    };
+    let before = one.clone() + &other("x + x == 2*x");
+    let changed = one + &other("x + x + x == 3*x");
+    let (said, first) = checked(&before, &["--check"]);
+    assert!(said.contains("2 accepted"), "{said}");
+    let (said, kept) = checked(&before, &["--check", "--changed"]);
+    assert!(said.contains("0 accepted"), "{said}");
+    assert_eq!(kept, first);
+    let (said, kept) = checked(&changed, &["--check", "--changed"]);
+    assert!(said.contains("1 accepted"), "{said}");
+    let (_, whole) = checked(&changed, &["--check"]);
+    assert_eq!(kept, whole);
+    assert_ne!(kept, first);
+}
+
+#[cfg(unix)]
+#[test]
 fn a_coqc_that_is_killed_is_told_and_nothing_is_kept() {
     let (derivations, out) = (square(), tempfile::tempdir().unwrap());
     let bin = stand_in("*) kill -9 $$;;");
-    let path = format!("{}:/usr/bin:/bin", bin.path().display());
+    let path = with(&bin);
     let folder = out.path().to_str().unwrap();
     let (code, said, err) = prove(&derivations, folder, Some(&path), &["--check"]);
     assert!(code.is_some_and(|code| code != 0), "{said}{err}");
@@ -290,7 +352,7 @@ fn an_interrupted_check_leaves_the_folder_as_it_was() {
     // Where coqc is asked for the first file, the run gets what Ctrl-C sends; a shell may have had that ignored in the
     // background, then what `kill` sends.
     let bin = stand_in("*) kill -INT $PPID; kill -TERM $PPID; sleep 1;;");
-    let path = format!("{}:/usr/bin:/bin", bin.path().display());
+    let path = with(&bin);
     let (code, said, err) = prove(&derivations, folder, Some(&path), &["--check"]);
     assert_ne!(code, Some(0), "{said}{err}");
     assert!(!said.contains("accepted"), "{said}");

@@ -1,25 +1,17 @@
 //! The kernel as judge of the generator: proofs of true statements are accepted, and the same scripts for false ones are
-//! not. Where coqc is missing the tests print one line and pass.
+//! not.
 
-#![allow(clippy::unwrap_used, clippy::print_stderr, reason = "tests")]
-
+use crate::support::{LIMITS, coqc, with_library};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::sync::Arc;
-use std::time::Duration;
 use torse_language::derivation::{Claim, LoadError, Source, paper};
 use torse_language::words::Verdict;
-use torse_rocq::coqc::{AXIOMS, Answer, Coqc, Limits};
+use torse_rocq::coqc::{AXIOMS, Answer};
 use torse_rocq::folder::{Folder, Layout};
 use torse_rocq::script::OTHERS;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
-
-const LIMITS: Limits = Limits {
-    time: Duration::from_secs(300),
-    memory: 4_000_000,
-    at_once: 1,
-};
 
 /// A true statement, a false one that differs from it by one edit, and the evidence of the true one.
 const PAIRS: [(&str, &str, Evidence); 18] = [
@@ -147,21 +139,13 @@ fn folder(claims: &[Claim], evidence: impl Fn(usize) -> Evidence) -> Folder {
     Folder::new(&[("p".to_owned(), findings)], &BTreeMap::new())
 }
 
-fn coqc() -> Option<Coqc> {
-    let found = Coqc::find().ok();
-    if found.is_none() {
-        eprintln!("notice: coqc is not installed, the kernel was not asked");
-    }
-    found
-}
-
 #[test]
 fn true_statements_are_accepted_on_the_four_axioms() {
     let Some(coqc) = coqc() else { return };
     let statements: Vec<&str> = PAIRS.iter().map(|(good, _, _)| *good).collect();
     let claims = claims(&statements);
     let folder = folder(&claims, |place| PAIRS[place].2);
-    let scratch = tempfile::tempdir().unwrap();
+    let scratch = with_library(&coqc);
     let (answers, axioms) = coqc.check(&folder, scratch.path(), LIMITS, &|| ()).unwrap();
     let wrong: BTreeMap<_, _> = answers
         .iter()
@@ -182,7 +166,7 @@ fn false_statements_are_rejected_with_the_scripts_of_the_true_ones() {
     let statements: Vec<&str> = PAIRS.iter().map(|(_, bad, _)| *bad).collect();
     let claims = claims(&statements);
     let folder = folder(&claims, |place| PAIRS[place].2);
-    let scratch = tempfile::tempdir().unwrap();
+    let scratch = with_library(&coqc);
     let failing = trial::failing(&coqc, &folder, scratch.path(), 20, LIMITS, &|_, _| ()).unwrap();
     let wanted: BTreeSet<String> = folder.theorems.iter().map(|t| t.name()).collect();
     let failing: BTreeSet<String> = failing.into_keys().collect();
@@ -194,7 +178,7 @@ fn a_rejected_proof_is_told_with_the_words_of_the_kernel() {
     let Some(coqc) = coqc() else { return };
     let claims = claims(&["x + 1 == x"]);
     let folder = folder(&claims, |_| Evidence::Identity);
-    let scratch = tempfile::tempdir().unwrap();
+    let scratch = with_library(&coqc);
     let (answers, axioms) = coqc.check(&folder, scratch.path(), LIMITS, &|| ()).unwrap();
     let answer = answers.get("P/Section_1.c0").unwrap();
     assert!(
@@ -209,7 +193,7 @@ fn the_axioms_of_what_is_accepted_are_told_beside_a_rejected_proof() {
     let Some(coqc) = coqc() else { return };
     let claims = claims(&["x + 1 == 1 + x", "x + 1 == x"]);
     let folder = folder(&claims, |_| Evidence::Identity);
-    let scratch = tempfile::tempdir().unwrap();
+    let scratch = with_library(&coqc);
     let (answers, axioms) = coqc.check(&folder, scratch.path(), LIMITS, &|| ()).unwrap();
     assert_eq!(answers.get("P/Section_1.c0"), Some(&Answer::Accepted));
     let bad = answers.get("P/Section_1.c1");
@@ -296,7 +280,7 @@ fn other_scripts_prove_what_follows_from_equations_and_nothing_else() {
             &BTreeMap::from(chosen),
             Layout::Together,
         );
-        let scratch = tempfile::tempdir().unwrap();
+        let scratch = with_library(&coqc);
         let failing =
             trial::failing(&coqc, &folder, scratch.path(), 40, LIMITS, &|_, _| ()).unwrap();
         let failing: Vec<&String> = failing.keys().collect();

@@ -1,24 +1,16 @@
 //! Coefficients of forms: what the statements say, that the kernel accepts the true ones, and rejects the same scripts for
-//! false ones. Where coqc is missing the tests print one line and pass.
+//! false ones.
 
-#![allow(clippy::unwrap_used, clippy::print_stderr, reason = "tests")]
-
+use crate::support::{LIMITS, coqc, with_library};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use std::time::Duration;
 use torse_language::derivation::{Claim, LoadError, Source, paper};
 use torse_language::words::Verdict;
-use torse_rocq::coqc::{AXIOMS, Answer, Coqc, Limits};
+use torse_rocq::coqc::{AXIOMS, Answer};
 use torse_rocq::folder::Folder;
 use torse_rocq::solutions::Solved;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
-
-const LIMITS: Limits = Limits {
-    time: Duration::from_secs(300),
-    memory: 4_000_000,
-    at_once: 1,
-};
 
 /// Two equations for a and b, whose solution is a = (x + y)/2, b = (x - y)/2.
 const EQUATIONS: &str = "given = ['a + b == x', 'a - b == y']\nsolve_for = ['a', 'b']\n";
@@ -113,14 +105,6 @@ fn folder(claims: &[Claim], verdict: Verdict) -> Folder {
     Folder::new(&[("p".to_owned(), findings)], &BTreeMap::new())
 }
 
-fn coqc() -> Option<Coqc> {
-    let found = Coqc::find().ok();
-    if found.is_none() {
-        eprintln!("notice: coqc is not installed, the kernel was not asked");
-    }
-    found
-}
-
 #[test]
 fn an_unknown_is_a_function_of_the_symbol_whose_coefficient_is_asked_for() {
     let folder = folder(
@@ -204,7 +188,7 @@ fn true_coefficients_are_accepted() {
         .collect();
     let folder = folder(&claims(&statements), Verdict::Holds);
     assert_eq!(folder.theorems.len(), PAIRS.len(), "{:?}", folder.missing);
-    let scratch = tempfile::tempdir().unwrap();
+    let scratch = with_library(&coqc);
     let (answers, axioms) = coqc.check(&folder, scratch.path(), LIMITS, &|| ()).unwrap();
     let wrong: BTreeMap<_, _> = answers
         .iter()
@@ -225,7 +209,7 @@ fn false_coefficients_are_rejected_with_the_scripts_of_the_true_ones() {
         PAIRS.iter().map(|(_, bad, given)| (*bad, *given)).collect();
     let folder = folder(&claims(&statements), Verdict::Holds);
     assert_eq!(folder.theorems.len(), PAIRS.len(), "{:?}", folder.missing);
-    let scratch = tempfile::tempdir().unwrap();
+    let scratch = with_library(&coqc);
     let failing = trial::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|_, _| ()).unwrap();
     let wanted: BTreeSet<String> = folder.theorems.iter().map(|t| t.name()).collect();
     let found: BTreeSet<String> = failing.keys().cloned().collect();
@@ -258,7 +242,7 @@ fn wrong_values_of_unknowns_prove_nothing() {
         solved: vec![solved()[0].clone(), wrong],
     };
     let folder = Folder::new(&[("p".to_owned(), vec![finding])], &BTreeMap::new());
-    let scratch = tempfile::tempdir().unwrap();
+    let scratch = with_library(&coqc);
     let failing = trial::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|_, _| ()).unwrap();
     assert_eq!(failing.len(), 1);
 }
