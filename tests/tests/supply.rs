@@ -6,6 +6,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::process::Command;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
@@ -96,6 +97,33 @@ fn every_package_comes_from_the_registry_or_from_here() {
     let packages = packages();
     let wrong = packages.iter().filter(|package| elsewhere(package));
     assert_eq!(wrong.map(name).collect::<Vec<_>>(), [""; 0]);
+}
+
+/// The packages of a build with their features, without those of this repository.
+fn features(options: &[&str]) -> BTreeSet<String> {
+    let listed = Command::new(env!("CARGO"))
+        .current_dir(ROOT)
+        .args(["tree", "--locked", "--offline", "--prefix=none"])
+        .arg("--format={p} [{f}]")
+        .args(options)
+        .output()
+        .unwrap();
+    let errors = String::from_utf8_lossy(&listed.stderr);
+    assert!(listed.status.success(), "{errors}");
+    let listed = String::from_utf8(listed.stdout).unwrap();
+    // What is listed a second time is marked.
+    let listed = listed.lines().map(|line| line.trim_end_matches(" (*)"));
+    let foreign = listed.filter(|line| !line.contains("(/"));
+    foreign.map(str::to_owned).collect()
+}
+
+#[test]
+fn what_the_command_is_built_from_is_not_built_again_for_the_tests() {
+    let command = features(&["--edges=normal,build"]);
+    let tests = features(&["--workspace", "--edges=normal,build,dev"]);
+    assert!(command.len() > 100, "{}", command.len());
+    let again: Vec<&String> = command.difference(&tests).collect();
+    assert_eq!(again, [""; 0]);
 }
 
 #[test]
