@@ -59,7 +59,7 @@ End join_C2_slip_corrected.
 Module join_C3.
 Import Bezier.Part_C.join_C3.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2 d3]; prepared; unknown (R_ 0%Z); unknown (R_ 1%Z); unknown (R_ 2%Z); unknown (R_ 3%Z); put_in; finished. Qed.
+Proof. cbv beta zeta delta [statement B S_ C_ S__ C__ d1 d2 d3]; intros m n P Q M N _ _ E F G H _ _ A _ B _ C _; revert E F G H; lists; derivatives; operators; ends; tidied; maxes; members; numbers; intros E F G H; apply (Rmult_eq_reg_l (IZR n * (IZR n - 1) * (IZR n - 2))); [ match type of F with ?f = _ => match type of G with ?g = _ => match type of H with ?h = _ => transitivity (h + 3 * (IZR n - 2) * g + 3 * (IZR n - 1) * (IZR n - 2) * f + IZR n * (IZR n - 1) * (IZR n - 2) * Q 0%Z) end end end; [ ring | rewrite F, G, H, E; field; nonzero ] | exact C ]. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance B S_ C_ S__ C__ d1 d2 d3]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0); met)]. Qed.
 End join_C3.

@@ -114,7 +114,7 @@ End thm_1_1_no_degeneration.
 Module thm_1_1_jets.
 Import GbtDevelopable.Section_2_1.thm_1_1_jets.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement g]; intros; undifferentiated; members_at_ends; conjuncts; field. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g]; first [(exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (0), (0); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_1_jets.

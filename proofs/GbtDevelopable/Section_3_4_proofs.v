@@ -121,13 +121,13 @@ Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_c1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends start start_matrix; field; nonzero. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H H_ start]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. let end_values := fun m known Q k mu nu => let E := fresh in assert (E : m Q k mu nu = _) by exact (known Q k mu nu ltac:(lia)); rewrite E; clear E in cbv beta zeta delta [instance k1]; exists 2%Z, (fun _ => 0), 0, 0; end_values start start_matrix (fun _ : Z => 0) 2%Z 0 0; compute_goal; conjuncts; first [ lia | lra | numeric ]. Qed.
 End sec_3_4_m0_r3_c1.
 
 Module sec_3_4_m0_r3_c2.
 Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_c2.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g H H_ start k1] in no; refuting (no ((2))%Z (fun i0 => 0) (1) (0)). Qed.
+Proof. let end_values := fun m known Q k mu nu => let E := fresh in assert (E : m Q k mu nu = _) by exact (known Q k mu nu ltac:(lia)); rewrite E; clear E in intro no; cbv beta zeta delta [statement k1] in no; specialize (no 2%Z (fun _ => 0) 1 0); revert no; end_values start start_matrix (fun _ : Z => 0) 2%Z 1 0; intro no; refuting no. Qed.
 End sec_3_4_m0_r3_c2.
 
 Module sec_3_4_m0_r3_c2_corrected.
@@ -135,7 +135,7 @@ Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_c2_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends start start_matrix; field; nonzero. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H H_ start k1]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. let end_values := fun m known Q k mu nu => let E := fresh in assert (E : m Q k mu nu = _) by exact (known Q k mu nu ltac:(lia)); rewrite E; clear E in cbv beta zeta delta [instance k1]; exists 2%Z, (fun _ => 0), 0, 0; end_values start start_matrix (fun _ : Z => 0) 2%Z 0 0; compute_goal; conjuncts; first [ lia | lra | numeric ]. Qed.
 End sec_3_4_m0_r3_c2_corrected.
 
 Module sec_3_4_m0_r3_true.
@@ -149,7 +149,7 @@ End sec_3_4_m0_r3_true.
 Module sec_3_4_m0_r3_c3.
 Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_c3.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g H H_ start k1] in no; refuting (no ((2))%Z (fun i0 => 0) (1) (0)). Qed.
+Proof. let end_values := fun m known Q k mu nu => let E := fresh in assert (E : m Q k mu nu = _) by exact (known Q k mu nu ltac:(lia)); rewrite E; clear E in intro no; cbv beta zeta delta [statement k1] in no; specialize (no 2%Z (fun _ => 0) 1 0); revert no; end_values start start_matrix (fun _ : Z => 0) 2%Z 1 0; intro no; refuting no. Qed.
 End sec_3_4_m0_r3_c3.
 
 Module sec_3_4_m0_r3_c3_corrected.
@@ -157,7 +157,7 @@ Import GbtDevelopable.Section_3_4.sec_3_4_m0_r3_c3_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends start start_matrix; field; nonzero. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H H_ start k1]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. let end_values := fun m known Q k mu nu => let E := fresh in assert (E : m Q k mu nu = _) by exact (known Q k mu nu ltac:(lia)); rewrite E; clear E in cbv beta zeta delta [instance k1]; exists 2%Z, (fun _ => 0), 0, 0; end_values start start_matrix (fun _ : Z => 0) 2%Z 0 0; compute_goal; conjuncts; first [ lia | lra | numeric ]. Qed.
 End sec_3_4_m0_r3_c3_corrected.
 
 Module sec_3_4_m1_r1.
@@ -181,13 +181,13 @@ Import GbtDevelopable.Section_3_4.sec_3_4_m1_r3_c1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends end_ end_matrix; field; nonzero. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H H_ end_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. let end_values := fun m known Q k mu nu => let E := fresh in assert (E : m Q k mu nu = _) by exact (known Q k mu nu ltac:(lia)); rewrite E; clear E in cbv beta zeta delta [instance k2]; exists 2%Z, (fun _ => 0), 0, 0; end_values end_ end_matrix (fun _ : Z => 0) 2%Z 0 0; compute_goal; conjuncts; first [ lia | lra | numeric ]. Qed.
 End sec_3_4_m1_r3_c1.
 
 Module sec_3_4_m1_r3_c2.
 Import GbtDevelopable.Section_3_4.sec_3_4_m1_r3_c2.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g H H_ end_ k2] in no; refuting (no ((2))%Z (fun i0 => 0) (0) (1)). Qed.
+Proof. let end_values := fun m known Q k mu nu => let E := fresh in assert (E : m Q k mu nu = _) by exact (known Q k mu nu ltac:(lia)); rewrite E; clear E in intro no; cbv beta zeta delta [statement k2] in no; specialize (no 2%Z (fun _ => 0) 0 1); revert no; end_values end_ end_matrix (fun _ : Z => 0) 2%Z 0 1; intro no; refuting no. Qed.
 End sec_3_4_m1_r3_c2.
 
 Module sec_3_4_m1_r3_c2_corrected.
@@ -195,7 +195,7 @@ Import GbtDevelopable.Section_3_4.sec_3_4_m1_r3_c2_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends end_ end_matrix; field; nonzero. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H H_ end_ k2]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. let end_values := fun m known Q k mu nu => let E := fresh in assert (E : m Q k mu nu = _) by exact (known Q k mu nu ltac:(lia)); rewrite E; clear E in cbv beta zeta delta [instance k2]; exists 2%Z, (fun _ => 0), 0, 0; end_values end_ end_matrix (fun _ : Z => 0) 2%Z 0 0; compute_goal; conjuncts; first [ lia | lra | numeric ]. Qed.
 End sec_3_4_m1_r3_c2_corrected.
 
 Module sec_3_4_m1_r3_true.
@@ -211,7 +211,7 @@ Import GbtDevelopable.Section_3_4.sec_3_4_m1_r3_c3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement k1 k2]; intros; inverse_of_ends end_ end_matrix; field; nonzero. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H H_ end_ k2]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. let end_values := fun m known Q k mu nu => let E := fresh in assert (E : m Q k mu nu = _) by exact (known Q k mu nu ltac:(lia)); rewrite E; clear E in cbv beta zeta delta [instance k2]; exists 2%Z, (fun _ => 0), 0, 0; end_values end_ end_matrix (fun _ : Z => 0) 2%Z 0 0; compute_goal; conjuncts; first [ lia | lra | numeric ]. Qed.
 End sec_3_4_m1_r3_c3.
 
 Module sec_3_4_S0.
@@ -219,7 +219,7 @@ Import GbtDevelopable.Section_3_4.sec_3_4_S0.
 Theorem proved : statement.
 Proof. cbv beta delta [statement]; intros k T1 T2 T3 T4 mu nu T K M N _ _ _ D D2 _ _ _; assert (A : HT T k mu nu 0%Z = (T 0%Z)) by (clear -K; subst T; cbv beta delta [HT g]; symbolic); assert (B : vDerive 4 (fun x => HT_ T k mu nu x) 1 (IZR 0) = vscale (IZR k - 2 + PI / 2 * (1 + mu)) (vsub (T 1%Z) (T 0%Z))) by (clear -K; subst T; cbv beta delta [HT_ g]; symbolic); assert (C : vDerive 4 (fun x => HT_ T k mu nu x) 2 (IZR 0) = vadd (vadd (vscale ((IZR k - 2) * (IZR k - 3 + PI * (1 + mu)) + 2 * mu * (PI / 2) ^ 2) (T 0%Z)) (vscale (- (2 * ((IZR k - 2) * (IZR k - 3 + PI * (1 + mu)))) - (2 * mu + 1 - nu) * (PI / 2) ^ 2) (T 1%Z))) (vscale ((IZR k - 2) * (IZR k - 3 + PI * (1 + mu)) + (1 - nu) * (PI / 2) ^ 2) (T 2%Z))) by (clear -K; subst T; cbv beta delta [HT_ g]; symbolic); cbv beta zeta in D2 |- *; rewrite A, B, C in D2 |- *; clear A B C; revert D2; generalize ((IZR k - 2) * (IZR k - 3 + PI * (1 + mu)) + (1 - nu) * (PI / 2) ^ 2) (IZR k - 2 + PI / 2 * (1 + mu)); generalize (- (2 * ((IZR k - 2) * (IZR k - 3 + PI * (1 + mu)))) - (2 * mu + 1 - nu) * (PI / 2) ^ 2); generalize ((IZR k - 2) * (IZR k - 3 + PI * (1 + mu)) + 2 * mu * (PI / 2) ^ 2); revert D; subst T; cbv beta delta [normal]; cbv beta zeta delta [meet normal]; lists; intros; parts; field; nonzero. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal g HT HT_ meet]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 7), (fun _ => 9), (fun _ => 7), (fun _ => 7), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance normal g HT HT_ meet]; exists 2%Z, (unit 0), (unit 1), (unit 2), (fun _ => 0), 0, 0; lists; ends_of_sums; cbv delta [unit]; compute_goal; conjuncts; first [ lia | lra | numeric ]. Qed.
 End sec_3_4_S0.
 
 Module sec_3_4_S0_gen.
@@ -235,7 +235,7 @@ Import GbtDevelopable.Section_3_4.sec_3_4_S1.
 Theorem proved : statement.
 Proof. cbv beta delta [statement]; intros k T1 T2 T3 T4 mu nu T K M N _ _ _ D D2 _ _ _; assert (A : HT T k mu nu 1%Z = (T k)) by (clear -K; subst T; cbv beta delta [HT g]; symbolic); assert (B : vDerive 4 (fun x => HT_ T k mu nu x) 1 (IZR 1) = vscale (IZR k - 2 + PI / 2 * (1 + nu)) (vsub (T k) (T (k - 1)%Z))) by (clear -K; subst T; cbv beta delta [HT_ g]; symbolic); assert (C : vDerive 4 (fun x => HT_ T k mu nu x) 2 (IZR 1) = vadd (vadd (vscale ((IZR k - 2) * (IZR k - 3 + PI * (1 + nu)) + 2 * nu * (PI / 2) ^ 2) (T k)) (vscale (- (2 * ((IZR k - 2) * (IZR k - 3 + PI * (1 + nu)))) - (2 * nu + 1 - mu) * (PI / 2) ^ 2) (T (k - 1)%Z))) (vscale ((IZR k - 2) * (IZR k - 3 + PI * (1 + nu)) + (1 - mu) * (PI / 2) ^ 2) (T (k - 2)%Z))) by (clear -K; subst T; cbv beta delta [HT_ g]; symbolic); cbv beta zeta in D2 |- *; rewrite A, B, C in D2 |- *; clear A B C; revert D2; generalize ((IZR k - 2) * (IZR k - 3 + PI * (1 + nu)) + (1 - mu) * (PI / 2) ^ 2) (IZR k - 2 + PI / 2 * (1 + nu)); generalize (- (2 * ((IZR k - 2) * (IZR k - 3 + PI * (1 + nu)))) - (2 * nu + 1 - mu) * (PI / 2) ^ 2); generalize ((IZR k - 2) * (IZR k - 3 + PI * (1 + nu)) + 2 * nu * (PI / 2) ^ 2); revert D; subst T; cbv beta delta [normal]; generalize (T1 k) (T2 k) (T3 k) (T4 k) (T1 (k - 1)%Z) (T2 (k - 1)%Z) (T3 (k - 1)%Z) (T4 (k - 1)%Z) (T1 (k - 2)%Z) (T2 (k - 2)%Z) (T3 (k - 2)%Z) (T4 (k - 2)%Z); cbv beta zeta delta [meet normal]; lists; intros; parts; field; nonzero. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance normal g HT HT_ meet]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 7), (fun _ => 9), (fun _ => 7), (fun _ => 7), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance normal g HT HT_ meet]; exists 2%Z, (unit 0), (unit 1), (unit 2), (fun _ => 0), 0, 0; lists; ends_of_sums; cbv delta [unit]; compute_goal; conjuncts; first [ lia | lra | numeric ]. Qed.
 End sec_3_4_S1.
 
 Module sec_3_4_S1_gen.

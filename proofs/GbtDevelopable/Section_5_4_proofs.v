@@ -7,7 +7,7 @@ Open Scope R_scope.
 Module alg_5_4_s1.
 Import GbtDevelopable.Section_5_4.alg_5_4_s1.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g H2 H2_ matrix]; formed. Qed.
+Proof. cbv beta zeta delta [statement]; intros k l P2 mu1 mu2 nu1 nu2 _ K _ _ _ _ _ L _ _ _; assert (E : matrix P2 l mu2 nu2 = _) by exact (start_matrix P2 l mu2 nu2 K); rewrite E, L; lists; conjuncts; derivatives; field. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H2 H2_ matrix]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End alg_5_4_s1.
@@ -23,7 +23,7 @@ End alg_5_4_s2_families.
 Module alg_5_4_s2_surfaces.
 Import GbtDevelopable.Section_5_4.alg_5_4_s2_surfaces.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g H1 H1_ H2 H2_ normal direction] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (2))%bool then (1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else 0) (0) (1) (1) (0)). Qed.
+Proof. intro no; cbv beta zeta delta [statement g H1 H1_ H2 H2_ normal direction] in no; refuting_at_ends (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (2))%bool then (1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else 0) (0) (1) (1) (0)). Qed.
 End alg_5_4_s2_surfaces.
 
 Module alg_5_4_s3.
@@ -31,7 +31,7 @@ Import GbtDevelopable.Section_5_4.alg_5_4_s3.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ c]; unstaged; prepared; known ((P2 (0)%Z)) ((P1 (3)%Z)) (1); known ((P2 (1)%Z)) (-(P1 (2)%Z)*gamma*nu1*PI - (P1 (2)%Z)*gamma*PI - 2*(P1 (2)%Z)*gamma + (P1 (3)%Z)*gamma*nu1*PI + (P1 (3)%Z)*gamma*PI + 2*(P1 (3)%Z)*gamma + (P1 (3)%Z)*mu2*PI + (P1 (3)%Z)*PI + 2*(P1 (3)%Z)) (mu2*PI + PI + 2); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ c]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (8), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ c]; exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0); lists; ends_of_sums; compute_goal; conjuncts; first [ lia | intros; lia | lra | numeric ]. Qed.
 End alg_5_4_s3.
 
 Module alg_5_4_s4.

@@ -29,7 +29,7 @@ End ex_5_1_shape_shape.
 Module ex_5_1_shape_combined_surface.
 Import GbtDevelopable.Section_5_5.ex_5_1_shape_combined_surface.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_ N2 N2_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (4 + 1/2*PI) else 0) (1) (1) (0) (1) (1) (0)). Qed.
+Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_ N2 N2_] in no; refuting_at_ends (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (4 + 1/2*PI) else 0) (1) (1) (0) (1) (1) (0)). Qed.
 End ex_5_1_shape_combined_surface.
 
 Module ex_5_2_Q02.
@@ -37,7 +37,7 @@ Import GbtDevelopable.Section_5_5.ex_5_2_Q02.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement F2 F1 g]; computed; intros; equations; members; rewriting; conjuncts; lra. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance F2 F1 g]; exists (fun _ => 0), (fun i => nth (Z.to_nat i) [- 20; - 10; 10; 20] 0), (fun i => nth (Z.to_nat i) [10; 20; 20; 10] 0), (fun _ => 400), (fun _ => 0), (fun i => nth (Z.to_nat i) [20; 30; 30 + 5 * PI; 0] 0), (fun i => nth (Z.to_nat i) [10; 0; - 20 - 5 * PI; 0] 0), (fun _ => 400); lists; conjuncts; parts; try at_ends; compute_goal; field. Qed.
+Proof. let joined_planes := fun _ => (exists (fun _ => 0), (fun i => nth (Z.to_nat i) [- 20; - 10; 10; 20] 0), (fun i => nth (Z.to_nat i) [10; 20; 20; 10] 0), (fun _ => 400), (fun _ => 0), (fun i => nth (Z.to_nat i) [20; 30; 30 + 5 * PI; 0] 0), (fun i => nth (Z.to_nat i) [10; 0; - 20 - 5 * PI; 0] 0), (fun _ => 400); lists; conjuncts; parts; ends_of_sums; compute_goal; try reflexivity; field) in cbv beta zeta delta [instance F2 F1 g]; joined_planes (). Qed.
 End ex_5_2_Q02.
 
 Module ex_5_2_Q12.
@@ -45,15 +45,15 @@ Import GbtDevelopable.Section_5_5.ex_5_2_Q12.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement F2 F1 F2_ F1_ g]; computed; intros; equations; members; rewriting; unknown (B'1 1%Z); unknown (B'2 1%Z); unknown (B'3 1%Z); unknown (B'4 1%Z); put_in; repeat solve_one; conjuncts; field; different. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance F2 F1 F2_ F1_ g]; exists (fun _ => 0), (fun i => nth (Z.to_nat i) [- 20; - 10; 10; 20] 0), (fun i => nth (Z.to_nat i) [10; 20; 20; 10] 0), (fun _ => 400), (fun _ => 0), (fun i => nth (Z.to_nat i) [20; 30; 30 + 5 * PI; 0] 0), (fun i => nth (Z.to_nat i) [10; 0; - 20 - 5 * PI; 0] 0), (fun _ => 400); lists; conjuncts; parts; try at_ends; compute_goal; field. Qed.
+Proof. let joined_planes := fun _ => (exists (fun _ => 0), (fun i => nth (Z.to_nat i) [- 20; - 10; 10; 20] 0), (fun i => nth (Z.to_nat i) [10; 20; 20; 10] 0), (fun _ => 400), (fun _ => 0), (fun i => nth (Z.to_nat i) [20; 30; 30 + 5 * PI; 0] 0), (fun i => nth (Z.to_nat i) [10; 0; - 20 - 5 * PI; 0] 0), (fun _ => 400); lists; conjuncts; parts; ends_of_sums; compute_goal; try reflexivity; field) in cbv beta zeta delta [instance F2 F1 F2_ F1_ g]; joined_planes (). Qed.
 End ex_5_2_Q12.
 
 Module ex_5_2_Q22.
 Import GbtDevelopable.Section_5_5.ex_5_2_Q22.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement F2 F1 F2_ F1_ g]; computed; intros; equations; members; rewriting; unknown (B'1 1%Z); unknown (B'2 1%Z); unknown (B'3 1%Z); unknown (B'4 1%Z); unknown (B'1 2%Z); unknown (B'2 2%Z); unknown (B'3 2%Z); unknown (B'4 2%Z); put_in; repeat solve_one; conjuncts; rounded. Qed.
+Proof. cbv beta zeta delta [statement F2 F1 F2_ F1_ g]; sums_at_ends; intros; equations; rewriting; pose proof PI_RGT_0; let at_1 := fun P v => (assert (P 1%Z = v) by (apply (Rmult_eq_reg_l (1 + PI)); lra)) in let at_2 := fun P v => (assert (P 2%Z = v) by (apply (Rmult_eq_reg_l PI); lra)) in at_1 B'1 0; at_1 B'2 30; at_1 B'3 0; at_1 B'4 400; rewriting; at_2 B'1 0; at_2 B'2 (30 + 5 * PI); at_2 B'3 (- 20 - 5 * PI); at_2 B'4 400; lists; rewritten; conjuncts; rounded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance F2 F1 F2_ F1_ g]; exists (fun _ => 0), (fun i => nth (Z.to_nat i) [- 20; - 10; 10; 20] 0), (fun i => nth (Z.to_nat i) [10; 20; 20; 10] 0), (fun _ => 400), (fun _ => 0), (fun i => nth (Z.to_nat i) [20; 30; 30 + 5 * PI; 0] 0), (fun i => nth (Z.to_nat i) [10; 0; - 20 - 5 * PI; 0] 0), (fun _ => 400); lists; conjuncts; parts; try at_ends; compute_goal; field. Qed.
+Proof. let joined_planes := fun _ => (exists (fun _ => 0), (fun i => nth (Z.to_nat i) [- 20; - 10; 10; 20] 0), (fun i => nth (Z.to_nat i) [10; 20; 20; 10] 0), (fun _ => 400), (fun _ => 0), (fun i => nth (Z.to_nat i) [20; 30; 30 + 5 * PI; 0] 0), (fun i => nth (Z.to_nat i) [10; 0; - 20 - 5 * PI; 0] 0), (fun _ => 400); lists; conjuncts; parts; ends_of_sums; compute_goal; try reflexivity; field) in cbv beta zeta delta [instance F2 F1 F2_ F1_ g]; joined_planes (). Qed.
 End ex_5_2_Q22.
 
 Module ex_5_2_gamma_one.
@@ -61,5 +61,5 @@ Import GbtDevelopable.Section_5_5.ex_5_2_gamma_one.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement]; intros B1 B2 B3 B4 gamma mu1 mu2 nu1 nu2 G M1 M2 N1 N2 E P Q _ _; subst gamma; rewrite P; assert (V : forall v : list R, vscale 1 v = v) by (intro v; induction v as [|x v IH]; [reflexivity | change (vscale 1 (x :: v)) with (1 * x :: vscale 1 v); rewrite IH; f_equal; ring]); rewrite Q, V; split; reflexivity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance direction normal K2 K1 K2_ K1_ g E1_0 E1_1 E1_2 E1_3]; exists (fun _ => 0), (fun i => nth (Z.to_nat i) [20; 30; 0; 0] 0), (fun i => nth (Z.to_nat i) [10; 0; 0; 0] 0), (fun _ => 400), 1, (-1), (-1), (-1), (-1); met. Qed.
+Proof. cbv beta delta [instance]; exists (fun _ => 0), (fun i => nth (Z.to_nat i) [20; 30; 0; 0] 0), (fun i => nth (Z.to_nat i) [10; 0; 0; 0] 0), (fun _ => 400), 1, (-1), (-1), (-1), (-1); cbv beta zeta; assert (A : forall a b c d, K2 (fun i => [a i; b i; c i; d i]) (-1) (-1) 0%Z = [a 0%Z; b 0%Z; c 0%Z; d 0%Z]) by (intros; cbv beta delta [K2 g]; lists; at_ends; reflexivity); assert (B : forall a b c d, vDerive 4 (fun x => K2_ (fun i => [a i; b i; c i; d i]) (-1) (-1) x) 1 (IZR 0) = [a 1%Z - a 0%Z; b 1%Z - b 0%Z; c 1%Z - c 0%Z; d 1%Z - d 0%Z]) by (intros; cbv beta delta [K2_ g]; lists; at_ends; parts; field); assert (C : K1 (-1) (-1) 1%Z = E1_3) by (cbv beta delta [K1 g]; vector_at_end; reflexivity); assert (D : vDerive 4 (fun x => K1_ (-1) (-1) x) 1 (IZR 1) = vscale (1 + PI / 2 * (1 + -1)) (vsub E1_3 E1_2)) by (cbv beta delta [K1_ g]; vector_at_end; reflexivity); rewrite (A (fun _ => 0) _ _ (fun _ => 400)), (B (fun _ => 0) _ _ (fun _ => 400)), C, D; cbv beta delta [direction normal E1_3 E1_2]; compute_goal; conjuncts; parts; lra. Qed.
 End ex_5_2_gamma_one.

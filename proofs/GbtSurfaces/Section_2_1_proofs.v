@@ -123,7 +123,7 @@ End thm_1_5_d1_1_values.
 Module thm_1_5_d2_0_values.
 Import GbtSurfaces.Section_2_1.thm_1_5_d2_0_values.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f start second p0 p2]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement f start second p0 p2]; intros; undifferentiated; members_at_ends; conjuncts; field. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f start second p0 p2]; first [(exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, (0), (0); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (3)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_d2_0_values.
@@ -139,7 +139,7 @@ End thm_1_5_d2_1_values.
 Module thm_1_5_d3_0_values.
 Import GbtSurfaces.Section_2_1.thm_1_5_d3_0_values.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f start third p0 p2]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement f start third p0 p2]; intros; undifferentiated; members_at_ends; conjuncts; field. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f start third p0 p2]; first [(exists (4)%Z, (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, (4)%Z, (0), (0); met) | (exists (4)%Z, (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, (4)%Z, ((-1) / 3), ((-1) / 3); met) | (exists (4)%Z, (4)%Z, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_d3_0_values.

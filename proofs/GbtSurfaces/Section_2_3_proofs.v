@@ -31,7 +31,7 @@ End sec_2_3_features_b.
 Module sec_2_3_features_c.
 Import GbtSurfaces.Section_2_3.sec_2_3_features_c.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f Tz0 Tz1 Tu0 Tu1]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (2)%Z (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3)) | refuting (no (2)%Z (2)%Z (fun _ _ => 4) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3)) ] | symbolic ]. Qed.
+Proof. cbv beta zeta delta [statement f Tz0 Tz1 Tu0 Tu1]; intros; conjuncts; intro no; refuting_at_ends (no 2%Z 2%Z (fun i j => IZR (i + j)) 0 0 0 0). Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f Tz0 Tz1 Tu0 Tu1]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_2_3_features_c.
@@ -47,7 +47,7 @@ End sec_2_3_features_d.
 Module sec_2_3_classical_the_features_of_Sect__2_2.
 Import GbtSurfaces.Section_2_3.sec_2_3_classical_the_features_of_Sect__2_2.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f T T_ Tz0 Tz1 Tu0 Tu1]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (2)%Z (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3) (1 / 3)) | refuting (no (2)%Z (2)%Z (fun _ _ => 4) ((-1) / 3) ((-1) / 3) ((-1) / 3) ((-1) / 3) (1 / 3) (1 / 3)) ] | symbolic ]. Qed.
+Proof. cbv beta zeta delta [statement f T T_ Tz0 Tz1 Tu0 Tu1]; intros; conjuncts; first [ intro no; refuting_at_ends (no 2%Z 2%Z (fun i j => IZR (i + j)) 0 0 0 0 0 0) | symbolic ]. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f T T_ Tz0 Tz1 Tu0 Tu1]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End sec_2_3_classical_the_features_of_Sect__2_2.

@@ -103,7 +103,7 @@ End alg_2_2_irregular.
 Module ex_3_2_corners.
 Import GbtSurfaces.Section_3_2.ex_3_2_corners.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement Q00 Q10 Q20 Q30 Q01 Q11 Q21 Q31 Q02 Q12 Q22 Q03 Q13 Q23 Q33 f row_ sixteen]; identity. Qed.
+Proof. cbv beta zeta delta [statement Q00 Q10 Q20 Q30 Q01 Q11 Q21 Q31 Q02 Q12 Q22 Q03 Q13 Q23 Q33 f row_ sixteen]; intros; repeat vector_at_end; repeat split. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance Q00 Q10 Q20 Q30 Q01 Q11 Q21 Q31 Q02 Q12 Q22 Q03 Q13 Q23 Q33 f row_ sixteen]; first [(exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (0), (0), (0), (0); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_3_2_corners.
@@ -171,7 +171,7 @@ End ex_3_2_interior.
 Module ex_3_2_equation.
 Import GbtSurfaces.Section_3_2.ex_3_2_equation.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement Q00 Q10 Q20 Q30 Q01 Q11 Q21 Q31 Q02 Q12 Q22 Q03 Q13 Q23 Q33 f row_ sixteen b four] in no; refuting (no (1) (1) (1) (1) (1/3) (1/2)). Qed.
+Proof. cbv beta zeta delta [statement not row_ sixteen four]; intro no; specialize (no 0 1 0 0 0 (1 / 2) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)); revert no; cbv beta delta [f]; repeat vector_at_end; cbv beta delta [Q00 Q01 Q02 Q03 Q30 Q33 b]; compute_goal; special; intro C; contradiction_in C. Qed.
 End ex_3_2_equation.
 
 Module ex_3_2_sixteen.

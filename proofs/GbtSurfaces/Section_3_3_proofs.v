@@ -83,7 +83,7 @@ End eq_18_sufficient.
 Module eq_18_necessary.
 Import GbtSurfaces.Section_3_3.eq_18_necessary.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement b f printed_ L1]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement b f printed_ L1]; intros; conjuncts; closed_parts; ends_of_sums; field. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f printed_ L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End eq_18_necessary.
@@ -151,7 +151,7 @@ End prop_3_4_a_with_f_l.
 Module prop_3_4_b.
 Import GbtSurfaces.Section_3_3.prop_3_4_b.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement M0 M1 S2 jump jump0 jump1 S2_ S__ jump_ f L0 L1 S_ S__ b printed_ with_own tensor a1 a2 b1 c1 F pair F_ pair_ b3_true own4]; sums_at_ends; intros; conjuncts; ring. Qed.
+Proof. cbv beta zeta delta [statement M0 M1 S2 jump jump0 jump1 S2_ S__ jump_ f L0 L1 S_ S__ b printed_ with_own tensor a1 a2 b1 c1 F pair F_ pair_ b3_true own4]; lists; intros; conjuncts; spread; ring. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f M0 M1 S2 L0 L1 S_ jump jump0 jump1 S2_ S__ jump_]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (0), (0), (0), (1 / 2); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End prop_3_4_b.
@@ -181,7 +181,7 @@ End alg_3_a_with_f_l.
 Module alg_3_b_by_the_printed_conditions.
 Import GbtSurfaces.Section_3_3.alg_3_b_by_the_printed_conditions.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 b1 b2 c1 b3 b4 printed13 third fourth f F1 other F pair F1_ other_ F_ pair_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (-1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((32 + 7*PI)/(8 + PI)) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (1) (1) (1) (0) (1)). Qed.
+Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 b1 b2 c1 b3 b4 printed13 third fourth f F1 other F pair F1_ other_ F_ pair_] in no; refuting_at_ends (no 3%Z 3%Z (fun i => nth (Z.to_nat i) [0; 0; -1; 0] 0) (fun i => nth (Z.to_nat i) [0; 1; -1; 16] 0) (fun _ => 0) (fun _ => 0) 1 (-1) (-1) 0 1). Qed.
 End alg_3_b_by_the_printed_conditions.
 
 Module ex_3_3_curves.
@@ -229,7 +229,7 @@ End eq_19_tensor_with_f_l.
 Module ex_3_3_gl_0.
 Import GbtSurfaces.Section_3_3.ex_3_3_gl_0.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no (0) (0) (0) (0) (0) (1) (1) (1) (1/2)). Qed.
+Proof. cbv beta zeta delta [statement not f]; intro no; refuting (no 0 0 0 0 0 1 0 0 0). Qed.
 End ex_3_3_gl_0.
 
 Module ex_3_3_gl_0_corrected.
@@ -243,7 +243,7 @@ End ex_3_3_gl_0_corrected.
 Module ex_3_3_gl_1.
 Import GbtSurfaces.Section_3_3.ex_3_3_gl_1.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no (0) (1) (0) (0) (0) (0) (1) (1) (1/2)). Qed.
+Proof. cbv beta zeta delta [statement not f]; intro no; refuting (no 0 1 0 0 0 0 0 0 0). Qed.
 End ex_3_3_gl_1.
 
 Module ex_3_3_gl_1_corrected.
@@ -257,7 +257,7 @@ End ex_3_3_gl_1_corrected.
 Module ex_3_3_composite.
 Import GbtSurfaces.Section_3_3.ex_3_3_composite.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next cubic left_ next_ cubic_ left__ quartic quartic_]; identity. Qed.
+Proof. cbv beta zeta delta [statement f a join1 a1 a2 a3_true join2 next cubic left_ next_ cubic_ left__ quartic quartic_]; intros; conjuncts; ends_of_sums; members_at_ends; members; cbv beta delta [join3 b1 b2_true c1 b3_true b5_true b4_true a a1 a2 a3_true] in *; field; nonzero. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next cubic left_ next_ cubic_ left__ quartic quartic_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End ex_3_3_composite.

@@ -2,7 +2,6 @@
 From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From GbtSurfaces Require Section_3_4.
 Import GbtSurfaces.Section_3_4.Definitions.
-From GbtSurfaces Require Import Section_3_4_closed.
 Open Scope R_scope.
 
 Module eq_20_profile.
@@ -168,7 +167,7 @@ End eq_25_3.
 Module eq_25_4_a.
 Import GbtSurfaces.Section_3_4.eq_25_4_a.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (1) (1) (1/2) (1/2)). Qed.
+Proof. cbv beta zeta delta [statement f not]; intro no; refuting (no 2%Z 2%Z (fun _ => 0) (fun _ => 1) 1 0 0 0 0 0 0). Qed.
 End eq_25_4_a.
 
 Module eq_25_4_a_corrected.
@@ -182,7 +181,7 @@ End eq_25_4_a_corrected.
 Module eq_25_4_b.
 Import GbtSurfaces.Section_3_4.eq_25_4_b.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (1) (1) (1/2) (1/2)). Qed.
+Proof. cbv beta zeta delta [statement f not]; intro no; refuting (no 2%Z 2%Z (fun _ => 0) (fun _ => 1) (fun _ => 1) 1 0 0 0 0 0 0). Qed.
 End eq_25_4_b.
 
 Module eq_25_4_b_corrected.
@@ -212,7 +211,7 @@ End sec_3_4_features_a.
 Module sec_3_4_continuity_pc.
 Import GbtSurfaces.Section_3_4.sec_3_4_continuity_pc.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f FX2 FZ2 FX FZ jumpX jumpZ swung along_profiles]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement along_profiles f FX FX2 FZ2 FZ swung jumpX jumpZ]; lists; intros; conjuncts; parts; spread; ring. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f FX2 FZ2 FX FZ jumpX jumpZ swung along_profiles]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (13), (14); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (4); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
 End sec_3_4_continuity_pc.
@@ -220,7 +219,7 @@ End sec_3_4_continuity_pc.
 Module sec_3_4_continuity_tc.
 Import GbtSurfaces.Section_3_4.sec_3_4_continuity_tc.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f FU2 FV2 FU FV swung along_trajectories jumpU jumpV]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement f FU2 FV2 FU FV swung along_trajectories jumpU jumpV]; lists; intros; conjuncts; parts; spread; ring. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f FU2 FV2 FU FV swung along_trajectories jumpU jumpV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (13), (14); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (4); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
 End sec_3_4_continuity_tc.
@@ -260,13 +259,13 @@ End alg_4_a.
 Module alg_4_b_by_the_printed_conditions.
 Import GbtSurfaces.Section_3_4.alg_4_b_by_the_printed_conditions.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement a a1 a2 a3 third f FX2 FZ2 FX FZ FX2_ FZ2_ FX_ FZ_ swung second first second_ first_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (8*(4 + PI)/(8 + PI)) else 0) (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (1) (1) (0) (1) (1)). Qed.
+Proof. intro no; cbv beta zeta delta [statement a a1 a2 a3 third f FX2 FZ2 FX FZ FX2_ FZ2_ FX_ FZ_ swung second first second_ first_] in no; refuting_at_ends (no 3%Z 3%Z (fun i => nth (Z.to_nat i) [0; 0; -1; 0] 0) (fun i => nth (Z.to_nat i) [0; 1; -1; 16] 0) (fun _ => 0) (fun _ => 0) 1 1 (-1) (-1) 0 1 1). Qed.
 End alg_4_b_by_the_printed_conditions.
 
 Module alg_4_b_there_are_such_connections.
 Import GbtSurfaces.Section_3_4.alg_4_b_there_are_such_connections.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next FX FZ next_ FX_ FZ_ swung second first second_ first_]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement f a1 a join1 a2 a3_true join2 next FX FZ next_ FX_ FZ_ swung second first second_ first_]; lists; intros; conjuncts; parts; ends_of_sums; field; nonzero. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next FX FZ next_ FX_ FZ_ swung second first second_ first_]; first [(exists (3)%Z, (fun _ => 3), (fun _ => 4), (1), ((-1) / 3), ((-1) / 3), (8), (9); met) | (exists (3)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (6), ((-1) / 3), ((-1) / 3), (9), (7); met) | (exists (3)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (3)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
 End alg_4_b_there_are_such_connections.
@@ -288,9 +287,9 @@ End ex_3_4_scaling.
 Module fig_16_lambda_between_the_panels.
 Import GbtSurfaces.Section_3_4.fig_16_lambda_between_the_panels.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage a; stage f; stage FX2; stage FZ2; stage FX; stage FZ; stage swung; staged_goal along_profiles; prepared; unknown (X2 0%Z); unknown (X2 1%Z); unknown (Z2 0%Z); unknown (Z2 1%Z); put_in; finished. Qed.
+Proof. cbv beta zeta delta [statement along_profiles swung FX FZ FX2 FZ2 f a]; lists; intros; split; parts; ends_of_sums; rewritten; field; nonzero. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage a; stage f; stage FX2; stage FZ2; stage FX; stage FZ; stage swung; staged_goal along_profiles; unstaged; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (13), (14); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (4); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
+Proof. cbv beta zeta delta [instance a]; exists 3%Z, 3%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), 1, 0, 0, 0, 0, 0, 0; conjuncts; first [ lia | intros; lia | lra | numeric | ring ]. Qed.
 End fig_16_lambda_between_the_panels.
 
 Module fig_16_lambda_between_the_surfaces.

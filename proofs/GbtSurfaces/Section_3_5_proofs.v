@@ -2,7 +2,6 @@
 From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From GbtSurfaces Require Section_3_5.
 Import GbtSurfaces.Section_3_5.Definitions.
-From GbtSurfaces Require Import Section_3_5_closed.
 Open Scope R_scope.
 
 Module eq_27.
@@ -94,7 +93,7 @@ End prop_3_7_2a.
 Module prop_3_7_2b.
 Import GbtSurfaces.Section_3_5.prop_3_7_2b.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement section2 along_sections jump_section trajectory2 along_trajectories jump_trajectory f section trajectory T a2 F before F_ before_ S1 S2 T1 T2 second first gap first_]; sums_at_ends; intros; conjuncts; ring. Qed.
+Proof. cbv beta zeta delta [statement section2 along_sections jump_section trajectory2 along_trajectories jump_trajectory f section trajectory T a2 F before F_ before_ S1 S2 T1 T2 second first gap first_]; lists; intros; conjuncts; spread; ring. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f section2 section along_sections jump_section trajectory2 trajectory along_trajectories jump_trajectory]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), 8, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), 0, (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), 9, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), 1, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), 0, ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End prop_3_7_2b.
@@ -110,13 +109,13 @@ End alg_5_a.
 Module alg_5_b_by_the_printed_conditions.
 Import GbtSurfaces.Section_3_5.alg_5_b_by_the_printed_conditions.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 f F1 after F before F1_ after_ F_ before_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (-1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((32 + 7*PI)/(8 + PI)) else 0) 0 (1) (1) (1) (0)). Qed.
+Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 f F1 after F before F1_ after_ F_ before_] in no; refuting_at_ends (no 3%Z 3%Z (fun i => nth (Z.to_nat i) [0; 0; -1; 0] 0) (fun i => nth (Z.to_nat i) [0; 1; -1; 16] 0) 0 1 (-1) (-1) 0). Qed.
 End alg_5_b_by_the_printed_conditions.
 
 Module alg_5_b_there_are_such_connections.
 Import GbtSurfaces.Section_3_5.alg_5_b_there_are_such_connections.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next after F before next_ after_ F_ before_]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement f a1 a join1 a2 a3_true join2 next after F before next_ after_ F_ before_]; intros; conjuncts; ends_of_sums; field; nonzero. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next after F before next_ after_ F_ before_]; first [(exists (3)%Z, (fun _ => 3), 4, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), 0, (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), 8, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), 1, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), 0, ((-1) / 3), ((-1) / 3); met)]. Qed.
 End alg_5_b_there_are_such_connections.
@@ -136,23 +135,23 @@ End ex_3_5_trajectories.
 Module ex_3_5_c1_sections.
 Import GbtSurfaces.Section_3_5.ex_3_5_c1_sections.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage S1; stage S2; stage f; stage second; stage first; staged_goal gap; unstaged; prepared; known (mu1) (nu) (1); put_known; Solved.concluded. Qed.
+Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [statement gap]; intros mu mu1 nu nu1 _ N _ _; rows_added first S1; rows_added second S2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f S1 S2]; orders; cbn [row nth pred]; written_out; ends_of_sums; intro E; equations; assert (mu1 = nu) by (apply Rmult_eq_reg_l with PI; [ lra | apply PI_neq0 ]); repeat split; parts; lra. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage S1; stage S2; stage f; stage second; stage first; staged_goal gap; unstaged; first [(exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists (0), ((((0))) / (1)), (0), (0); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [instance gap]; exists 0, 0, 0, 0; conjuncts; first [ lra | intros; lia | rows_added first S1; rows_added second S2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f S1 S2]; orders; cbn [row nth pred]; written_out; ends_of_sums; parts; field ]. Qed.
 End ex_3_5_c1_sections.
 
 Module ex_3_5_c1_trajectories.
 Import GbtSurfaces.Section_3_5.ex_3_5_c1_trajectories.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage T1; stage T2; stage f; stage second; stage first; staged_goal gap; unstaged; prepared; known (mu1) (nu) (1); put_known; Solved.concluded. Qed.
+Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [statement gap]; intros mu mu1 nu nu1 _ N _ _; rows_added first T1; rows_added second T2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f T1 T2]; orders; cbn [row nth pred]; written_out; ends_of_sums; intro E; equations; assert (mu1 = nu) by (apply Rmult_eq_reg_l with PI; [ lra | apply PI_neq0 ]); repeat split; parts; lra. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage T1; stage T2; stage f; stage second; stage first; staged_goal gap; unstaged; first [(exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists (0), ((((0))) / (1)), (0), (0); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), (((((-1) / 3))) / (1)), ((-1) / 3), ((-1) / 3); met)]. Qed.
+Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [instance gap]; exists 0, 0, 0, 0; conjuncts; first [ lra | intros; lia | rows_added first T1; rows_added second T2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f T1 T2]; orders; cbn [row nth pred]; written_out; ends_of_sums; parts; field ]. Qed.
 End ex_3_5_c1_trajectories.
 
 Module ex_3_5_c2_trajectories.
 Import GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement T1 T2 f second first gap] in no; refuting (no (1) (-2/(2 + PI)) (-2/(2 + PI)) ((10 + PI)/(2 + PI))). Qed.
+Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [statement gap not]; intro no; specialize (no 1 (- 2 / (2 + PI)) (- 2 / (2 + PI)) ((10 + PI) / (2 + PI)) ltac:(lra) ltac:(intros; lia)); revert no; rows_added first T1; rows_added second T2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f T1 T2]; orders; cbn [row nth pred]; written_out; ends_of_sums; intro no; pose proof PI_RGT_0; destruct (no ltac:(parts; field; lra) ltac:(parts; field; lra)) as (_ & _ & _ & C); revert C; apply Rlt_not_le; numeric. Qed.
 End ex_3_5_c2_trajectories.
 
 Module ex_3_5_contiguous_each_with_its_own.

@@ -37,7 +37,7 @@ End sec_3_6_rounding_rational.
 Module sec_3_6_c1c2.
 Import GbtSurfaces.Section_3_6.sec_3_6_c1c2.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f line2X line2Z FX FZ jumpX jumpZ turned jump]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement f line2X line2Z FX FZ jumpX jumpZ turned jump]; lists; intros; conjuncts; parts; spread; ring. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f line2X line2Z FX FZ jumpX jumpZ turned jump]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (8), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (13); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (0); met)]. Qed.
 End sec_3_6_c1c2.
@@ -161,7 +161,7 @@ End prop_3_9_b.
 Module alg_6.
 Import GbtSurfaces.Section_3_6.alg_6.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f FX FZ at_angle cosine sine T Tm]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement]; intros m X Z_ mu nu q z _ _ _ _ _ N _; generalize (FX X m mu nu z) (FZ Z_ m mu nu z); intros x w; cbv beta zeta delta [at_angle T Tm cosine sine]; rewrite (arc_cos _ _ (square_sum _) N), (arc_sin _ _ (square_sum _) N), half_cos, half_sin; split; reflexivity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f FX FZ at_angle cosine sine T Tm]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End alg_6.

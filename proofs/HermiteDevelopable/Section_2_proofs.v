@@ -8,7 +8,7 @@ Open Scope R_scope.
 Module sec_2_cubic_conditions.
 Import HermiteDevelopable.Section_2.sec_2_cubic_conditions.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage cubic_basis_; stage blend4; stage hermite3; stage p3; stage hermite3_; staged_goal p3_; computed; intros; conjuncts; first [ assumption | derivatives; atoms; equal ]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis_; cbv beta zeta delta [statement blend4 hermite3 p3 hermite3_ p3_]; whole_points cubic_basis cubic_basis_; split; [assumption|]; with_cubic_numbers cubic_basis_ number_curves; cbv beta iota zeta delta [slope_n slope slopes tl poly cubic_of]; conjuncts; field. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage cubic_basis_; stage blend4; stage hermite3; stage p3; stage hermite3_; staged_goal p3_; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7; met) | (exists 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
 End sec_2_cubic_conditions.
@@ -102,7 +102,7 @@ End eq_2_1b_H4.
 Module sec_2_quartic_conditions.
 Import HermiteDevelopable.Section_2.sec_2_quartic_conditions.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage quartic_basis_; stage blend5; stage hermite4; stage p4; stage hermite4_; staged_goal p4_; computed; intros; conjuncts; first [ assumption | derivatives; atoms; equal ]. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis_; cbv beta zeta delta [statement blend5 hermite4 p4 hermite4_ p4_]; whole_points quartic_basis quartic_basis_; split; [assumption|]; with_quartic_numbers quartic_basis_ number_curves; cbv beta iota zeta delta [slope_n slope slopes tl poly quartic_of]; conjuncts; field. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; stage quartic_basis_; stage blend5; stage hermite4; stage p4; stage hermite4_; staged_goal p4_; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2; met) | (exists 1, 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
 End sec_2_quartic_conditions.
@@ -110,7 +110,7 @@ End sec_2_quartic_conditions.
 Module sec_2_quartic_solvable.
 Import HermiteDevelopable.Section_2.sec_2_quartic_solvable.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement quartic quartic_ quartic_data]; ordered. Qed.
+Proof. stage quartic; stage quartic_; stage quartic_data; staged_goal statement; intros; determinants; numeric. Qed.
 End sec_2_quartic_solvable.
 
 Module sec_2_quartic_a1.

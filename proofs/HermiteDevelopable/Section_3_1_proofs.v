@@ -64,87 +64,87 @@ End sec_3_1_hermite_4.
 Module eq_3_5_A_r1.
 Import HermiteDevelopable.Section_3_1.eq_3_5_A_r1.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; staged_goal cubic_system; identity. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system row]; cbv beta iota delta [nth Nat.pred]; intros; with_cubic_numbers cubic_basis system_joins. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; staged_goal cubic_system; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End eq_3_5_A_r1.
 
 Module eq_3_5_A_r2.
 Import HermiteDevelopable.Section_3_1.eq_3_5_A_r2.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; staged_goal cubic_system; identity. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system row]; cbv beta iota delta [nth Nat.pred]; intros; with_cubic_numbers cubic_basis system_joins. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; staged_goal cubic_system; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End eq_3_5_A_r2.
 
 Module eq_3_5_A_r3.
 Import HermiteDevelopable.Section_3_1.eq_3_5_A_r3.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; staged_goal cubic_system; identity. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system row]; cbv beta iota delta [nth Nat.pred]; intros; with_cubic_numbers cubic_basis system_joins. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; staged_goal cubic_system; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End eq_3_5_A_r3.
 
 Module eq_3_5_A_r4.
 Import HermiteDevelopable.Section_3_1.eq_3_5_A_r4.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; staged_goal cubic_system; identity. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system row]; cbv beta iota delta [nth Nat.pred]; intros; with_cubic_numbers cubic_basis system_joins. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; staged_goal cubic_system; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End eq_3_5_A_r4.
 
 Module eq_3_5_B.
 Import HermiteDevelopable.Section_3_1.eq_3_5_B.
 Theorem refuted : ~ statement.
-Proof. unfold not; cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; stage cubic_system; staged_goal A35; unstaged; intro no; refuting (no 0 0 0 0 (2) 0 (0) (1) (0) (0) 0 0 0 0). Qed.
+Proof. unfold not; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement]; intro no; generalize (no 0 0 0 0 2 0 0 1 0 0 0 0 0 0); clear no; premises_met; intro C; apply (f_equal (fun v => nth 3 v 0)) in C; revert C; cbv beta iota zeta delta [A35 cubic_system mvec map nth dot zip fold_right]; rewrite !Rmult_0_r, !Rplus_0_l, !Rmult_1_r; match goal with |- context [Derive_n ?f 1 1] => replace (Derive_n f 1 1) with (- 2) by (symmetry; cbv beta zeta delta [blend4 hermite3 q3 p3 cubic_gap cubic_part]; with_cubic_numbers cubic_basis system_joins) end; lra. Qed.
 End eq_3_5_B.
 
 Module eq_3_5_B_corrected.
 Import HermiteDevelopable.Section_3_1.eq_3_5_B_corrected.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; stage cubic_system; staged_goal A35; identity. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement]; intros; apply (f_equal2 mvec); [cbv beta zeta delta [A35 blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system]; with_cubic_numbers cubic_basis system_joins | reflexivity]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; stage cubic_system; staged_goal A35; unstaged; first [(exists 2, 3, 4, 5, (1), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (1), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 0, 0, 0, 0, 0, 0, 0, 0, 0; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End eq_3_5_B_corrected.
 
 Module eq_3_5_C_r1.
 Import HermiteDevelopable.Section_3_1.eq_3_5_C_r1.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement A35 blend4 hermite3 q3 p3 cubic_gap cubic_part]; cubic_number_joins cubic_basis; intros; cbv beta iota delta [row entry nth Nat.pred]; ring. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End eq_3_5_C_r1.
 
 Module eq_3_5_C_r2.
 Import HermiteDevelopable.Section_3_1.eq_3_5_C_r2.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement A35 blend4 hermite3 q3 p3 cubic_gap cubic_part]; cubic_number_joins cubic_basis; intros; cbv beta iota delta [row entry nth Nat.pred]; ring. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End eq_3_5_C_r2.
 
 Module eq_3_5_C_r3.
 Import HermiteDevelopable.Section_3_1.eq_3_5_C_r3.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement A35 blend4 hermite3 q3 p3 cubic_gap cubic_part]; cubic_number_joins cubic_basis; intros; cbv beta iota delta [row entry nth Nat.pred]; ring. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End eq_3_5_C_r3.
 
 Module eq_3_5_C_r4.
 Import HermiteDevelopable.Section_3_1.eq_3_5_C_r4.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; identity. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement A35 blend4 hermite3 q3 p3 cubic_gap cubic_part]; cubic_number_joins cubic_basis; intros; cbv beta iota delta [row entry nth Nat.pred]; ring. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage A35; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; staged_goal cubic_part; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15; met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13; met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End eq_3_5_C_r4.
 
 Module eq_3_5_unique.
 Import HermiteDevelopable.Section_3_1.eq_3_5_unique.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement A35 right_ x]; identity. Qed.
+Proof. cbv beta zeta delta [statement right_ x]; intros; assert (K : k <> 0) by (let E := fresh in intro E; match goal with H : det _ <> 0 |- _ => apply H; rewrite E; cbv beta delta [A35]; sparse_det; ring end); unfold solve; cbv beta delta [A35]; match goal with |- context [inverse ?A] => inverse_known A (k ^ 4) [[2 / k; - 1 / k; 0; - 1 / k]; [- 6 / k; 2 / k; - 1 / k; 0]; [- 3 / k; 0; - 1 / k; 0]; [6 / k; - 2 / k; 1 / k; - 1 / k]] end; compute_goal; conjuncts; parts; field; assumption. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance A35 right_ x]; first [(exists (2), (3), (4), (5), (6), (7), (8), (9), (10); met) | (exists (0), (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8), (7), (9), (7), (7); met) | (exists (1), (1), (1), (1), (1), (1), (1), (1), (1); met) | (exists (1), (0), (0), (0), (0), (0), (0), (0), (0); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 1, 0, 0, 0, 0; cbv beta zeta delta [A35]; determinants; numeric. Qed.
 End eq_3_5_unique.
 
 Module eq_3_5_det.
@@ -156,9 +156,9 @@ End eq_3_5_det.
 Module eq_3_5_k.
 Import HermiteDevelopable.Section_3_1.eq_3_5_k.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (q0'1) (-k*o'1 + k*p0'1 + o'1) (1); known (q0'2) (-k*o'2 + k*p0'2 + o'2) (1); known (q0'3) (-k*o'3 + k*p0'3 + o'3) (1); known (q0u'1) (k*p0u'1) (1); known (q0u'2) (k*p0u'2) (1); known (q0u'3) (k*p0u'3) (1); known (q1'1) (-k*o'1 + k*p1'1 + o'1) (1); known (q1'2) (-k*o'2 + k*p1'2 + o'2) (1); known (q1'3) (-k*o'3 + k*p1'3 + o'3) (1); known (q1u'1) (k*p1u'1) (1); known (q1u'2) (k*p1u'2) (1); known (q1u'3) (k*p1u'3) (1); put_known; Solved.concluded. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____]; similar_cubics cubic_basis; images; any_points; compute_goal; conjuncts; parts; ring. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, ((-((6))*(7) + ((6))*(10) + (7)) / (1)), ((-((6))*(8) + ((6))*(11) + (8)) / (1)), ((-((6))*(9) + ((6))*(12) + (9)) / (1)), ((((6))*(13)) / (1)), ((((6))*(14)) / (1)), ((((6))*(15)) / (1)), ((-((6))*(7) + ((6))*(16) + (7)) / (1)), ((-((6))*(8) + ((6))*(17) + (8)) / (1)), ((-((6))*(9) + ((6))*(18) + (9)) / (1)), ((((6))*(19)) / (1)), ((((6))*(20)) / (1)), ((((6))*(21)) / (1)), (1 / 3); met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((-((0))*(0) + ((0))*(0) + (0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), ((((0))*(0)) / (1)), (1 / 2); met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, ((-((8))*(7) + ((8))*(7) + (7)) / (1)), ((-((8))*(9) + ((8))*(2) + (9)) / (1)), ((-((8))*(7) + ((8))*(11) + (7)) / (1)), ((((8))*(1)) / (1)), ((((8))*(4)) / (1)), ((((8))*(13)) / (1)), ((-((8))*(7) + ((8))*(8) + (7)) / (1)), ((-((8))*(9) + ((8))*(8) + (9)) / (1)), ((-((8))*(7) + ((8))*(6) + (7)) / (1)), ((((8))*(8)) / (1)), ((((8))*(7)) / (1)), ((((8))*(9)) / (1)), (1 / 3); met) | (exists 1, 1, 1, 1, (1), 9, 7, 7, 7, 7, 2, 7, 7, 2, 7, 7, 2, 7, 7, 2, ((-((1))*(9) + ((1))*(7) + (9)) / (1)), ((-((1))*(7) + ((1))*(7) + (7)) / (1)), ((-((1))*(7) + ((1))*(2) + (7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(2)) / (1)), ((-((1))*(9) + ((1))*(7) + (9)) / (1)), ((-((1))*(7) + ((1))*(7) + (7)) / (1)), ((-((1))*(7) + ((1))*(2) + (7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(7)) / (1)), ((((1))*(2)) / (1)), (1 / 3); met) | (exists 0, 0, 0, 0, (1), 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, ((-((1))*(1) + ((1))*(0) + (1)) / (1)), ((-((1))*(0) + ((1))*(1) + (0)) / (1)), ((-((1))*(0) + ((1))*(0) + (0)) / (1)), ((((1))*(0)) / (1)), ((((1))*(0)) / (1)), ((((1))*(1)) / (1)), ((-((1))*(1) + ((1))*(1) + (1)) / (1)), ((-((1))*(0) + ((1))*(0) + (0)) / (1)), ((-((1))*(0) + ((1))*(0) + (0)) / (1)), ((((1))*(0)) / (1)), ((((1))*(1)) / (1)), ((((1))*(0)) / (1)), (1 / 3); met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cubic_parts cubic_basis ltac:(cbv beta zeta delta [blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____]); met_joins. Qed.
 End eq_3_5_k.
 
 Module eq_3_5_sol_p1.
@@ -198,7 +198,7 @@ Import HermiteDevelopable.Section_3_1.sec_3_1_conclusion.
 Theorem proved : statement.
 Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ x]; similar_cubics cubic_basis; split; [by_coefficients | split; [preimages; cbv beta iota zeta delta [slope slopes tl poly cubic_of entry nth Nat.pred]; field; nonzero | split; [preimages; cbv beta iota zeta delta [slope slopes tl poly cubic_of entry nth Nat.pred]; field; nonzero | parallel_tangents]]]. Qed.
 Theorem met : instance.
-Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ x]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cubic_joins cubic_basis; met_joins. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ x]); met_joins. Qed.
 End sec_3_1_conclusion.
 
 Module alg_3_1_step1.
@@ -212,25 +212,25 @@ End alg_3_1_step1.
 Module alg_3_1_step3.
 Import HermiteDevelopable.Section_3_1.alg_3_1_step3.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage A35; stage X; stage blend4; stage hermite3; stage q3; staged_goal p; identity. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement p]; intros; assert (k <> 0) by lra; assert (E : X k o q0 q0u q1 q1u = [(q1 - (1 - k) * o) / k; q0u / k; q1u / k; (q0 - (1 - k) * o) / k]) by (unfold X, solve; cbv beta delta [A35]; match goal with |- context [inverse ?A] => inverse_known A (k ^ 4) [[2 / k; - 1 / k; 0; - 1 / k]; [- 6 / k; 2 / k; - 1 / k; 0]; [- 3 / k; 0; - 1 / k; 0]; [6 / k; - 2 / k; 1 / k; - 1 / k]] end; compute_goal; parts; field; assumption); rewrite E; clear E; cbv beta zeta delta [q3 hermite3 blend4]; with_cubic_numbers cubic_basis number_curves; cbv beta iota zeta delta [entry nth Nat.pred slope_n slope slopes tl poly cubic_of]; field; assumption. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage A35; stage X; stage blend4; stage hermite3; stage q3; staged_goal p; unstaged; first [(exists 2, 3, 4, 5, (1), (7), (8), (9), (10), (11), (1 / 3); met) | (exists 0, 0, 0, 0, (1), (0), (0), (0), (0), (0), (1 / 2); met) | (exists 13, 8, 8, 6, (8), (7), (9), (7), (7), (2), (1 / 3); met) | (exists 1, 1, 1, 1, (1), (1), (1), (1), (1), (1), (1 / 3); met) | (exists 0, 0, 0, 0, (1), (1), (0), (0), (0), (0), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance A35]; stage cubic; stage cubic_; stage cubic_data; exists 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0; met_joins; determinants; numeric. Qed.
 End alg_3_1_step3.
 
 Module sec_3_1_tension.
 Import HermiteDevelopable.Section_3_1.sec_3_1_tension.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; prepared; known (p0) (k*o - o + q0) (k); known (p0u) (k1*q0u) (k); known (p1) (k*o - o + q1) (k); known (p1u) (k2*q1u) (k); put_known; Solved.concluded. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement blend4 hermite3 p3 cubic_criterion_ q3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____]; intros; with_cubic_numbers cubic_basis joins_of_numbers; data_of_joins; found. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; stage cubic_gap; stage_at cubic_part [0; 1; 2; 3]%Z; stage cubic_criterion; stage cubic_criterion_; stage cubic_criterion__; stage cubic_criterion___; staged_goal cubic_criterion____; unstaged; first [(exists 2, 3, 4, 5, (6), (7), (8), 9, ((((6))*(9) - (9) + (14)) / (((6)))), ((((7))*(15)) / (((6)))), ((((6))*(9) - (9) + (16)) / (((6)))), ((((8))*(17)) / (((6)))), 14, 15, 16, 17; met) | (exists 0, 0, 0, 0, (0), (0), (0), 0, ((((0))*(0) - (0) + (0)) / (((0)))), ((((0))*(0)) / (((0)))), ((((0))*(0) - (0) + (0)) / (((0)))), ((((0))*(0)) / (((0)))), 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), (7), (9), 7, ((((8))*(7) - (7) + (4)) / (((8)))), ((((7))*(13)) / (((8)))), ((((8))*(7) - (7) + (8)) / (((8)))), ((((9))*(8)) / (((8)))), 4, 13, 8, 8; met) | (exists 1, 1, 1, 1, (1), (1), (1), 1, ((((1))*(1) - (1) + (1)) / (((1)))), ((((1))*(1)) / (((1)))), ((((1))*(1) - (1) + (1)) / (((1)))), ((((1))*(1)) / (((1)))), 1, 1, 1, 1; met) | (exists 0, 0, 0, 0, (1), (0), (0), 0, ((((1))*(0) - (0) + (0)) / (((1)))), ((((0))*(0)) / (((1)))), ((((1))*(0) - (0) + (0)) / (((1)))), ((((0))*(0)) / (((1)))), 0, 0, 0, 0; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cubic_number_parts cubic_basis ltac:(cbv beta zeta delta [blend4 hermite3 p3 cubic_criterion_ q3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____]); met_joins; first [lra | numeric]. Qed.
 End sec_3_1_tension.
 
 Module ex_3_1_tension_effect.
 Import HermiteDevelopable.Section_3_1.ex_3_1_tension_effect.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage tense; stage start; stage tense_; stage_at start_ [1]%Z; stage end_; stage tense__; staged_goal end__; unstaged; intros; conjuncts; first [ intro no; first [ refuting (no 13 8 8 6 (8) (7) 9 7 7 2 11 1 4 13 8 8 6 8) | refuting (no 2 3 4 5 (6) (7) 8 9 10 11 12 13 14 15 16 17 18 19) ] | identity ]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement blend4 hermite3 tense start tense_ start_ end_ tense__ end__]; intros; with_cubics cubic_basis ltac:(fun curve => let fails_at N := (generalize N; clear no; curves_at curve; fails) in conjuncts; lazymatch goal with |- ~ _ => intro no; first [fails_at (no 0 0 0 0 0 0 0 0 0 1 0 0 0 1 0 0 0 0) | fails_at (no 0 0 0 0 0 0 0 0 0 0 0 0 0 1 0 1 0 0)] | |- _ => curves_at curve; compute_goal; parts; ring end). Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage tense; stage start; stage tense_; stage_at start_ [1]%Z; stage end_; stage tense__; staged_goal end__; unstaged; first [(exists 2, 3, 4, 5, (6), (7), 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19; met) | (exists 0, 0, 0, 0, (0), (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met) | (exists 13, 8, 8, 6, (8), (7), 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8; met) | (exists 1, 1, 1, 1, (1), (1), 7, 2, 11, 7, 2, 11, 7, 2, 11, 7, 2, 11; met) | (exists 0, 0, 0, 0, (1), (0), 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0; met)]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End ex_3_1_tension_effect.
 
 Module ex_3_1_p1.
@@ -270,7 +270,7 @@ Import HermiteDevelopable.Section_3_1.ex_3_1_parallel.
 Theorem proved : statement.
 Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ hermite3_ p3_ x]; intros; repeat match goal with H : context [vDerive] |- _ => revert H end; repeat match goal with |- context [cubic_basis_ ?a ?b ?c ?d ?v] => change (cubic_basis_ a b c d v) with (cubic_basis a b c d (IZR v)) end; similar_cubics cubic_basis; split; [by_coefficients | split; preimages; cbv beta iota zeta delta [slope slopes tl poly cubic_of entry nth Nat.pred]; field; nonzero]. Qed.
 Theorem met : instance.
-Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_basis_ hermite3_ p3_ x]; exists 0, 0, 0, 0, 2, 0, 0, 0, (-10), 30, (45/2), 0, 0, 0, (-10), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cubic_joins cubic_basis; met_joins. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, (-10), 30, (45/2), 0, 0, 0, (-10), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_basis_ hermite3_ p3_ x]); met_joins. Qed.
 End ex_3_1_parallel.
 
 Module ex_3_1_width.
@@ -278,7 +278,7 @@ Import HermiteDevelopable.Section_3_1.ex_3_1_width.
 Theorem proved : statement.
 Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u blend4 hermite3 q3 k p3 o cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ narrow narrow_gap narrow_part narrow_criterion narrow_criterion_ narrow_criterion__ narrow_criterion___]; similar_cubics cubic_basis; preimages; flat (cubic_of (-20) (-20) 0 0) (-20); any_points; compute_goal; split; [parts; field | match goal with |- ?x < ?y => replace x with (4 / 9 * y) by field end; apply longer; [lra | apply length_positive; numeric]]. Qed.
 Theorem met : instance.
-Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance q0 q1 q0u q1u blend4 hermite3 q3 k p3 o cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ narrow narrow_gap narrow_part narrow_criterion narrow_criterion_ narrow_criterion__ narrow_criterion___]; exists 0, 0, 0, 0, 75, 30, 45, 0, (-15), 30, 75, (-25), 45, 0, (-25), (-30), 0, (130/3), 40, 45, 0, (-20), 40, (130/3), (-100/3), 45, 0, (-100/3), (-40); cubic_joins cubic_basis; met_joins. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 75, 30, 45, 0, (-15), 30, 75, (-25), 45, 0, (-25), (-30), 0, (130/3), 40, 45, 0, (-20), 40, (130/3), (-100/3), 45, 0, (-100/3), (-40); cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 k p3 o cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ narrow narrow_gap narrow_part narrow_criterion narrow_criterion_ narrow_criterion__ narrow_criterion___]); met_joins. Qed.
 End ex_3_1_width.
 
 Module ex_3_1_shapes.

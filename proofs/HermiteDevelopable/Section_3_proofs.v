@@ -2,7 +2,6 @@
 From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
 From HermiteDevelopable Require Section_3.
 Import HermiteDevelopable.Section_3.Definitions.
-From HermiteDevelopable Require Import Section_3_closed.
 Open Scope R_scope.
 
 Module def_3_1.
@@ -96,9 +95,9 @@ End eq_3_1_parallel_planes.
 Module eq_3_1_rho_constant.
 Import HermiteDevelopable.Section_3.eq_3_1_rho_constant.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage q; stage p; stage_at parallel [0; 1; 2; 3; 4]%Z; stage q_; staged_goal p_; unstaged; prepared; known (b1'1) (a1'1*rho) (1); known (b1'2) (a1'2*rho) (1); known (b1'3) (a1'3*rho) (1); known (b2'1) (a2'1*rho) (1); known (b2'2) (a2'2*rho) (1); known (b2'3) (a2'3*rho) (1); known (b3'1) (a3'1*rho) (1); known (b3'2) (a3'2*rho) (1); known (b3'3) (a3'3*rho) (1); known (b4'1) (a4'1*rho) (1); known (b4'2) (a4'2*rho) (1); known (b4'3) (a4'3*rho) (1); known (b5'1) (a5'1*rho) (1); known (b5'2) (a5'2*rho) (1); known (b5'3) (a5'3*rho) (1); put_known; Solved.concluded. Qed.
+Proof. cbv beta zeta delta [statement parallel q q_ p p_]; intros; ratios ltac:(fun u => apply monomial_curve); in_ratio; compute_goal; parts; ring. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage q; stage p; stage_at parallel [0; 1; 2; 3; 4]%Z; stage q_; staged_goal p_; unstaged; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, (((5)*((38))) / (1)), (((6)*((38))) / (1)), (((7)*((38))) / (1)), (((8)*((38))) / (1)), (((9)*((38))) / (1)), (((10)*((38))) / (1)), (((11)*((38))) / (1)), (((12)*((38))) / (1)), (((13)*((38))) / (1)), (((14)*((38))) / (1)), (((15)*((38))) / (1)), (((16)*((38))) / (1)), (((17)*((38))) / (1)), (((18)*((38))) / (1)), (((19)*((38))) / (1)), (38), (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (((0)*((0))) / (1)), (0), (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, 2, 11, 1, 4, 13, 8, 8, 6, 8, 7, 9, 7, (((6)*((11))) / (1)), (((8)*((11))) / (1)), (((7)*((11))) / (1)), (((9)*((11))) / (1)), (((7)*((11))) / (1)), (((7)*((11))) / (1)), (((2)*((11))) / (1)), (((11)*((11))) / (1)), (((1)*((11))) / (1)), (((4)*((11))) / (1)), (((13)*((11))) / (1)), (((8)*((11))) / (1)), (((8)*((11))) / (1)), (((6)*((11))) / (1)), (((8)*((11))) / (1)), (11), (1 / 3); met) | (exists 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 7, 9, 7, 9, 7, 7, (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (((7)*((1))) / (1)), (((9)*((1))) / (1)), (((7)*((1))) / (1)), (1), (1 / 3); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((0)*((1))) / (1)), (((1)*((1))) / (1)), (1), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cbv beta zeta delta [parallel q p]; ratios ltac:(fun u => apply monomial_curve); met_joins. Qed.
 End eq_3_1_rho_constant.
 
 Module eq_3_1_difficulties_same.

@@ -21,13 +21,13 @@ Import Hyperbolic.Part_Catenary.catenary_curvature.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement K]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance K]; first [(exists (2); met) | (exists (0); met) | (exists (13); met) | (exists (1); met) | (exists (1); met)]. Qed.
+Proof. let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance K]; exists 0; compute_goal; derivatives; powers_of_two tt; split; numeric. Qed.
 End catenary_curvature.
 
 Module catenary_curvature_slip.
 Import Hyperbolic.Part_Catenary.catenary_curvature_slip.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement K] in no; refuting (no (1)). Qed.
+Proof. let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in intro no; cbv beta zeta delta [statement K] in no; generalize (no (ln 2)); clear no; compute_goal; derivatives; powers_of_two tt; intro no; refine (_ (no _ _)); [intro C; contradiction_in C | numeric | numeric]. Qed.
 End catenary_curvature_slip.
 
 Module catenary_curvature_slip_corrected.
@@ -35,7 +35,7 @@ Import Hyperbolic.Part_Catenary.catenary_curvature_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement K]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance K]; first [(exists (2); met) | (exists (0); met) | (exists (13); met) | (exists (1); met) | (exists (1); met)]. Qed.
+Proof. let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance K]; exists 0; compute_goal; derivatives; powers_of_two tt; split; numeric. Qed.
 End catenary_curvature_slip_corrected.
 
 Module catenary_load.

@@ -9,7 +9,7 @@ Import Hyperbolic.Part_Curves.curve_ends.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f g h F f_ g_ h_ F_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f g h F f_ g_ h_ F_]; first [(exists (fun _ => 2), (1); met) | (exists (fun _ => 0), (1); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (8); met) | (exists (fun _ => 1), (1); met) | (exists (fun _ => 0), (1); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists (fun _ => 0), (2 * ln 2); of_exponentials powers_of_two. Qed.
 End curve_ends.
 
 Module curve_d1.
@@ -17,13 +17,13 @@ Import Hyperbolic.Part_Curves.curve_d1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f g h F]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f g h F]; first [(exists (fun _ => 2), (1); met) | (exists (fun _ => 0), (1); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (8); met) | (exists (fun _ => 1), (1); met) | (exists (fun _ => 0), (1); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists (fun _ => 0), (2 * ln 2); of_exponentials powers_of_two. Qed.
 End curve_d1.
 
 Module curve_d1_slip.
 Import Hyperbolic.Part_Curves.curve_d1_slip.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f g h F] in no; refuting (no (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else 0) (1)). Qed.
+Proof. let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in intro no; cbv beta zeta delta [statement f g h F] in no; assert (A : 0 < 2 * ln 2) by (pose proof (ln_lt_2); lra); generalize (no (fun i => if Z.eqb i 1 then 1 else 0) (2 * ln 2) A); clear no; compute_goal; powers_of_two tt; intro no; assert (N : 3 <> 0) by numeric; assert (C := no ltac:(numeric) ltac:(numeric)); clear no; revert C; derivatives; powers_of_two tt; intro C; contradiction_in C. Qed.
 End curve_d1_slip.
 
 Module curve_d1_slip_corrected.
@@ -31,7 +31,7 @@ Import Hyperbolic.Part_Curves.curve_d1_slip_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f g h F]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f g h F]; first [(exists (fun _ => 2), (1); met) | (exists (fun _ => 0), (1); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (8); met) | (exists (fun _ => 1), (1); met) | (exists (fun _ => 0), (1); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists (fun _ => 0), (2 * ln 2); of_exponentials powers_of_two. Qed.
 End curve_d1_slip_corrected.
 
 Module curve_d2.
@@ -39,7 +39,7 @@ Import Hyperbolic.Part_Curves.curve_d2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f g h F]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f g h F]; first [(exists (fun _ => 2), (1); met) | (exists (fun _ => 0), (1); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (8); met) | (exists (fun _ => 1), (1); met) | (exists (fun _ => 0), (1); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists (fun _ => 0), (2 * ln 2); of_exponentials powers_of_two. Qed.
 End curve_d2.
 
 Module curve_middle.
@@ -47,13 +47,13 @@ Import Hyperbolic.Part_Curves.curve_middle.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f g h F]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f g h F]; first [(exists (fun _ => 2), (1); met) | (exists (fun _ => 0), (1); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (8); met) | (exists (fun _ => 1), (1); met) | (exists (fun _ => 0), (1); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists (fun _ => 0), (2 * ln 2); of_exponentials powers_of_two. Qed.
 End curve_middle.
 
 Module curve_middle_slip.
 Import Hyperbolic.Part_Curves.curve_middle_slip.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f g h F] in no; refuting (no (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1)). Qed.
+Proof. let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in intro no; cbv beta zeta delta [statement f g h F] in no; assert (A : 0 < 4 * ln 2) by (pose proof (ln_lt_2); lra); generalize (no (fun i => if Z.eqb i 2 then 1 else 0) (4 * ln 2) A); clear no; compute_goal; powers_of_two tt; intro no; refine (_ (no _ _)); [intro C; contradiction_in C | numeric | numeric]. Qed.
 End curve_middle_slip.
 
 Module shape_ends.
@@ -61,7 +61,7 @@ Import Hyperbolic.Part_Curves.shape_ends.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement h F]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance h F]; first [(exists (2)%Z, (fun _ => 3), (1); met) | (exists (2)%Z, (fun _ => 0), (1); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (8); met) | (exists (2)%Z, (fun _ => 1), (1); met) | (exists (2)%Z, (fun _ => 0), (1); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists 2%Z, (fun _ => 0), (2 * ln 2); of_exponentials powers_of_two. Qed.
 End shape_ends.
 
 Module shape_d1.
@@ -69,7 +69,7 @@ Import Hyperbolic.Part_Curves.shape_d1.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement h F s]; symbolic. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance h F s]; first [(exists (2)%Z, (fun _ => 3), (1); met) | (exists (2)%Z, (fun _ => 0), (1); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (8); met) | (exists (2)%Z, (fun _ => 1), (1); met) | (exists (2)%Z, (fun _ => 0), (1); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists 2%Z, (fun _ => 0), (2 * ln 2); of_exponentials powers_of_two. Qed.
 End shape_d1.
 
 Module shape_slope.

@@ -21,5 +21,5 @@ Import Hyperbolic.Part_Logarithmic.spiral_curvature.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement S_]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance S_]; first [(exists (2), (3); met) | (exists (0), (0); met) | (exists (13), (8); met) | (exists (1), (1); met) | (exists (1), (0); met)]. Qed.
+Proof. let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance S_]; exists 0, 0; compute_goal; derivatives; special; powers_of_two tt; split; numeric. Qed.
 End spiral_curvature.

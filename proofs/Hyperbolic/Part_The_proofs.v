@@ -7,17 +7,17 @@ Open Scope R_scope.
 Module quadratic_unity.
 Import Hyperbolic.Part_The.quadratic_unity.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f g h]; identity. Qed.
+Proof. let halves := fun a t => (let is x v := (try replace (exp x) with v by (rewrite <- exp_plus; f_equal; field)) in is ((a - t) / 2) (exp (a / 2) * exp (- (t / 2))); is (- ((a - t) / 2)) (exp (- (a / 2)) * exp (t / 2)); is a (exp (a / 2) * exp (a / 2)); is (- a) (exp (- (a / 2)) * exp (- (a / 2))); is t (exp (t / 2) * exp (t / 2)); is (- t) (exp (- (t / 2)) * exp (- (t / 2))); pose proof (exp_inverse (a / 2)); pose proof (exp_inverse (t / 2)); generalize dependent (exp (a / 2)); generalize dependent (exp (- (a / 2))); generalize dependent (exp (t / 2)); generalize dependent (exp (- (t / 2))); intros; divisors; parts; match goal with E : ?e * ?m = 1, F : ?x * ?y = 1 |- _ => lazymatch e with x => fail | _ => idtac end; field_simplify_eq; [ring [E F] | nonzero] end) in cbv beta zeta delta [statement f g h]; compute_goal; intros a t A T N; halves a t. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f g h]; first [(exists (1), (1); met) | (exists (1), (0); met) | (exists (13), (8); met) | (exists (1), (1); met) | (exists (1), (1); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists (2 * ln 2), 0; of_exponentials powers_of_two. Qed.
 End quadratic_unity.
 
 Module quadratic_symmetry.
 Import Hyperbolic.Part_The.quadratic_symmetry.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f h g]; identity. Qed.
+Proof. cbv beta zeta delta [statement f h g]; intros a t A T N; replace (a - (a - t)) with t by ring; split; [reflexivity | unfold Rdiv; ring]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f h g]; first [(exists (1), (1); met) | (exists (1), (0); met) | (exists (13), (8); met) | (exists (1), (1); met) | (exists (1), (1); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists (2 * ln 2), 0; of_exponentials powers_of_two. Qed.
 End quadratic_symmetry.
 
 Module quadratic_ends.
@@ -25,13 +25,13 @@ Import Hyperbolic.Part_The.quadratic_ends.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f g h]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance f g h]; first [(exists (1); met) | (exists (1); met) | (exists (13); met) | (exists (1); met) | (exists (1); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists (2 * ln 2); of_exponentials powers_of_two. Qed.
 End quadratic_ends.
 
 Module quadratic_nonnegative_slip.
 Import Hyperbolic.Part_The.quadratic_nonnegative_slip.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g] in no; refuting (no (1) (2)). Qed.
+Proof. let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in intro no; cbv beta zeta delta [statement g] in no; generalize (no (2 * ln 2) (4 * ln 2)); clear no; powers_of_two tt; pose proof ln_lt_2; intro no; refine (_ (no _ _ _)); [intro C; apply (Rge_not_lt _ _ C); numeric | lra | lra | numeric]. Qed.
 End quadratic_nonnegative_slip.
 
 Module quadratic_space.
@@ -45,7 +45,7 @@ End quadratic_space.
 Module shape_symmetry.
 Import Hyperbolic.Part_The.shape_symmetry.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement h]; symbolic. Qed.
+Proof. cbv beta zeta delta [statement h]; intros; replace (1 - (1 - u)) with u by ring; symmetry; apply basis_mirror; [reflexivity | cbn [length]; lia | let i := fresh in intros i ?; cbn [length] in *; destruct i as [|[|[|i]]]; cbn [nth Nat.sub]; try lia; unfold Rdiv; ring | cbn [length]; lia]. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance h]; first [(exists (0)%Z, (1), (1 / 3); met) | (exists (0)%Z, (1), (1 / 2); met) | (exists (0)%Z, (8), (1 / 3); met) | (exists (0)%Z, (1), (1 / 3); met) | (exists (0)%Z, (1), (1 / 3); met)]. Qed.
+Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists 0%Z, (2 * ln 2), 0; of_exponentials powers_of_two. Qed.
 End shape_symmetry.

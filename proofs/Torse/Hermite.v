@@ -20,8 +20,7 @@ Lemma poly_derive c u : is_derive (poly c) u (poly (slope c) u).
 Proof.
   induction c as [|a c IH]; [exact (is_derive_const 0 u)|].
   assert (E : poly (slope (a :: c)) u = 0 + (1 * poly c u + u * poly (slope c) u)).
-  { unfold slope. cbn [tl]. clear. destruct c as [|b c]; cbn; [ring|].
-    replace (slopes (1 + 1) c) with (slopes (1 + 1) c) by reflexivity. rewrite slopes_next. ring. }
+  { unfold slope. cbn [tl]. clear. destruct c as [|b c]; cbn; [ring|]. rewrite slopes_next. ring. }
   rewrite E. apply (dplus (fun _ => a) (fun u => u * poly c u)); [exact (is_derive_const a u)|].
   apply (dmult (fun u => u) (poly c)); [exact (is_derive_id u)|exact IH].
 Qed.
@@ -89,6 +88,11 @@ Lemma quintic_curve w u a1 a2 a3 m1 m2 m3 b1 b2 b3 s1 s2 s3 r1 r2 r3 t1 t2 t3 : 
   curve6 w [a1; a2; a3] [m1; m2; m3] [b1; b2; b3] [s1; s2; s3] [r1; r2; r3] [t1; t2; t3] =
   [poly (quintic_of a1 m1 b1 s1 r1 t1) u; poly (quintic_of a2 m2 b2 s2 r2 t2) u; poly (quintic_of a3 m3 b3 s3 r3 t3) u].
 Proof. intros ->. blended. Qed.
+
+Lemma quintic_along a m b s r t a' m' b' s' r' t' c u :
+  poly (quintic_of (a - a' * c) (m - m' * c) (b - b' * c) (s - s' * c) (r - r' * c) (t - t' * c)) u =
+  poly (quintic_of a m b s r t) u - poly (quintic_of a' m' b' s' r' t') u * c.
+Proof. unfold quintic_of. cbn [poly]. ring. Qed.
 
 (* ---- the condition ---- *)
 (* coefficient n of q + q' - k (p + p') - (1 - k) o *)
@@ -175,32 +179,69 @@ Proof.
   - rewrite <- poly_scaled. apply poly_nth. intro n. rewrite nth_scaled, !slope_nth, E. ring.
 Qed.
 
+(* and so are the data of the curves *)
+Lemma cubic_similar k o a b s t a' b' s' t' :
+  (forall n, (n <= 3)%nat -> joined k (cubic_of a b s t) (cubic_of a' b' s' t') o n = 0) ->
+  a = k * a' + (1 - k) * o /\ b = k * b' + (1 - k) * o /\ s = k * s' /\ t = k * t'.
+Proof.
+  intro H. destruct (similar 3 k (cubic_of a b s t) (cubic_of a' b' s' t') o (le_n 4) (le_n 4) H) as [V T].
+  pose proof (V 0) as V0. pose proof (V 1) as V1. pose proof (T 0) as T0. pose proof (T 1) as T1. clear H V T.
+  unfold slope, cubic_of in *. cbn [slopes tl poly] in *. repeat split; lra.
+Qed.
+Lemma quartic_similar k o a m b s t a' m' b' s' t' :
+  (forall n, (n <= 4)%nat -> joined k (quartic_of a m b s t) (quartic_of a' m' b' s' t') o n = 0) ->
+  a = k * a' + (1 - k) * o /\ m = k * m' + (1 - k) * o /\ b = k * b' + (1 - k) * o /\ s = k * s' /\ t = k * t'.
+Proof.
+  intro H. destruct (similar 4 k (quartic_of a m b s t) (quartic_of a' m' b' s' t') o (le_n 5) (le_n 5) H) as [V T].
+  pose proof (V 0) as V0. pose proof (V 1) as V1. pose proof (V (1 / 2)) as VM.
+  pose proof (T 0) as T0. pose proof (T 1) as T1. clear H V T.
+  unfold slope, quartic_of in *. cbn [slopes tl poly] in *. repeat split; lra.
+Qed.
+Lemma quintic_similar k o a m b s r t a' m' b' s' r' t' :
+  (forall n, (n <= 5)%nat -> joined k (quintic_of a m b s r t) (quintic_of a' m' b' s' r' t') o n = 0) ->
+  a = k * a' + (1 - k) * o /\ m = k * m' + (1 - k) * o /\ b = k * b' + (1 - k) * o /\ s = k * s' /\ r = k * r' /\ t = k * t'.
+Proof.
+  intro H. destruct (similar 5 k (quintic_of a m b s r t) (quintic_of a' m' b' s' r' t') o (le_n 6) (le_n 6) H) as [V T].
+  pose proof (V 0) as V0. pose proof (V 1) as V1. pose proof (V (1 / 2)) as VM.
+  pose proof (T 0) as T0. pose proof (T 1) as T1. pose proof (T (1 / 2)) as TM. clear H V T.
+  unfold slope, quintic_of in *. cbn [slopes tl poly] in *. repeat split; lra.
+Qed.
+
 (* ---- the tactics of scripts ---- *)
-(* D gives the weights of the curves *)
 (* the definition D gives the weights of the curves *)
 Ltac weights form D := match goal with E : D = _ |- _ =>
   intros; unfold form; rewrite E; cbv beta; repeat apply (f_equal2 (@cons R)); try reflexivity; ring end.
 Ltac counted_joins := cbv beta iota zeta delta
   [joined quintic_of quartic_of cubic_of nth Z.to_nat Pos.to_nat Pos.iter_op Nat.add INR zeros repeat].
-Ltac join curve := match goal with
-  | |- context [vdiv (vDerive 3 (fun u => vsub (vsub (vadd (@?q u) (vDerive 3 _ 1 u)) (vscale ?k (vadd (@?p u) _))) (vscale _ [?o1; ?o2; ?o3])) ?n ?x) (factorial ?z)] =>
-      let t := match goal with |- context [vdiv (vDerive 3 ?f n x) (factorial z)] => constr:(vdiv (vDerive 3 f n x) (factorial z)) end in
+(* what a part of the condition is: [go] gets the equation *)
+Ltac join t curve go := lazymatch t with
+  | vdiv (vDerive 3 (fun u => vsub (vsub (vadd (@?q u) (vDerive 3 _ 1 u)) (vscale ?k (vadd (@?p u) _))) (vscale _ [?o1; ?o2; ?o3])) _ _) (factorial ?z) =>
       let Q := fresh in eassert (Q : forall u, q u = _) by (let u := fresh in intro u; curve u);
       let P := fresh in eassert (P : forall u, p u = _) by (let u := fresh in intro u; curve u);
       let E := fresh in pose proof (part_is q p _ _ _ _ _ _ k o1 o2 o3 z Q P) as E;
-      change (part_of _ _) with t in E; rewrite E; clear E P Q
+      change (part_of _ _) with t in E; go E; clear E P Q
   end.
-Ltac joins curve := repeat match goal with H : context [vDerive] |- _ => revert H end;
-  repeat lazymatch goal with |- context [vDerive] => lazymatch goal with |- context [factorial] => join curve end end.
-Ltac with_cubics D go := let W := fresh "W" in
+(* in each equation alone *)
+Ltac joins curve :=
+  repeat match goal with H : context [vDerive] |- _ => lazymatch type of H with _ /\ _ => destruct H end end;
+  repeat match goal with H : context [vdiv (vDerive 3 ?f ?n ?x) (factorial ?z)] |- _ =>
+    join (vdiv (vDerive 3 f n x) (factorial z)) curve ltac:(fun E => rewrite E in H) end;
+  repeat match goal with H : context [joined] |- _ => revert H end;
+  repeat match goal with |- context [vdiv (vDerive 3 ?f ?n ?x) (factorial ?z)] =>
+    join (vdiv (vDerive 3 f n x) (factorial z)) curve ltac:(fun E => rewrite E) end.
+(* a lemma says what the curves of these weights are *)
+Ltac cubic_weighted lemma D go := let W := fresh "W" in
   assert (W : forall a b c d u, cubic_weights (D a b c d u) u) by weights cubic_weights D;
-  go ltac:(fun u => apply (cubic_curve _ u), W); clear W.
-Ltac with_quartics D go := let W := fresh "W" in
+  go ltac:(fun u => apply (lemma _ u), W); clear W.
+Ltac quartic_weighted lemma D go := let W := fresh "W" in
   assert (W : forall a b c d e u, quartic_weights (D a b c d e u) u) by weights quartic_weights D;
-  go ltac:(fun u => apply (quartic_curve _ u), W); clear W.
-Ltac with_quintics D go := let W := fresh "W" in
+  go ltac:(fun u => apply (lemma _ u), W); clear W.
+Ltac quintic_weighted lemma D go := let W := fresh "W" in
   assert (W : forall a b c d e f u, quintic_weights (D a b c d e f u) u) by weights quintic_weights D;
-  go ltac:(fun u => apply (quintic_curve _ u), W); clear W.
+  go ltac:(fun u => apply (lemma _ u), W); clear W.
+Ltac with_cubics D go := cubic_weighted cubic_curve D go.
+Ltac with_quartics D go := quartic_weighted quartic_curve D go.
+Ltac with_quintics D go := quintic_weighted quintic_curve D go.
 Ltac cubic_joins D := intros; with_cubics D joins; counted_joins.
 Ltac quartic_joins D := intros; with_quartics D joins; counted_joins.
 Ltac quintic_joins D := intros; with_quintics D joins; counted_joins.
@@ -219,30 +260,28 @@ Definition gap_at (q p : R -> R) (k o u : R) : R := q u + Derive_n q 1 u - k * (
 Lemma scalar_part (q p : R -> R) cq cp k o z : (forall u, q u = poly cq u) -> (forall u, p u = poly cp u) ->
   Derive_n (gap_at q p k o) (Z.to_nat z) 0 / factorial z = joined k cq cp o (Z.to_nat z).
 Proof. intros Q P. unfold factorial. apply (gap_part q p cq cp k o (Z.to_nat z) Q P). Qed.
-Ltac join_numbers curve := match goal with
-  | |- context [Derive_n (fun u => @?q u + Derive_n _ 1 u - ?k * (@?p u + Derive_n _ 1 u) - _ * ?o) ?n ?x / factorial ?z] =>
-      let t := match goal with |- context [Derive_n ?f n x / factorial z] => constr:(Derive_n f n x / factorial z) end in
+Ltac join_numbers t curve go := lazymatch t with
+  | Derive_n (fun u => @?q u + Derive_n _ 1 u - ?k * (@?p u + Derive_n _ 1 u) - _ * ?o) _ _ / factorial ?z =>
       let Q := fresh in eassert (Q : forall u, q u = _) by (let u := fresh in intro u; curve u);
       let P := fresh in eassert (P : forall u, p u = _) by (let u := fresh in intro u; curve u);
       let E := fresh in pose proof (scalar_part q p _ _ k o z Q P) as E;
-      change (Derive_n (gap_at q p k o) (Z.to_nat z) 0 / factorial z) with t in E; rewrite E; clear E P Q
+      change (Derive_n (gap_at q p k o) (Z.to_nat z) 0 / factorial z) with t in E; go E; clear E P Q
   end.
-Ltac joins_of_numbers curve := repeat match goal with H : context [Derive_n] |- _ => revert H end;
-  repeat lazymatch goal with |- context [Derive_n] => lazymatch goal with |- context [factorial] => join_numbers curve end end.
+Ltac joins_of_numbers curve :=
+  repeat match goal with H : context [Derive_n] |- _ => lazymatch type of H with _ /\ _ => destruct H end end;
+  repeat match goal with H : context [Derive_n ?f ?n ?x / factorial ?z] |- _ =>
+    join_numbers (Derive_n f n x / factorial z) curve ltac:(fun E => rewrite E in H) end;
+  repeat match goal with H : context [joined] |- _ => revert H end;
+  repeat match goal with |- context [Derive_n ?f ?n ?x / factorial ?z] =>
+    join_numbers (Derive_n f n x / factorial z) curve ltac:(fun E => rewrite E) end.
 Ltac values curve := repeat lazymatch goal with |- context [entry _ _ * _] => match goal with
   | |- context [?a + entry ?w ?i * ?t] =>
       let u := match w with _ ?u => u end in
       let E := fresh in eassert (E : a + entry w i * t = _) by curve u; rewrite E; clear E
   end end.
-Ltac with_quintic_numbers D go := let W := fresh "W" in
-  assert (W : forall a b c d e f u, quintic_weights (D a b c d e f u) u) by weights quintic_weights D;
-  go ltac:(fun u => apply (quintic_value _ u), W); clear W.
-Ltac with_quartic_numbers D go := let W := fresh "W" in
-  assert (W : forall a b c d e u, quartic_weights (D a b c d e u) u) by weights quartic_weights D;
-  go ltac:(fun u => apply (quartic_value _ u), W); clear W.
-Ltac with_cubic_numbers D go := let W := fresh "W" in
-  assert (W : forall a b c d u, cubic_weights (D a b c d u) u) by weights cubic_weights D;
-  go ltac:(fun u => apply (cubic_value _ u), W); clear W.
+Ltac with_cubic_numbers D go := cubic_weighted cubic_value D go.
+Ltac with_quartic_numbers D go := quartic_weighted quartic_value D go.
+Ltac with_quintic_numbers D go := quintic_weighted quintic_value D go.
 (* the same, with what follows for the curves *)
 Ltac similarities d := intros; equations; cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add] in *;
   repeat match goal with H : joined ?k ?q ?p ?o O = 0 |- _ =>
@@ -251,6 +290,19 @@ Ltac similarities d := intros; equations; cbv beta iota delta [Z.to_nat Pos.to_n
       destruct (similar d k q p o ltac:(cbn [quintic_of quartic_of cubic_of length]; lia) ltac:(cbn [quintic_of quartic_of cubic_of length]; lia)
         ltac:(let n := fresh "n" in intros n ?; do 6 (destruct n as [|n]; [first [assumption | lia]|]); lia)) as [V T] end end;
   repeat match goal with H : joined _ _ _ _ _ = 0 |- _ => revert H end; counted_joins; intros.
+(* what the condition says of the curves and of their data *)
+Ltac data_of_joins := cbv beta iota delta [zeros repeat]; intros; equations; cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add] in *;
+  repeat match goal with H : joined ?k ?q ?p ?o O = 0 |- _ =>
+    let D := fresh "D" in
+    let all d := (assert (D : forall n, (n <= d)%nat -> joined k q p o n = 0) by
+      (let n := fresh "n" in intros n ?; do 6 (destruct n as [|n]; [first [assumption | lia]|]); lia)) in
+    let V := fresh "values" in let T := fresh "tangents" in
+    lazymatch q with
+    | quintic_of _ _ _ _ _ _ => all 5%nat; destruct (similar 5 k q p o (le_n 6) (le_n 6) D) as [V T]; apply quintic_similar in D
+    | quartic_of _ _ _ _ _ => all 4%nat; destruct (similar 4 k q p o (le_n 5) (le_n 5) D) as [V T]; apply quartic_similar in D
+    | cubic_of _ _ _ _ => all 3%nat; destruct (similar 3 k q p o (le_n 4) (le_n 4) D) as [V T]; apply cubic_similar in D
+    end;
+    repeat match goal with J : joined k q p o _ = 0 |- _ => clear J end end; equations.
 Ltac linearly := intros; equations; cbv beta iota delta [entry nth Nat.pred]; parts; lra.
 Lemma curve_derive (q : R -> list R) q1 q2 q3 n u : (forall u, q u = [poly q1 u; poly q2 u; poly q3 u]) ->
   vDerive 3 q n u = [poly (slope_n n q1) u; poly (slope_n n q2) u; poly (slope_n n q3) u].
@@ -280,15 +332,22 @@ Ltac met_joins := conjuncts; lazymatch goal with
   | |- @eq (list R) _ _ => parts; lra
   | |- _ => try lra
   end.
-Ltac similar_cubics D := intros; with_cubics D joins; cbv beta iota delta [zeros repeat]; similarities 3%nat; with_cubics D curves.
-Ltac similar_quartics D := intros; with_quartics D joins; cbv beta iota delta [zeros repeat]; similarities 4%nat; with_quartics D curves.
-Ltac similar_quintics D := intros; with_quintics D joins; cbv beta iota delta [zeros repeat]; similarities 5%nat; with_quintics D curves.
+Ltac similar_cubics D := intros; with_cubics D joins; data_of_joins; with_cubics D curves.
+Ltac similar_quartics D := intros; with_quartics D joins; data_of_joins; with_quartics D curves.
+Ltac similar_quintics D := intros; with_quintics D joins; data_of_joins; with_quintics D curves.
 Ltac cubic_curves D := intros; with_cubics D curves_at.
 Ltac quartic_curves D := intros; with_quartics D curves_at.
 Ltac quintic_curves D := intros; with_quintics D curves_at.
+(* the parts of a conjunction, each unfolded and joined alone *)
+Ltac cubic_parts D unfolding := with_cubics D ltac:(fun curve => conjuncts; unfolding; joins curve; counted_joins).
+Ltac quartic_parts D unfolding := with_quartics D ltac:(fun curve => conjuncts; unfolding; joins curve; counted_joins).
+Ltac quintic_parts D unfolding := with_quintics D ltac:(fun curve => conjuncts; unfolding; joins curve; counted_joins).
+Ltac cubic_number_parts D unfolding := with_cubic_numbers D ltac:(fun curve => conjuncts; unfolding; joins_of_numbers curve; counted_joins).
+Ltac quartic_number_parts D unfolding := with_quartic_numbers D ltac:(fun curve => conjuncts; unfolding; joins_of_numbers curve; counted_joins).
+Ltac quintic_number_parts D unfolding := with_quintic_numbers D ltac:(fun curve => conjuncts; unfolding; joins_of_numbers curve; counted_joins).
 (* the unknown x has the value v, by the equations *)
 Ltac worth x v := let E := fresh in assert (E : x = v) by lra; rewrite E in *; clear E.
-Ltac worth_times k x v := let E := fresh in assert (E : x = v) by (first [lra | apply (cancelled k); [nonzero | lra]]); rewrite E in *; clear E.
+Ltac worth_times k x v := let E := fresh in assert (E : x = v) by (apply (cancelled k); [nonzero | lra]); rewrite E in *; clear E.
 (* developable: the tangents are parallel *)
 Ltac parallel_tangents := compute_goal; repeat match goal with
   | T : forall u, poly (slope ?q) u = _ |- context [poly (slope ?q) ?x] => rewrite (T x) end; ring.
@@ -298,6 +357,9 @@ Ltac premise := met_joins; first [ lra | compute_goal; numeric | compute_goal; l
 Ltac premises_met := repeat lazymatch goal with |- (?A -> _) -> False =>
   let K := fresh in assert (K : A) by premise; let N := fresh in intro N; specialize (N K); clear K; revert N end.
 Ltac fails := premises_met; compute_goal; let C := fresh in intro C; contradiction_in C.
+(* the same, each premise unfolded and joined alone; C is the statement at these values *)
+Ltac granted C unfolding curve := repeat lazymatch type of C with ?A -> _ =>
+  let K := fresh in assert (K : A) by (conjuncts; unfolding; joins curve; counted_joins; premise); specialize (C K); clear K end.
 (* points of the one curve by those of the other *)
 Ltac preimages := repeat match goal with
   | V : forall u, poly ?q u = ?k * poly ?p u + ?c |- context [poly ?p ?x] =>
@@ -314,12 +376,24 @@ Ltac images := repeat match goal with
   end.
 (* the weights at integers *)
 Ltac whole_points D_ D := intros; repeat match goal with H : context [vDerive] |- _ => revert H end;
-  repeat match goal with |- context [D_ ?a ?b ?c ?d ?e ?f ?u] => change (D_ a b c d e f u) with (D a b c d e f (IZR u)) end; intros.
+  repeat match goal with
+  | |- context [D_ ?a ?b ?c ?d ?e ?f ?u] => change (D_ a b c d e f u) with (D a b c d e f (IZR u))
+  | |- context [D_ ?a ?b ?c ?d ?e ?u] => change (D_ a b c d e u) with (D a b c d e (IZR u))
+  | |- context [D_ ?a ?b ?c ?d ?u] => change (D_ a b c d u) with (D a b c d (IZR u))
+  end; intros.
+(* each vector that is derived or subtracted, worked out once; unfolded it is a curve *)
+Ltac vector_at t unfolding curve := lazymatch t with _ :: _ => fail | _ =>
+  let E := fresh in eassert (E : t = _) by (unfolding; curves curve; points; etransitivity; [on_left; entries | reflexivity]);
+  rewrite E; clear E end.
+Ltac vectors unfolding curve := repeat match goal with
+  | |- context [vDerive 3 ?f 1 ?x] => vector_at (vDerive 3 f 1 x) unfolding curve
+  | |- context [vsub ?a ?b] => first [vector_at a unfolding curve | vector_at b unfolding curve]
+  end.
 Ltac closed_numbers := conjuncts; compute_goal; parts; lazymatch goal with
   | |- _ = _ => etransitivity; [value | reflexivity]
   | |- _ => numeric
   end.
-Ltac similar_quintic_numbers D := intros; with_quintic_numbers D joins_of_numbers; similarities 5%nat; with_quintic_numbers D values.
+Ltac similar_quintic_numbers D := intros; with_quintic_numbers D joins_of_numbers; data_of_joins; with_quintic_numbers D values.
 Ltac quintic_number_joins D := intros; with_quintic_numbers D joins_of_numbers; counted_joins.
 Ltac quartic_number_joins D := intros; with_quartic_numbers D joins_of_numbers; counted_joins.
 Ltac cubic_number_joins D := intros; with_cubic_numbers D joins_of_numbers; counted_joins.
@@ -373,8 +447,96 @@ Ltac number_curve_at curve := match goal with |- context [Derive_n ?f ?n ?x] =>
   rewrite (Derive_n_ext f (poly _) n x Q), poly_derive_n; clear Q end.
 Ltac number_curves curve := repeat lazymatch goal with |- context [Derive_n] => number_curve_at curve end; values curve.
 
+(* ---- coefficients of numbers in the condition ---- *)
+Lemma affine f g c x : (forall s, f s = g s) -> (forall s, g s = g 0 + s * c) -> Derive_n f 1 x = c.
+Proof.
+  intros E L. rewrite (Derive_n_ext f g 1 x E), (Forms.slope g x); [|intro s; rewrite (L s), (L 1)]; [rewrite (L 1)|]; ring.
+Qed.
+Ltac affine_by rewriting := match goal with |- Derive_n ?f 1 ?x = ?c =>
+  let E := fresh in eassert (E : forall s, f s = _) by (let s := fresh in intro s; cbv beta; rewriting; reflexivity);
+  apply (affine f _ c x E); intro; cbv beta; ring end.
+Ltac system_joins curve := parts; affine_by ltac:(joins_of_numbers curve; counted_joins).
+
+(* ---- tangents in one ratio ---- *)
+Lemma ratio_part (q p : R -> list R) q1 q2 q3 p1 p2 p3 k z :
+  (forall u, q u = [poly q1 u; poly q2 u; poly q3 u]) -> (forall u, p u = [poly p1 u; poly p2 u; poly p3 u]) ->
+  part_of (fun u => vsub (vDerive 3 q 1 u) (vscale k (vDerive 3 p 1 u))) z =
+  map (fun c => INR (S (Z.to_nat z)) * c) [nth (S (Z.to_nat z)) q1 0 - k * nth (S (Z.to_nat z)) p1 0;
+    nth (S (Z.to_nat z)) q2 0 - k * nth (S (Z.to_nat z)) p2 0; nth (S (Z.to_nat z)) q3 0 - k * nth (S (Z.to_nat z)) p3 0].
+Proof.
+  intros Q P. unfold part_of, factorial. generalize (Z.to_nat z). intro n.
+  assert (S : forall u, vsub (vDerive 3 q 1 u) (vscale k (vDerive 3 p 1 u)) =
+    [poly (sums (slope q1) (map (Rmult (- k)) (slope p1))) u; poly (sums (slope q2) (map (Rmult (- k)) (slope p2))) u;
+     poly (sums (slope q3) (map (Rmult (- k)) (slope p3))) u]).
+  { intro u. rewrite (curve_derive q _ _ _ 1 u Q), (curve_derive p _ _ _ 1 u P). unfold vsub, vscale. cbn [zip map slope_n].
+    rewrite !poly_sums, !poly_scaled. repeat apply (f_equal2 (@cons R)); try reflexivity; ring. }
+  rewrite (curve_derive _ _ _ _ n 0 S). unfold vdiv. cbn [map].
+  repeat apply (f_equal2 (@cons R)); [| | |reflexivity].
+  all: rewrite <- poly_derive_n, (coefficient_of _ _ n (fun u => eq_refl)), nth_sums, nth_scaled, !slope_nth; ring.
+Qed.
+Lemma ratio_of m a b k : m <> 0 -> m * (b - k * a) = 0 -> b = k * a.
+Proof. intros N H. apply Rmult_integral in H as [H|H]; [contradiction | lra]. Qed.
+Ltac ratio curve := match goal with
+  | |- context [vdiv (vDerive 3 (fun u => vsub (vDerive 3 ?q 1 u) (vscale ?k (vDerive 3 ?p 1 u))) _ _) (factorial ?z)] =>
+      let Q := fresh in eassert (Q : forall u, q u = _) by (let u := fresh in intro u; curve u);
+      let P := fresh in eassert (P : forall u, p u = _) by (let u := fresh in intro u; curve u);
+      let E := fresh in pose proof (ratio_part q p _ _ _ _ _ _ k z Q P) as E; unfold part_of in E; rewrite E; clear E P Q
+  end.
+(* what the equations say of the coefficients *)
+Ltac in_ratio := intros; equations; repeat match goal with
+  H : ?m * (?b - ?k * ?a) = 0 |- _ => apply (ratio_of m a b k) in H; [subst b | numeric] end.
+Ltac ratios curve := repeat match goal with H : context [vDerive] |- _ => revert H end; repeat ratio curve;
+  cbv beta iota delta [map nth zeros repeat Z.to_nat Pos.to_nat Pos.iter_op Nat.add].
+
 (* ---- unknowns of the equations between numbers ---- *)
 Ltac found := intros; equations; conjuncts; lazymatch goal with
   | |- _ = _ / _ => apply value_of; [nonzero | lra]
   | |- _ => lra
   end.
+
+(* ---- determinants of matrices with zeros, and inverses that are known ---- *)
+(* numbers, of which those that are 0 take no part in the expansion *)
+Definition oadd (a b : option R) : option R := match a, b with None, b => b | a, None => a | Some x, Some y => Some (x + y) end.
+Definition omul (a b : option R) : option R := match a, b with Some x, Some y => Some (x * y) | _, _ => None end.
+Definition onum (a : option R) : R := match a with Some x => x | None => 0 end.
+Lemma onum_add a b : onum (oadd a b) = onum a + onum b. Proof. destruct a, b; cbn; ring. Qed.
+Lemma onum_mul a b : onum (omul a b) = onum a * onum b. Proof. destruct a, b; cbn; ring. Qed.
+Lemma onum_opp a : onum (option_map Ropp a) = - onum a. Proof. destruct a; cbn; ring. Qed.
+Lemma expansion_sparse n : forall M,
+  expansion 0 1 Rplus Rmult Ropp n (map (map onum) M) = onum (expansion None (Some 1) oadd omul (option_map Ropp) n M).
+Proof.
+  induction n as [|n IH]; intros [|r M]; cbn [expansion map]; try reflexivity.
+  generalize O, true. induction r as [|e r IHr]; intros j plus; cbn [map]; [reflexivity|].
+  rewrite onum_add, onum_mul, <- IHr, <- IH. f_equal. f_equal.
+  - destruct plus; [reflexivity|symmetry; apply onum_opp].
+  - f_equal. rewrite !map_map. apply map_ext. intro l. apply drop_map.
+Qed.
+Lemma det_sparse M : det (map (map onum) M) = onum (expansion None (Some 1) oadd omul (option_map Ropp) (length M) M).
+Proof. unfold det. rewrite map_length. apply expansion_sparse. Qed.
+Ltac sparse_row l := lazymatch l with
+  | nil => constr:(@nil (option R))
+  | 0 :: ?l => let r := sparse_row l in constr:(None :: r)
+  | ?a :: ?l => let r := sparse_row l in constr:(Some a :: r)
+  end.
+Ltac sparse_rows A := lazymatch A with
+  | nil => constr:(@nil (list (option R)))
+  | ?u :: ?A => let r := sparse_row u in let m := sparse_rows A in constr:(r :: m)
+  end.
+Ltac sparse_det := match goal with |- context [det ?A] => let M := sparse_rows A in
+  change (det A) with (det (map (map onum) M)); rewrite det_sparse;
+  cbv beta iota delta [onum expansion oadd omul option_map length map drop firstn skipn app negb] end.
+Definition cofactors (A : list (list R)) : list (list R) :=
+  map (fun j => map (fun i => cofactor A i j) (seq 0 (length A))) (seq 0 (length A)).
+Lemma inverse_is A B d : det A = d -> d <> 0 -> cofactors A = mscale d B -> inverse A = B.
+Proof.
+  intros D N C. rewrite (inverse_by A d D). transitivity (mdiv (cofactors A) d).
+  - unfold mdiv, vdiv, cofactors. rewrite map_map. apply map_ext. intro j. rewrite map_map. reflexivity.
+  - rewrite C. unfold mdiv, vdiv, mscale, vscale. rewrite map_map. rewrite <- (map_id B) at 2. apply map_ext. intro r.
+    rewrite map_map. rewrite <- (map_id r) at 2. apply map_ext. intro x. field. exact N.
+Qed.
+(* the inverse of A, whose determinant is d *)
+Ltac inverse_known A d B := let D := fresh in assert (D : det A = d) by (sparse_det; ring);
+  let I := fresh in assert (I : inverse A = B) by
+    (apply (inverse_is A B d D); [nonzero | cbv beta iota zeta delta [cofactors cofactor mscale vscale length seq map Nat.even Nat.add drop firstn skipn app];
+      parts; sparse_det; field; nonzero]);
+  rewrite I; clear D I.
