@@ -7,7 +7,7 @@ use crate::terminal::Progress;
 use crate::{guard, terminal};
 use clap::Args;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use tempfile::TempDir;
@@ -98,8 +98,16 @@ impl Prove {
             (unproved, chosen) = self.tried(coqc, &findings, unproved, chosen)?;
         }
         let folder = Folder::with_scripts(&findings, &unproved, &chosen, self.layout());
-        for (path, text) in &self.files(&folder) {
+        let old = merge::ours(&|path| std::fs::read_to_string(self.out.join(path)).ok());
+        let files = match self.names.is_empty() {
+            true => folder.files.clone(),
+            false => merge::merged(&folder, &old),
+        };
+        for (path, text) in &files {
             self.write(path, text)?;
+        }
+        for path in old.keys().filter(|path| !files.contains_key(*path)) {
+            self.remove(path)?;
         }
         let mut exit = Exit::AsExpected;
         let mut text = written(&folder);
@@ -132,15 +140,15 @@ impl Prove {
         Ok(write_file(&path, text.as_bytes())?)
     }
 
-    /// What is written: all, or where claims were named, what the folder has of the others besides.
-    fn files(&self, folder: &Folder) -> BTreeMap<String, String> {
-        match self.names.is_empty() {
-            true => folder.files.clone(),
-            false => {
-                let read = |path: &str| std::fs::read_to_string(self.out.join(path)).ok();
-                merge::merged(folder, &merge::ours(&read))
-            }
+    /// Removes a file that an earlier run wrote and this one would not.
+    fn remove(&self, path: &str) -> Result<(), Failure> {
+        // The list of files may have been edited: nothing outside of the folder is ours.
+        let inside = |part| matches!(part, Component::Normal(_));
+        if !Path::new(path).components().all(inside) {
+            return Ok(());
         }
+        let path = self.out.join(path);
+        std::fs::remove_file(&path).map_err(|source| ReportError::Write { path, source }.into())
     }
 
     /// A folder for whole papers has the definitions of a section once; one for some of their claims does not know the others.

@@ -185,6 +185,34 @@ fn the_commands_of_the_page_about_proofs_compile_them() {
     run("make", &["Torse/Series.vo", "Mini/Section_1.vo"]);
 }
 
+#[test]
+fn what_is_no_longer_stated_is_removed_and_what_others_wrote_stays() {
+    let one = claim("a", "(x + 1)^2 == x^2 + 2*x + 1", "");
+    let other = claim("b", "x + x == 2*x", "").replace("Sect. 1", "Sect. 2");
+    let out = tempfile::tempdir().unwrap();
+    let folder = out.path().join("proofs");
+    let written = |claims: &str| {
+        let (code, _, err) = prove(&mini(claims), folder.to_str().unwrap(), None, &[]);
+        assert_eq!(code, Some(0), "{err}");
+        let all = fs::read_dir(folder.join("Mini")).unwrap().flatten();
+        let mut names: Vec<String> = all.map(|e| e.file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    };
+    let first = ["Section_1.v", "Section_1_proofs.v"];
+    let second = ["Section_2.v", "Section_2_proofs.v"];
+    assert_eq!(written(&(one.clone() + &other)), [first, second].concat());
+    // A list of files that somebody edited names what is not ours.
+    let beside = out.path().join("beside.v");
+    let project = folder.join("_CoqProject");
+    let listed = fs::read_to_string(&project).unwrap() + "../beside.v\n";
+    fs::write(&project, listed).unwrap();
+    fs::write(&beside, "mine").unwrap();
+    fs::write(folder.join("Mini/Mine.v"), "mine").unwrap();
+    assert_eq!(written(&one), [&["Mine.v"], &first[..]].concat());
+    assert_eq!(fs::read_to_string(beside).unwrap(), "mine");
+}
+
 /// Runs `torse verify --format json` with this folder of proofs.
 fn verified(derivations: &tempfile::TempDir, proofs: &str) -> String {
     let path = derivations.path().to_str().unwrap();
