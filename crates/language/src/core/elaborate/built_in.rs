@@ -81,6 +81,17 @@ impl Elaborator<'_> {
                 },
             )
         };
+        if let ("nonnegative" | "independent" | "variation_diminishing", [family, ..]) =
+            (name, arguments)
+            && let Some((list, basis)) = self.list(family)
+        {
+            if name != "nonnegative" {
+                let wanted = "a basis with a step: of a list only `nonnegative` is decided";
+                return Err(wrong(family.place, "a list of functions", wanted));
+            }
+            let all = self.all_nonnegative(list, basis, family.place)?;
+            return Ok(Meaning::Statement(all));
+        }
         let name_of_fold = name;
         let function = match (name, arguments) {
             ("sum" | "product", [index, low, high, term]) => {
@@ -156,16 +167,6 @@ impl Elaborator<'_> {
                     printed: printed_numbers(printed)?,
                     place: printed.place,
                 }));
-            }
-            ("nonnegative" | "independent" | "variation_diminishing", [family, ..])
-                if let Some((list, basis)) = self.list(family) =>
-            {
-                if name != "nonnegative" {
-                    let wanted = "a basis with a step: of a list only `nonnegative` is decided";
-                    return Err(wrong(family.place, "a list of functions", wanted));
-                }
-                let all = self.all_nonnegative(list, basis, family.place)?;
-                return Ok(Meaning::Statement(all));
             }
             ("nonnegative" | "independent" | "variation_diminishing", [family]) => {
                 let property = match name {
