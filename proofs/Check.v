@@ -760,6 +760,8 @@ Check (GbtSurfaces.Part_Table_proofs.tab_1_1_proposed.proved : GbtSurfaces.Part_
 Check (GbtSurfaces.Part_Table_proofs.tab_1_1_proposed.met : GbtSurfaces.Part_Table.tab_1_1_proposed.instance).
 Check (GbtSurfaces.Part_Table_proofs.tab_1_2_proposed.proved : GbtSurfaces.Part_Table.tab_1_2_proposed.statement).
 Check (GbtSurfaces.Part_Table_proofs.tab_1_2_proposed.met : GbtSurfaces.Part_Table.tab_1_2_proposed.instance).
+Check (GbtSurfaces.Part_Table_proofs.tab_1_3_proposed.proved : GbtSurfaces.Part_Table.tab_1_3_proposed.statement).
+Check (GbtSurfaces.Part_Table_proofs.tab_1_3_proposed.met : GbtSurfaces.Part_Table.tab_1_3_proposed.instance).
 Check (GbtSurfaces.Part_Table_proofs.tab_1_4_proposed.proved : GbtSurfaces.Part_Table.tab_1_4_proposed.statement).
 Check (GbtSurfaces.Part_Table_proofs.tab_1_4_proposed.met : GbtSurfaces.Part_Table.tab_1_4_proposed.instance).
 Check (GbtSurfaces.Part_Table_proofs.tab_1_5_proposed.proved : GbtSurfaces.Part_Table.tab_1_5_proposed.statement).
@@ -983,12 +985,16 @@ Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_fixed.proved : GbtSurfaces.Section
 Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_fixed.met : GbtSurfaces.Section_3_2.sec_3_2_fixed.instance).
 Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_1.proved : GbtSurfaces.Section_3_2.sec_3_2_list_1.statement).
 Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_1.met : GbtSurfaces.Section_3_2.sec_3_2_list_1.instance).
+Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_3.proved : GbtSurfaces.Section_3_2.sec_3_2_list_3.statement).
+Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_3.met : GbtSurfaces.Section_3_2.sec_3_2_list_3.instance).
 Check (GbtSurfaces.Section_3_2_proofs.alg_2_1.proved : GbtSurfaces.Section_3_2.alg_2_1.statement).
 Check (GbtSurfaces.Section_3_2_proofs.alg_2_1.met : GbtSurfaces.Section_3_2.alg_2_1.instance).
 Check (GbtSurfaces.Section_3_2_proofs.alg_2_2.proved : GbtSurfaces.Section_3_2.alg_2_2.statement).
 Check (GbtSurfaces.Section_3_2_proofs.alg_2_2.met : GbtSurfaces.Section_3_2.alg_2_2.instance).
 Check (GbtSurfaces.Section_3_2_proofs.alg_2_2_irregular.proved : GbtSurfaces.Section_3_2.alg_2_2_irregular.statement).
 Check (GbtSurfaces.Section_3_2_proofs.alg_2_2_irregular.met : GbtSurfaces.Section_3_2.alg_2_2_irregular.instance).
+Check (GbtSurfaces.Section_3_2_proofs.eq_16.proved : GbtSurfaces.Section_3_2.eq_16.statement).
+Check (GbtSurfaces.Section_3_2_proofs.eq_16.met : GbtSurfaces.Section_3_2.eq_16.instance).
 Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_corners.proved : GbtSurfaces.Section_3_2.ex_3_2_corners.statement).
 Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_corners.met : GbtSurfaces.Section_3_2.ex_3_2_corners.instance).
 Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_division_z_lines.proved : GbtSurfaces.Section_3_2.ex_3_2_division_z_lines.statement).
@@ -1308,6 +1314,10 @@ Check (HermiteDevelopable.Section_2_proofs.sec_2_quintic_f1.proved : HermiteDeve
 Check (HermiteDevelopable.Section_2_proofs.sec_2_quintic_f1.met : HermiteDevelopable.Section_2.sec_2_quintic_f1.instance).
 Check (HermiteDevelopable.Section_2_proofs.eq_2_4.proved : HermiteDevelopable.Section_2.eq_2_4.statement).
 Check (HermiteDevelopable.Section_2_proofs.eq_2_4.met : HermiteDevelopable.Section_2.eq_2_4.instance).
+Check (HermiteDevelopable.Section_2_proofs.sec_2_control.proved : HermiteDevelopable.Section_2.sec_2_control.statement).
+Check (HermiteDevelopable.Section_2_proofs.sec_2_control.met : HermiteDevelopable.Section_2.sec_2_control.instance).
+Check (HermiteDevelopable.Section_2_proofs.fig_1b_middle.proved : HermiteDevelopable.Section_2.fig_1b_middle.statement).
+Check (HermiteDevelopable.Section_2_proofs.fig_1b_middle.met : HermiteDevelopable.Section_2.fig_1b_middle.instance).
 Check (HermiteDevelopable.Section_3_1_proofs.sec_3_1_polynomials.proved : HermiteDevelopable.Section_3_1.sec_3_1_polynomials.statement).
 Check (HermiteDevelopable.Section_3_1_proofs.sec_3_1_polynomials.met : HermiteDevelopable.Section_3_1.sec_3_1_polynomials.instance).
 Check (HermiteDevelopable.Section_3_1_proofs.sec_3_1_substituted.proved : HermiteDevelopable.Section_3_1.sec_3_1_substituted.statement).
@@ -1358,10 +1368,14 @@ Check (HermiteDevelopable.Section_3_1_proofs.sec_3_1_conclusion.proved : Hermite
 Check (HermiteDevelopable.Section_3_1_proofs.sec_3_1_conclusion.met : HermiteDevelopable.Section_3_1.sec_3_1_conclusion.instance).
 Check (HermiteDevelopable.Section_3_1_proofs.alg_3_1_step1.proved : HermiteDevelopable.Section_3_1.alg_3_1_step1.statement).
 Check (HermiteDevelopable.Section_3_1_proofs.alg_3_1_step1.met : HermiteDevelopable.Section_3_1.alg_3_1_step1.instance).
+Check (HermiteDevelopable.Section_3_1_proofs.alg_3_1_step2.proved : HermiteDevelopable.Section_3_1.alg_3_1_step2.statement).
+Check (HermiteDevelopable.Section_3_1_proofs.alg_3_1_step2.met : HermiteDevelopable.Section_3_1.alg_3_1_step2.instance).
 Check (HermiteDevelopable.Section_3_1_proofs.alg_3_1_step3.proved : HermiteDevelopable.Section_3_1.alg_3_1_step3.statement).
 Check (HermiteDevelopable.Section_3_1_proofs.alg_3_1_step3.met : HermiteDevelopable.Section_3_1.alg_3_1_step3.instance).
 Check (HermiteDevelopable.Section_3_1_proofs.sec_3_1_tension.proved : HermiteDevelopable.Section_3_1.sec_3_1_tension.statement).
 Check (HermiteDevelopable.Section_3_1_proofs.sec_3_1_tension.met : HermiteDevelopable.Section_3_1.sec_3_1_tension.instance).
+Check (HermiteDevelopable.Section_3_1_proofs.ex_3_1_arrange.proved : HermiteDevelopable.Section_3_1.ex_3_1_arrange.statement).
+Check (HermiteDevelopable.Section_3_1_proofs.ex_3_1_arrange.met : HermiteDevelopable.Section_3_1.ex_3_1_arrange.instance).
 Check (HermiteDevelopable.Section_3_1_proofs.ex_3_1_tension_effect.proved : HermiteDevelopable.Section_3_1.ex_3_1_tension_effect.statement).
 Check (HermiteDevelopable.Section_3_1_proofs.ex_3_1_tension_effect.met : HermiteDevelopable.Section_3_1.ex_3_1_tension_effect.instance).
 Check (HermiteDevelopable.Section_3_1_proofs.ex_3_1_p1.proved : HermiteDevelopable.Section_3_1.ex_3_1_p1.statement).
@@ -1378,6 +1392,8 @@ Check (HermiteDevelopable.Section_3_1_proofs.ex_3_1_width.proved : HermiteDevelo
 Check (HermiteDevelopable.Section_3_1_proofs.ex_3_1_width.met : HermiteDevelopable.Section_3_1.ex_3_1_width.instance).
 Check (HermiteDevelopable.Section_3_1_proofs.ex_3_1_shapes.proved : HermiteDevelopable.Section_3_1.ex_3_1_shapes.statement).
 Check (HermiteDevelopable.Section_3_1_proofs.ex_3_1_shapes.met : HermiteDevelopable.Section_3_1.ex_3_1_shapes.instance).
+Check (HermiteDevelopable.Section_3_2_proofs.sec_3_2_curves.proved : HermiteDevelopable.Section_3_2.sec_3_2_curves.statement).
+Check (HermiteDevelopable.Section_3_2_proofs.sec_3_2_curves.met : HermiteDevelopable.Section_3_2.sec_3_2_curves.instance).
 Check (HermiteDevelopable.Section_3_2_proofs.eq_3_6_A_r1.proved : HermiteDevelopable.Section_3_2.eq_3_6_A_r1.statement).
 Check (HermiteDevelopable.Section_3_2_proofs.eq_3_6_A_r1.met : HermiteDevelopable.Section_3_2.eq_3_6_A_r1.instance).
 Check (HermiteDevelopable.Section_3_2_proofs.eq_3_6_A_r2.proved : HermiteDevelopable.Section_3_2.eq_3_6_A_r2.statement).
@@ -1427,6 +1443,8 @@ Check (HermiteDevelopable.Section_3_2_proofs.eq_3_6_sol_o.proved : HermiteDevelo
 Check (HermiteDevelopable.Section_3_2_proofs.eq_3_6_sol_o.met : HermiteDevelopable.Section_3_2.eq_3_6_sol_o.instance).
 Check (HermiteDevelopable.Section_3_2_proofs.eq_3_6_system.proved : HermiteDevelopable.Section_3_2.eq_3_6_system.statement).
 Check (HermiteDevelopable.Section_3_2_proofs.eq_3_6_system.met : HermiteDevelopable.Section_3_2.eq_3_6_system.instance).
+Check (HermiteDevelopable.Section_3_2_proofs.sec_3_2_advantage.proved : HermiteDevelopable.Section_3_2.sec_3_2_advantage.statement).
+Check (HermiteDevelopable.Section_3_2_proofs.sec_3_2_advantage.met : HermiteDevelopable.Section_3_2.sec_3_2_advantage.instance).
 Check (HermiteDevelopable.Section_3_2_proofs.ex_3_2_q.proved : HermiteDevelopable.Section_3_2.ex_3_2_q.statement).
 Check (HermiteDevelopable.Section_3_2_proofs.ex_3_2_q.met : HermiteDevelopable.Section_3_2.ex_3_2_q.instance).
 Check (HermiteDevelopable.Section_3_2_proofs.ex_3_2_p1.proved : HermiteDevelopable.Section_3_2.ex_3_2_p1.statement).
@@ -1439,6 +1457,8 @@ Check (HermiteDevelopable.Section_3_2_proofs.ex_3_2_o.proved : HermiteDevelopabl
 Check (HermiteDevelopable.Section_3_2_proofs.ex_3_2_o.met : HermiteDevelopable.Section_3_2.ex_3_2_o.instance).
 Check (HermiteDevelopable.Section_3_2_proofs.ex_3_2_parallel.proved : HermiteDevelopable.Section_3_2.ex_3_2_parallel.statement).
 Check (HermiteDevelopable.Section_3_2_proofs.ex_3_2_parallel.met : HermiteDevelopable.Section_3_2.ex_3_2_parallel.instance).
+Check (HermiteDevelopable.Section_3_3_proofs.sec_3_3_curves.proved : HermiteDevelopable.Section_3_3.sec_3_3_curves.statement).
+Check (HermiteDevelopable.Section_3_3_proofs.sec_3_3_curves.met : HermiteDevelopable.Section_3_3.sec_3_3_curves.instance).
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_A_r1.proved : HermiteDevelopable.Section_3_3.eq_3_7_A_r1.statement).
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_A_r1.met : HermiteDevelopable.Section_3_3.eq_3_7_A_r1.instance).
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_A_r2.proved : HermiteDevelopable.Section_3_3.eq_3_7_A_r2.statement).
@@ -1469,6 +1489,8 @@ Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_C_r6.met : HermiteDevelopabl
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_det.proved : HermiteDevelopable.Section_3_3.eq_3_7_det.statement).
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_k.proved : HermiteDevelopable.Section_3_3.eq_3_7_k.statement).
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_k.met : HermiteDevelopable.Section_3_3.eq_3_7_k.instance).
+Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_k_needed.proved : HermiteDevelopable.Section_3_3.eq_3_7_k_needed.statement).
+Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_k_needed.met : HermiteDevelopable.Section_3_3.eq_3_7_k_needed.instance).
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_p0u.proved : HermiteDevelopable.Section_3_3.eq_3_7_sol_p0u.statement).
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_p0u.met : HermiteDevelopable.Section_3_3.eq_3_7_sol_p0u.instance).
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_qu.proved : HermiteDevelopable.Section_3_3.eq_3_7_sol_qu.statement).
@@ -1481,6 +1503,8 @@ Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_p1.proved : HermiteDevel
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_p1.met : HermiteDevelopable.Section_3_3.eq_3_7_sol_p1.instance).
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_o.proved : HermiteDevelopable.Section_3_3.eq_3_7_sol_o.statement).
 Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_o.met : HermiteDevelopable.Section_3_3.eq_3_7_sol_o.instance).
+Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_system.proved : HermiteDevelopable.Section_3_3.eq_3_7_system.statement).
+Check (HermiteDevelopable.Section_3_3_proofs.eq_3_7_system.met : HermiteDevelopable.Section_3_3.eq_3_7_system.instance).
 Check (HermiteDevelopable.Section_3_3_proofs.sec_3_3_advantage.proved : HermiteDevelopable.Section_3_3.sec_3_3_advantage.statement).
 Check (HermiteDevelopable.Section_3_3_proofs.sec_3_3_advantage.met : HermiteDevelopable.Section_3_3.sec_3_3_advantage.instance).
 Check (HermiteDevelopable.Section_3_3_proofs.ex_3_3_equation.refuted : ~ HermiteDevelopable.Section_3_3.ex_3_3_equation.statement).
@@ -1533,6 +1557,8 @@ Check (HermiteDevelopable.Section_3_proofs.eq_3_2_edge.met : HermiteDevelopable.
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_a_generatrix.refuted : ~ HermiteDevelopable.Section_3.eq_3_2_planes_a_generatrix.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_a_direction.proved : HermiteDevelopable.Section_3.eq_3_2_planes_a_direction.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_a_direction.met : HermiteDevelopable.Section_3.eq_3_2_planes_a_direction.instance).
+Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_b_generatrix.refuted : ~ HermiteDevelopable.Section_3.eq_3_2_planes_b_generatrix.statement).
+Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_b_direction.refuted : ~ HermiteDevelopable.Section_3.eq_3_2_planes_b_direction.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_across.proved : HermiteDevelopable.Section_3.eq_3_2_across.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_across.met : HermiteDevelopable.Section_3.eq_3_2_across.instance).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_across_summit.proved : HermiteDevelopable.Section_3.eq_3_2_across_summit.statement).
@@ -1551,11 +1577,15 @@ Check (HermiteDevelopable.Section_3_proofs.eq_3_3_same_as_3_2_direction.proved :
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_same_as_3_2_direction.met : HermiteDevelopable.Section_3.eq_3_3_same_as_3_2_direction.instance).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_same_as_3_2_true.proved : HermiteDevelopable.Section_3.eq_3_3_same_as_3_2_true.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_same_as_3_2_true.met : HermiteDevelopable.Section_3.eq_3_3_same_as_3_2_true.instance).
+Check (HermiteDevelopable.Section_3_proofs.eq_3_3_developable_Hermite.proved : HermiteDevelopable.Section_3.eq_3_3_developable_Hermite.statement).
+Check (HermiteDevelopable.Section_3_proofs.eq_3_3_developable_Hermite.met : HermiteDevelopable.Section_3.eq_3_3_developable_Hermite.instance).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_developable_any.refuted : ~ HermiteDevelopable.Section_3.eq_3_3_developable_any.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_exact.proved : HermiteDevelopable.Section_3.eq_3_3_exact.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_exact.met : HermiteDevelopable.Section_3.eq_3_3_exact.instance).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_multiples_cone.proved : HermiteDevelopable.Section_3.eq_3_3_multiples_cone.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_multiples_cone.met : HermiteDevelopable.Section_3.eq_3_3_multiples_cone.instance).
+Check (HermiteDevelopable.Section_3_proofs.eq_3_3_multiples_Hermite.proved : HermiteDevelopable.Section_3.eq_3_3_multiples_Hermite.statement).
+Check (HermiteDevelopable.Section_3_proofs.eq_3_3_multiples_Hermite.met : HermiteDevelopable.Section_3.eq_3_3_multiples_Hermite.instance).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_multiples_any.refuted : ~ HermiteDevelopable.Section_3.eq_3_3_multiples_any.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_k_below_1.proved : HermiteDevelopable.Section_3.eq_3_3_k_below_1.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_3_k_below_1.met : HermiteDevelopable.Section_3.eq_3_3_k_below_1.instance).
@@ -1571,6 +1601,9 @@ Check (HermiteDevelopable.Section_4_proofs.sec_4_cone.proved : HermiteDevelopabl
 Check (HermiteDevelopable.Section_4_proofs.sec_4_cone.met : HermiteDevelopable.Section_4.sec_4_cone.instance).
 Check (HermiteDevelopable.Section_4_proofs.eq_4_1.proved : HermiteDevelopable.Section_4.eq_4_1.statement).
 Check (HermiteDevelopable.Section_4_proofs.eq_4_1.met : HermiteDevelopable.Section_4.eq_4_1.instance).
+Check (HermiteDevelopable.Section_4_proofs.sec_4_goal_designed.refuted : ~ HermiteDevelopable.Section_4.sec_4_goal_designed.statement).
+Check (HermiteDevelopable.Section_4_proofs.sec_4_goal_image.proved : HermiteDevelopable.Section_4.sec_4_goal_image.statement).
+Check (HermiteDevelopable.Section_4_proofs.sec_4_goal_image.met : HermiteDevelopable.Section_4.sec_4_goal_image.instance).
 Check (HermiteDevelopable.Section_4_proofs.sec_4_goal_leaves.proved : HermiteDevelopable.Section_4.sec_4_goal_leaves.statement).
 Check (HermiteDevelopable.Section_4_proofs.sec_4_goal_leaves.met : HermiteDevelopable.Section_4.sec_4_goal_leaves.instance).
 Check (HermiteDevelopable.Section_4_proofs.sec_4_goal_nodes.proved : HermiteDevelopable.Section_4.sec_4_goal_nodes.statement).
@@ -1607,6 +1640,8 @@ Check (HermiteDevelopable.Section_4_proofs.eq_4_4_r1.met : HermiteDevelopable.Se
 Check (HermiteDevelopable.Section_4_proofs.eq_4_4_r1u.proved : HermiteDevelopable.Section_4.eq_4_4_r1u.statement).
 Check (HermiteDevelopable.Section_4_proofs.eq_4_4_r1u.met : HermiteDevelopable.Section_4.eq_4_4_r1u.instance).
 Check (HermiteDevelopable.Section_4_proofs.eq_4_4_tangent_derivative.refuted : ~ HermiteDevelopable.Section_4.eq_4_4_tangent_derivative.statement).
+Check (HermiteDevelopable.Section_4_proofs.eq_4_4_tangent_end_point.proved : HermiteDevelopable.Section_4.eq_4_4_tangent_end_point.statement).
+Check (HermiteDevelopable.Section_4_proofs.eq_4_4_tangent_end_point.met : HermiteDevelopable.Section_4.eq_4_4_tangent_end_point.instance).
 Check (HermiteDevelopable.Section_4_proofs.eq_4_4_tangent_parallel.proved : HermiteDevelopable.Section_4.eq_4_4_tangent_parallel.statement).
 Check (HermiteDevelopable.Section_4_proofs.eq_4_4_tangent_parallel.met : HermiteDevelopable.Section_4.eq_4_4_tangent_parallel.instance).
 Check (HermiteDevelopable.Section_4_proofs.sec_4_oblique.proved : HermiteDevelopable.Section_4.sec_4_oblique.statement).
@@ -1631,6 +1666,8 @@ Check (HermiteDevelopable.Section_4_proofs.ex_4_stated_data.proved : HermiteDeve
 Check (HermiteDevelopable.Section_4_proofs.ex_4_stated_data.met : HermiteDevelopable.Section_4.ex_4_stated_data.instance).
 Check (HermiteDevelopable.Section_4_proofs.ex_4_true_tangents.proved : HermiteDevelopable.Section_4.ex_4_true_tangents.statement).
 Check (HermiteDevelopable.Section_4_proofs.ex_4_true_tangents.met : HermiteDevelopable.Section_4.ex_4_true_tangents.instance).
+Check (HermiteDevelopable.Section_4_proofs.ex_4_a_developable_computed.refuted : ~ HermiteDevelopable.Section_4.ex_4_a_developable_computed.statement).
+Check (HermiteDevelopable.Section_4_proofs.ex_4_a_developable_printed.refuted : ~ HermiteDevelopable.Section_4.ex_4_a_developable_printed.statement).
 Check (HermiteDevelopable.Section_4_proofs.ex_4_a_twist.proved : HermiteDevelopable.Section_4.ex_4_a_twist.statement).
 Check (HermiteDevelopable.Section_4_proofs.ex_4_a_twist.met : HermiteDevelopable.Section_4.ex_4_a_twist.instance).
 Check (HermiteDevelopable.Section_4_proofs.ex_4_a_twist_printed.proved : HermiteDevelopable.Section_4.ex_4_a_twist_printed.statement).
@@ -2624,6 +2661,8 @@ let _ := GbtSurfaces.Part_Table_proofs.tab_1_1_proposed.proved in
 let _ := GbtSurfaces.Part_Table_proofs.tab_1_1_proposed.met in
 let _ := GbtSurfaces.Part_Table_proofs.tab_1_2_proposed.proved in
 let _ := GbtSurfaces.Part_Table_proofs.tab_1_2_proposed.met in
+let _ := GbtSurfaces.Part_Table_proofs.tab_1_3_proposed.proved in
+let _ := GbtSurfaces.Part_Table_proofs.tab_1_3_proposed.met in
 let _ := GbtSurfaces.Part_Table_proofs.tab_1_4_proposed.proved in
 let _ := GbtSurfaces.Part_Table_proofs.tab_1_4_proposed.met in
 let _ := GbtSurfaces.Part_Table_proofs.tab_1_5_proposed.proved in
@@ -2847,12 +2886,16 @@ let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_fixed.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_fixed.met in
 let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_list_1.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_list_1.met in
+let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_list_3.proved in
+let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_list_3.met in
 let _ := GbtSurfaces.Section_3_2_proofs.alg_2_1.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.alg_2_1.met in
 let _ := GbtSurfaces.Section_3_2_proofs.alg_2_2.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.alg_2_2.met in
 let _ := GbtSurfaces.Section_3_2_proofs.alg_2_2_irregular.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.alg_2_2_irregular.met in
+let _ := GbtSurfaces.Section_3_2_proofs.eq_16.proved in
+let _ := GbtSurfaces.Section_3_2_proofs.eq_16.met in
 let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_corners.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_corners.met in
 let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_division_z_lines.proved in
@@ -3172,6 +3215,10 @@ let _ := HermiteDevelopable.Section_2_proofs.sec_2_quintic_f1.proved in
 let _ := HermiteDevelopable.Section_2_proofs.sec_2_quintic_f1.met in
 let _ := HermiteDevelopable.Section_2_proofs.eq_2_4.proved in
 let _ := HermiteDevelopable.Section_2_proofs.eq_2_4.met in
+let _ := HermiteDevelopable.Section_2_proofs.sec_2_control.proved in
+let _ := HermiteDevelopable.Section_2_proofs.sec_2_control.met in
+let _ := HermiteDevelopable.Section_2_proofs.fig_1b_middle.proved in
+let _ := HermiteDevelopable.Section_2_proofs.fig_1b_middle.met in
 let _ := HermiteDevelopable.Section_3_1_proofs.sec_3_1_polynomials.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.sec_3_1_polynomials.met in
 let _ := HermiteDevelopable.Section_3_1_proofs.sec_3_1_substituted.proved in
@@ -3222,10 +3269,14 @@ let _ := HermiteDevelopable.Section_3_1_proofs.sec_3_1_conclusion.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.sec_3_1_conclusion.met in
 let _ := HermiteDevelopable.Section_3_1_proofs.alg_3_1_step1.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.alg_3_1_step1.met in
+let _ := HermiteDevelopable.Section_3_1_proofs.alg_3_1_step2.proved in
+let _ := HermiteDevelopable.Section_3_1_proofs.alg_3_1_step2.met in
 let _ := HermiteDevelopable.Section_3_1_proofs.alg_3_1_step3.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.alg_3_1_step3.met in
 let _ := HermiteDevelopable.Section_3_1_proofs.sec_3_1_tension.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.sec_3_1_tension.met in
+let _ := HermiteDevelopable.Section_3_1_proofs.ex_3_1_arrange.proved in
+let _ := HermiteDevelopable.Section_3_1_proofs.ex_3_1_arrange.met in
 let _ := HermiteDevelopable.Section_3_1_proofs.ex_3_1_tension_effect.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.ex_3_1_tension_effect.met in
 let _ := HermiteDevelopable.Section_3_1_proofs.ex_3_1_p1.proved in
@@ -3242,6 +3293,8 @@ let _ := HermiteDevelopable.Section_3_1_proofs.ex_3_1_width.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.ex_3_1_width.met in
 let _ := HermiteDevelopable.Section_3_1_proofs.ex_3_1_shapes.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.ex_3_1_shapes.met in
+let _ := HermiteDevelopable.Section_3_2_proofs.sec_3_2_curves.proved in
+let _ := HermiteDevelopable.Section_3_2_proofs.sec_3_2_curves.met in
 let _ := HermiteDevelopable.Section_3_2_proofs.eq_3_6_A_r1.proved in
 let _ := HermiteDevelopable.Section_3_2_proofs.eq_3_6_A_r1.met in
 let _ := HermiteDevelopable.Section_3_2_proofs.eq_3_6_A_r2.proved in
@@ -3291,6 +3344,8 @@ let _ := HermiteDevelopable.Section_3_2_proofs.eq_3_6_sol_o.proved in
 let _ := HermiteDevelopable.Section_3_2_proofs.eq_3_6_sol_o.met in
 let _ := HermiteDevelopable.Section_3_2_proofs.eq_3_6_system.proved in
 let _ := HermiteDevelopable.Section_3_2_proofs.eq_3_6_system.met in
+let _ := HermiteDevelopable.Section_3_2_proofs.sec_3_2_advantage.proved in
+let _ := HermiteDevelopable.Section_3_2_proofs.sec_3_2_advantage.met in
 let _ := HermiteDevelopable.Section_3_2_proofs.ex_3_2_q.proved in
 let _ := HermiteDevelopable.Section_3_2_proofs.ex_3_2_q.met in
 let _ := HermiteDevelopable.Section_3_2_proofs.ex_3_2_p1.proved in
@@ -3303,6 +3358,8 @@ let _ := HermiteDevelopable.Section_3_2_proofs.ex_3_2_o.proved in
 let _ := HermiteDevelopable.Section_3_2_proofs.ex_3_2_o.met in
 let _ := HermiteDevelopable.Section_3_2_proofs.ex_3_2_parallel.proved in
 let _ := HermiteDevelopable.Section_3_2_proofs.ex_3_2_parallel.met in
+let _ := HermiteDevelopable.Section_3_3_proofs.sec_3_3_curves.proved in
+let _ := HermiteDevelopable.Section_3_3_proofs.sec_3_3_curves.met in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_A_r1.proved in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_A_r1.met in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_A_r2.proved in
@@ -3333,6 +3390,8 @@ let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_C_r6.met in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_det.proved in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_k.proved in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_k.met in
+let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_k_needed.proved in
+let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_k_needed.met in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_p0u.proved in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_p0u.met in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_qu.proved in
@@ -3345,6 +3404,8 @@ let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_p1.proved in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_p1.met in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_o.proved in
 let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_sol_o.met in
+let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_system.proved in
+let _ := HermiteDevelopable.Section_3_3_proofs.eq_3_7_system.met in
 let _ := HermiteDevelopable.Section_3_3_proofs.sec_3_3_advantage.proved in
 let _ := HermiteDevelopable.Section_3_3_proofs.sec_3_3_advantage.met in
 let _ := HermiteDevelopable.Section_3_3_proofs.ex_3_3_equation.refuted in
@@ -3397,6 +3458,8 @@ let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_edge.met in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_a_generatrix.refuted in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_a_direction.proved in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_a_direction.met in
+let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_b_generatrix.refuted in
+let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_b_direction.refuted in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_across.proved in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_across.met in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_across_summit.proved in
@@ -3415,11 +3478,15 @@ let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_same_as_3_2_direction.proved
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_same_as_3_2_direction.met in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_same_as_3_2_true.proved in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_same_as_3_2_true.met in
+let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_developable_Hermite.proved in
+let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_developable_Hermite.met in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_developable_any.refuted in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_exact.proved in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_exact.met in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_multiples_cone.proved in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_multiples_cone.met in
+let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_multiples_Hermite.proved in
+let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_multiples_Hermite.met in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_multiples_any.refuted in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_k_below_1.proved in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_3_k_below_1.met in
@@ -3435,6 +3502,9 @@ let _ := HermiteDevelopable.Section_4_proofs.sec_4_cone.proved in
 let _ := HermiteDevelopable.Section_4_proofs.sec_4_cone.met in
 let _ := HermiteDevelopable.Section_4_proofs.eq_4_1.proved in
 let _ := HermiteDevelopable.Section_4_proofs.eq_4_1.met in
+let _ := HermiteDevelopable.Section_4_proofs.sec_4_goal_designed.refuted in
+let _ := HermiteDevelopable.Section_4_proofs.sec_4_goal_image.proved in
+let _ := HermiteDevelopable.Section_4_proofs.sec_4_goal_image.met in
 let _ := HermiteDevelopable.Section_4_proofs.sec_4_goal_leaves.proved in
 let _ := HermiteDevelopable.Section_4_proofs.sec_4_goal_leaves.met in
 let _ := HermiteDevelopable.Section_4_proofs.sec_4_goal_nodes.proved in
@@ -3471,6 +3541,8 @@ let _ := HermiteDevelopable.Section_4_proofs.eq_4_4_r1.met in
 let _ := HermiteDevelopable.Section_4_proofs.eq_4_4_r1u.proved in
 let _ := HermiteDevelopable.Section_4_proofs.eq_4_4_r1u.met in
 let _ := HermiteDevelopable.Section_4_proofs.eq_4_4_tangent_derivative.refuted in
+let _ := HermiteDevelopable.Section_4_proofs.eq_4_4_tangent_end_point.proved in
+let _ := HermiteDevelopable.Section_4_proofs.eq_4_4_tangent_end_point.met in
 let _ := HermiteDevelopable.Section_4_proofs.eq_4_4_tangent_parallel.proved in
 let _ := HermiteDevelopable.Section_4_proofs.eq_4_4_tangent_parallel.met in
 let _ := HermiteDevelopable.Section_4_proofs.sec_4_oblique.proved in
@@ -3495,6 +3567,8 @@ let _ := HermiteDevelopable.Section_4_proofs.ex_4_stated_data.proved in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_stated_data.met in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_true_tangents.proved in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_true_tangents.met in
+let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_developable_computed.refuted in
+let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_developable_printed.refuted in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_twist.proved in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_twist.met in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_twist_printed.proved in

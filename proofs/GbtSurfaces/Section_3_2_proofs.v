@@ -76,6 +76,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_2_list_1.
 
+Module sec_3_2_list_3.
+Import GbtSurfaces.Section_3_2.sec_3_2_list_3.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement T R_]; intros m n G mu mu1 nu nu1 z z1; intros; transitivity (sum 0 n (fun l => sum 0 m (fun k => f z1 mu1 nu1 l n * (f z mu nu k m * G k l)))); [ apply sum_ext; intros; symmetry; apply sum_scal | rewrite sum_swap; apply sum_ext; intros; rewrite <- sum_scal; apply sum_ext; intros; ring ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; exists 2%Z, 2%Z, (fun _ _ => 0), 0, 0, 0, 0, 0, 0; conjuncts; first [ lia | intros; lia | lra ]. Qed.
+End sec_3_2_list_3.
+
 Module alg_2_1.
 Import GbtSurfaces.Section_3_2.alg_2_1.
 Theorem proved : statement.
@@ -99,6 +107,14 @@ Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, 3, 4, ((-1) / 3), ((-1) / 3), (fun _ => 7), (1 / 3); met) | (exists (2)%Z, 0, 0, (0), (0), (fun _ => 0), (1 / 2); met) | (exists (2)%Z, 8, 8, ((-1) / 3), ((-1) / 3), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (1 / 3); met) | (exists (2)%Z, 1, 1, ((-1) / 3), ((-1) / 3), (fun _ => 1), (1 / 3); met) | (exists (2)%Z, 0, 0, ((-1) / 3), ((-1) / 3), (fun _ => 0), (1 / 3); met)]. Qed.
 End alg_2_2_irregular.
+
+Module eq_16.
+Import GbtSurfaces.Section_3_2.eq_16.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement T T_ R_]; intros m n G mu mu1 nu nu1 z z1; intros; split; [ rewrite sum_swap; apply sum_ext; intros; rewrite <- sum_scal; apply sum_ext; intros; ring | conjuncts; cbv beta delta [f]; first [ apply sum_ext; intros; f_equal | idtac ]; at_ends; reflexivity ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; exists 2%Z, 2%Z, (fun _ _ => 0), 0, 0, 0, 0, 0, 0; conjuncts; first [ lia | intros; lia | lra ]. Qed.
+End eq_16.
 
 Module ex_3_2_corners.
 Import GbtSurfaces.Section_3_2.ex_3_2_corners.

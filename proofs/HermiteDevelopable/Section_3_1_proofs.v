@@ -209,6 +209,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; stage blend4; stage hermite3; stage q3; stage p3; staged_goal cubic_gap; unstaged; first [(exists 2, 3, 4, 5, (6), 7, 8, 9, 10, 11, 12, 13, 14, 15, (1 / 3); met) | (exists 0, 0, 0, 0, (0), 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); met) | (exists 13, 8, 8, 6, (8), 7, 9, 7, 7, 2, 11, 1, 4, 13, (1 / 3); met) | (exists 1, 1, 1, 1, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, (1 / 3); met) | (exists 0, 0, 0, 0, (1), 1, 1, 1, 1, 1, 1, 1, 1, 1, (1 / 3); met)]. Qed.
 End alg_3_1_step1.
 
+Module alg_3_1_step2.
+Import HermiteDevelopable.Section_3_1.alg_3_1_step2.
+Theorem proved : statement.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement right_ x]; intros; match goal with |- context [mvec ?S (solve ?S _)] => let E := fresh in assert (E : S = A35 k) by (cbv beta zeta delta [A35 blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system]; with_cubic_numbers cubic_basis system_joins); rewrite E; clear E end; assert (K : k <> 0) by lra; unfold solve; cbv beta delta [A35]; match goal with |- context [inverse ?A] => inverse_known A (k ^ 4) [[2 / k; - 1 / k; 0; - 1 / k]; [- 6 / k; 2 / k; - 1 / k; 0]; [- 3 / k; 0; - 1 / k; 0]; [6 / k; - 2 / k; 1 / k; - 1 / k]] end; compute_goal; conjuncts; parts; field; assumption. Qed.
+Theorem met : instance.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; match goal with |- context [det (cubic_system ?A ?B ?C ?E ?k ?o ?a ?b ?c ?d ?e ?f ?g ?h)] => let S := constr:(cubic_system A B C E k o a b c d e f g h) in let E := fresh in assert (E : S = A35 k) by (cbv beta zeta delta [A35 blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_system]; with_cubic_numbers cubic_basis system_joins); rewrite E; clear E end; cbv beta zeta delta [A35]; met_joins; determinants; numeric. Qed.
+End alg_3_1_step2.
+
 Module alg_3_1_step3.
 Import HermiteDevelopable.Section_3_1.alg_3_1_step3.
 Theorem proved : statement.
@@ -224,6 +232,14 @@ Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta 
 Theorem met : instance.
 Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cubic_number_parts cubic_basis ltac:(cbv beta zeta delta [blend4 hermite3 p3 cubic_criterion_ q3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____]); met_joins; first [lra | numeric]. Qed.
 End sec_3_1_tension.
+
+Module ex_3_1_arrange.
+Import HermiteDevelopable.Section_3_1.ex_3_1_arrange.
+Theorem proved : statement.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement solved0 solved1 solved0_ solved1_ blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_criterion_]; intros A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u p1_of_o p0u_of_o p1u_of_o p0_of_o U K DD _ _ _ _ _ _ _ _ CR KN e1 e2 e3 e4 FN; assert (F : forall s, p0_of_o s = (q0 + (k - 1) * s) / k /\ p1_of_o s = (q1 + (k - 1) * s) / k) by (intro s; clear CR e1 e2 e3 e4; specialize (FN s); with_cubic_numbers cubic_basis joins_of_numbers; data_of_joins; split; (apply value_of; [assumption | lra])); clear FN; split; [rewrite <- e4; apply F |]; split; [rewrite <- e1; apply F |]; split; [parts; [apply (affine _ (fun s => (q0 + (k - 1) * s) / k)) | apply (affine _ (fun s => (q1 + (k - 1) * s) / k))]; first [intro; apply F | intro; field; assumption] |]; clear F e1 e2 e3 e4 p1_of_o p0u_of_o p1u_of_o p0_of_o; let away := (clear CR; let no := fresh in intro no; generalize (no 0 0 0 0 1 1 0 0 0 0 0 0 0 0 0); clear no; with_cubic_numbers cubic_basis joins_of_numbers; counted_joins; repeat lazymatch goal with |- (?A -> _) -> False => let K := fresh in assert (K : A) by first [premise | near]; let N := fresh in intro N; specialize (N K); clear K; revert N end; derivatives; let C := fresh in intro C; contradiction_in C) in split; [away |]; split; [away |]; with_cubic_numbers cubic_basis joins_of_numbers; data_of_joins; with_cubic_numbers cubic_basis values; images; field; assumption. Qed.
+Theorem met : instance.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0); with_cubic_numbers cubic_basis ltac:(fun curve => conjuncts; intros; conjuncts; cbv beta zeta delta [blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_criterion_]; joins_of_numbers curve; counted_joins); met_joins; first [lra | numeric]. Qed.
+End ex_3_1_arrange.
 
 Module ex_3_1_tension_effect.
 Import HermiteDevelopable.Section_3_1.ex_3_1_tension_effect.

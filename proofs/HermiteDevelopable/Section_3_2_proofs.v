@@ -5,6 +5,14 @@ Import HermiteDevelopable.Section_3_2.Definitions.
 From HermiteDevelopable Require Import Section_3_2_closed.
 Open Scope R_scope.
 
+Module sec_3_2_curves.
+Import HermiteDevelopable.Section_3_2.sec_3_2_curves.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement right_ x]; intros; match goal with |- context [mvec ?S (solve ?S _)] => let E := fresh in assert (E : S = A36 k) by (cbv beta zeta delta [A36 blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; with_quartic_numbers quartic_basis system_joins); rewrite E; clear E end; assert (K : k <> 0) by lra; assert (N : k - 1 <> 0) by nonzero; unfold solve; cbv beta delta [A36]; match goal with |- context [inverse ?A] => inverse_known A (- 16 * k ^ 3 * (k - 1)) [[- 151 / 16; 19 / 8; - 3 / 4; 1 / 2; 0]; [15 / k; - 4 / k; 1 / k; - 1 / k; 0]; [24 / k; - 6 / k; 2 / k; - 1 / k; 0]; [8 / k; - 3 / k; 0; - 1 / k; 0]; [24 / (k - 1); - 6 / (k - 1); 2 / (k - 1); - 1 / (k - 1); 1 / (k - 1)]] end; compute_goal; conjuncts; parts; field; repeat split; assumption. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; match goal with |- context [det (quartic_system ?A ?B ?C ?E ?F ?k ?o ?a ?b ?c ?d ?e ?f ?g ?h ?i ?j)] => let S := constr:(quartic_system A B C E F k o a b c d e f g h i j) in let E := fresh in assert (E : S = A36 k) by (cbv beta zeta delta [A36 blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_system]; with_quartic_numbers quartic_basis system_joins); rewrite E; clear E end; cbv beta zeta delta [A36]; met_joins; determinants; numeric. Qed.
+End sec_3_2_curves.
+
 Module eq_3_6_A_r1.
 Import HermiteDevelopable.Section_3_2.eq_3_6_A_r1.
 Theorem proved : statement.
@@ -214,6 +222,14 @@ Proof. cbv beta zeta delta [statement A36 right_]; intros; unfold solve; match g
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; exists 2, 0, 0, 0, 0, 0, 0; cbv beta zeta delta [A36]; determinants; conjuncts; numeric. Qed.
 End eq_3_6_system.
+
+Module sec_3_2_advantage.
+Import HermiteDevelopable.Section_3_2.sec_3_2_advantage.
+Theorem proved : statement.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [statement blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; intros A B C_ E_ F k o p0 p0u p1 p1u pm q0 q0u q1 q1u qm u qm_of_pm p1_of_pm p0u_of_pm p1u_of_pm o_of_pm U K N DD _ _ _ _ _ _ _ _ _ _ CR e1 e2 e3 e4 e5 FN; clear CR e1 e2 e3 e4 e5; assert (KN : k <> 0) by lra; assert (V : forall s, qm_of_pm s = k * s + (q0 - k * p0) /\ p1_of_pm s = (q1 - q0 + k * p0) / k /\ p0u_of_pm s = q0u / k /\ p1u_of_pm s = q1u / k) by (intro s; specialize (FN s); with_quartic_numbers quartic_basis joins_of_numbers; data_of_joins; conjuncts; first [lra | (apply value_of; [assumption | lra])]); clear FN; let read := (let s := fresh in intro s; cbv beta; destruct (V s) as (V1 & V2 & V3 & V4); rewrite ?V1, ?V2, ?V3, ?V4; with_quartic_numbers quartic_basis values; reflexivity) in let told := (intro; cbv beta iota zeta delta [poly quartic_of bump]; field; assumption) in split; [parts; [apply (affine _ (fun s => poly (quartic_of p0 s ((q1 - q0 + k * p0) / k) (q0u / k) (q1u / k)) u)); [read | told] | apply (affine _ (fun s => poly (quartic_of q0 (k * s + (q0 - k * p0)) q1 q0u q1u) u)); [read | told]] |]; cbv beta zeta delta [bump bump_]; derivatives; repeat split; try field; [replace (16 * u ^ 2 * (1 - u) ^ 2) with ((4 * u * (1 - u)) ^ 2) by ring; apply pow2_ge_0 | assert (T : 0 <= u * (1 - u)) by (apply Rmult_le_pos; lra); assert (M : 4 * (u * (1 - u)) <= 1) by (pose proof (pow2_ge_0 (2 * u - 1)); lra); replace (16 * u ^ 2 * (1 - u) ^ 2) with ((4 * (u * (1 - u))) ^ 2) by ring; generalize dependent (u * (1 - u)); intros; nra]. Qed.
+Theorem met : instance.
+Proof. stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (fun s => 2 * s), (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0); with_quartic_numbers quartic_basis ltac:(fun curve => conjuncts; intros; conjuncts; cbv beta zeta delta [blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____]; joins_of_numbers curve; counted_joins); met_joins; first [lra | numeric]. Qed.
+End sec_3_2_advantage.
 
 Module ex_3_2_q.
 Import HermiteDevelopable.Section_3_2.ex_3_2_q.

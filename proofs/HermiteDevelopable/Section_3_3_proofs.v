@@ -5,6 +5,14 @@ Import HermiteDevelopable.Section_3_3.Definitions.
 From HermiteDevelopable Require Import Section_3_3_closed.
 Open Scope R_scope.
 
+Module sec_3_3_curves.
+Import HermiteDevelopable.Section_3_3.sec_3_3_curves.
+Theorem proved : statement.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement right_ x]; intros; match goal with |- context [mvec ?S (solve ?S _)] => let E := fresh in assert (E : S = A37 k) by (cbv beta zeta delta [A37 blend6 hermite5 q5 p5 quintic_gap quintic_part quintic_system]; with_quintic_numbers quintic_basis system_joins); rewrite E; clear E end; assert (K : k <> 0) by lra; assert (N : k - 1 <> 0) by nonzero; unfold solve; cbv beta delta [A37]; match goal with |- context [inverse ?A] => inverse_known A (256 * k ^ 3 * (k - 1)) [[- 120 / k; 24 / k; - 6 / k; 2 / k; - 1 / k; 0]; [1165 / 16; - 29 / 2; 15 / 4; - 1; 1; 0]; [- 45 / k; 8 / k; - 3 / k; 0; - 1 / k; 0]; [1511 / 32; - 151 / 16; 19 / 8; - 3 / 4; 1 / 2; 0]; [- 76 / k; 15 / k; - 4 / k; 1 / k; - 1 / k; 0]; [- 120 / (k - 1); 24 / (k - 1); - 6 / (k - 1); 2 / (k - 1); - 1 / (k - 1); 1 / (k - 1)]] end; compute_goal; conjuncts; parts; field; repeat split; assumption. Qed.
+Theorem met : instance.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; match goal with |- context [det (quintic_system ?A ?B ?C ?E ?F ?G ?k ?o ?a ?b ?c ?d ?e ?f ?g ?h ?i ?j ?l ?m)] => let S := constr:(quintic_system A B C E F G k o a b c d e f g h i j l m) in let E := fresh in assert (E : S = A37 k) by (cbv beta zeta delta [A37 blend6 hermite5 q5 p5 quintic_gap quintic_part quintic_system]; with_quintic_numbers quintic_basis system_joins); rewrite E; clear E end; cbv beta zeta delta [A37]; met_joins; determinants; numeric. Qed.
+End sec_3_3_curves.
+
 Module eq_3_7_A_r1.
 Import HermiteDevelopable.Section_3_3.eq_3_7_A_r1.
 Theorem proved : statement.
@@ -129,6 +137,14 @@ Theorem met : instance.
 Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quintic_number_parts quintic_basis ltac:(cbv beta zeta delta [blend6 hermite5 quintic_criterion_ q5 p5 quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______]); met_joins; first [lra | numeric]. Qed.
 End eq_3_7_k.
 
+Module eq_3_7_k_needed.
+Import HermiteDevelopable.Section_3_3.eq_3_7_k_needed.
+Theorem proved : statement.
+Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement]; intros; match goal with |- det (quintic_system ?A ?B ?C ?E ?F ?G ?o ?a ?b ?c ?d ?e ?f ?g ?h ?i ?j ?l ?m _) = 0 /\ _ => assert (S : forall k : Z, quintic_system A B C E F G o a b c d e f g h i j l m k = A37 (IZR k)) by (intro k; cbv beta zeta delta [A37 blend6 hermite5 q5 p5 quintic_gap quintic_part quintic_system]; with_quintic_numbers quintic_basis system_joins) end; assert (D : forall k, det (A37 k) = 256 * k ^ 3 * (k - 1)) by (intro k; cbv beta delta [A37]; sparse_det; ring); rewrite !S, !D; split; ring. Qed.
+Theorem met : instance.
+Proof. stage quintic; stage quintic_; stage quintic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
+End eq_3_7_k_needed.
+
 Module eq_3_7_sol_p0u.
 Import HermiteDevelopable.Section_3_3.eq_3_7_sol_p0u.
 Theorem proved : statement.
@@ -176,6 +192,14 @@ Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; c
 Theorem met : instance.
 Proof. stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quintic_number_parts quintic_basis ltac:(cbv beta zeta delta [blend6 hermite5 quintic_criterion_ q5 p5 quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______]); met_joins; first [lra | numeric]. Qed.
 End eq_3_7_sol_o.
+
+Module eq_3_7_system.
+Import HermiteDevelopable.Section_3_3.eq_3_7_system.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement A37 right_]; intros; unfold solve; match goal with |- context [inverse ?A] => inverse_known A (256 * k ^ 3 * (k - 1)) [[- 120 / k; 24 / k; - 6 / k; 2 / k; - 1 / k; 0]; [1165 / 16; - 29 / 2; 15 / 4; - 1; 1; 0]; [- 45 / k; 8 / k; - 3 / k; 0; - 1 / k; 0]; [1511 / 32; - 151 / 16; 19 / 8; - 3 / 4; 1 / 2; 0]; [- 76 / k; 15 / k; - 4 / k; 1 / k; - 1 / k; 0]; [- 120 / (k - 1); 24 / (k - 1); - 6 / (k - 1); 2 / (k - 1); - 1 / (k - 1); 1 / (k - 1)]] end; compute_goal; (parts; field; nonzero). Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; exists 2, 0, 0, 0, 0, 0, 0, 0; cbv beta zeta delta [A37]; determinants; conjuncts; numeric. Qed.
+End eq_3_7_system.
 
 Module sec_3_3_advantage.
 Import HermiteDevelopable.Section_3_3.sec_3_3_advantage.

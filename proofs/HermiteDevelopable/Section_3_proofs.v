@@ -138,6 +138,18 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance P Q dp dq]; exists 1, 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0; refine (conj _ (conj _ _)); [ lra | lra | compute_goal; parts; ring ]. Qed.
 End eq_3_2_planes_a_direction.
 
+Module eq_3_2_planes_b_generatrix.
+Import HermiteDevelopable.Section_3.eq_3_2_planes_b_generatrix.
+Theorem refuted : ~ statement.
+Proof. assert (C : forall f0 f1 f2 f3 f4 f5 k u, across f0 f1 f2 f3 f4 f5 k u = poly [f0 + k * f1; f1 + 2 * k * f2; f2 + 3 * k * f3; f3 + 4 * k * f4; f4 + 5 * k * f5; f5] u) by (intros; cbv beta delta [across f]; derivatives; cbn [poly]; ring); assert (P : forall f0 f1 f2 f3 f4 f5 k z, part f0 f1 f2 f3 f4 f5 k z = nth (Z.to_nat z) [f0 + k * f1; f1 + 2 * k * f2; f2 + 3 * k * f3; f3 + 4 * k * f4; f4 + 5 * k * f5; f5] 0) by (intros; exact (coefficient_of _ _ (Z.to_nat z) (C f0 f1 f2 f3 f4 f5 k))); cbv beta zeta delta [statement]; intro no; apply (no 0 0 0 0 0 0 1 0); clear no; [lra | lra | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | rewrite !P; cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add nth]; repeat split; ring | intros f0 f1 f2 f3 f4 f5 k u K U _ _ _ _ _ _ _ _ _ _ _ _ E; rewrite !P in E; cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add nth] in E; destruct E as (E5 & E4 & E3 & E2 & E1 & E0); assert (Z5 : f5 = 0) by (lra); subst f5; assert (Z4 : f4 = 0) by (lra); subst f4; assert (Z3 : f3 = 0) by (lra); subst f3; assert (Z2 : f2 = 0) by (lra); subst f2; assert (Z1 : f1 = 0) by (lra); subst f1; cbv beta delta [f]; derivatives; ring]. Qed.
+End eq_3_2_planes_b_generatrix.
+
+Module eq_3_2_planes_b_direction.
+Import HermiteDevelopable.Section_3.eq_3_2_planes_b_direction.
+Theorem refuted : ~ statement.
+Proof. assert (C : forall f0 f1 f2 f3 f4 f5 k s u, across f0 f1 f2 f3 f4 f5 k s u = poly [k * f0 + k * f1 - (1 - k) * s; k * f1 + 2 * k * f2; k * f2 + 3 * k * f3; k * f3 + 4 * k * f4; k * f4 + 5 * k * f5; k * f5] u) by (intros; cbv beta delta [across f]; derivatives; cbn [poly]; ring); assert (P : forall f0 f1 f2 f3 f4 f5 k s z, part f0 f1 f2 f3 f4 f5 k s z = nth (Z.to_nat z) [k * f0 + k * f1 - (1 - k) * s; k * f1 + 2 * k * f2; k * f2 + 3 * k * f3; k * f3 + 4 * k * f4; k * f4 + 5 * k * f5; k * f5] 0) by (intros; exact (coefficient_of _ _ (Z.to_nat z) (C f0 f1 f2 f3 f4 f5 k s))); cbv beta zeta delta [statement]; intro no; apply (no 0 0 0 0 0 0 1 0 0); clear no; [lra | lra | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | rewrite !P; cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add nth]; repeat split; ring | intros f0 f1 f2 f3 f4 f5 k s u K U _ _ _ _ _ _ _ _ _ _ _ _ E; rewrite !P in E; cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add nth] in E; destruct E as (E5 & E4 & E3 & E2 & E1 & E0); assert (Z5 : f5 = 0) by (apply (cancelled k); [lra | lra]); subst f5; assert (Z4 : f4 = 0) by (apply (cancelled k); [lra | lra]); subst f4; assert (Z3 : f3 = 0) by (apply (cancelled k); [lra | lra]); subst f3; assert (Z2 : f2 = 0) by (apply (cancelled k); [lra | lra]); subst f2; assert (Z1 : f1 = 0) by (apply (cancelled k); [lra | lra]); subst f1; cbv beta delta [f]; derivatives; ring]. Qed.
+End eq_3_2_planes_b_direction.
+
 Module eq_3_2_across.
 Import HermiteDevelopable.Section_3.eq_3_2_across.
 Theorem proved : statement.
@@ -218,6 +230,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (((2) - (5) + (8)*((14))) / (1)), (((3) - (6) + (9)*((14))) / (1)), (((4) - (7) + (10)*((14))) / (1)), (14), 15, 16, 17; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0) - (0) + (0)*((0))) / (1)), (((0) - (0) + (0)*((0))) / (1)), (((0) - (0) + (0)*((0))) / (1)), (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (((13) - (6) + (9)*((4))) / (1)), (((8) - (8) + (7)*((4))) / (1)), (((8) - (7) + (7)*((4))) / (1)), (4), 13, 8, 8; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, (((8) - (8) + (6)*((1))) / (1)), (((8) - (6) + (8)*((1))) / (1)), (((6) - (8) + (7)*((1))) / (1)), (1), 9, 7, 7; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (((1) - (0) + (0)*((1))) / (1)), (((0) - (1) + (0)*((1))) / (1)), (((0) - (0) + (1)*((1))) / (1)), (1), 0, 1, 0; met)]. Qed.
 End eq_3_3_same_as_3_2_true.
 
+Module eq_3_3_developable_Hermite.
+Import HermiteDevelopable.Section_3.eq_3_3_developable_Hermite.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement q p gap part criterion criterion__ criterion___ criterion____ criterion_____ criterion______]; intros; joins ltac:(fun u => apply monomial_curve); cbv beta iota delta [zeros repeat]; similarities 5%nat; repeat curve_at ltac:(fun u => apply monomial_curve); rewrite !monomial_curve; cbv beta iota delta [slope_n]; images; any_points; compute_goal; conjuncts; parts; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance q p gap part criterion criterion__ criterion___ criterion____ criterion_____ criterion______]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; joins ltac:(fun u => apply monomial_curve); counted_joins; met_joins. Qed.
+End eq_3_3_developable_Hermite.
+
 Module eq_3_3_developable_any.
 Import HermiteDevelopable.Section_3.eq_3_3_developable_any.
 Theorem refuted : ~ statement.
@@ -239,6 +259,14 @@ Proof. cbv beta zeta delta [statement cone_normal cone_gap]; unstaged; prepared;
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance cone_normal cone_gap]; first [(exists ((0) / (1)), 3, 4, 5, (6), ((((6))) / (1)), 8, 9, 10; met) | (exists ((0) / (1)), 0, 0, 0, (0), ((((0))) / (1)), 0, 0, 0; met) | (exists ((0) / (1)), 8, 8, 6, (8), ((((8))) / (1)), 9, 7, 7; met) | (exists ((0) / (1)), 1, 4, 13, (1), ((((1))) / (1)), 8, 6, 8; met) | (exists ((0) / (1)), 1, 0, 0, (0), ((((0))) / (1)), 0, 1, 0; met)]. Qed.
 End eq_3_3_multiples_cone.
+
+Module eq_3_3_multiples_Hermite.
+Import HermiteDevelopable.Section_3.eq_3_3_multiples_Hermite.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement q p gap part criterion criterion__ criterion___ criterion____ criterion_____ criterion______]; intros; joins ltac:(fun u => apply monomial_curve); cbv beta iota delta [zeros repeat]; similarities 5%nat; repeat curve_at ltac:(fun u => apply monomial_curve); rewrite !monomial_curve; cbv beta iota delta [slope_n]; images; any_points; compute_goal; conjuncts; parts; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance q p gap part criterion criterion__ criterion___ criterion____ criterion_____ criterion______]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; joins ltac:(fun u => apply monomial_curve); counted_joins; met_joins. Qed.
+End eq_3_3_multiples_Hermite.
 
 Module eq_3_3_multiples_any.
 Import HermiteDevelopable.Section_3.eq_3_3_multiples_any.

@@ -21,6 +21,20 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance oblique oblique_ normal]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (1 / 3), (12); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (1 / 3), (11); met) | (exists 7, 9, 7, 7, 2, 11, 7, 2, 11, (1 / 3), (1); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (1 / 3), (1); met)]. Qed.
 End eq_4_1.
 
+Module sec_4_goal_designed.
+Import HermiteDevelopable.Section_4.sec_4_goal_designed.
+Theorem refuted : ~ statement.
+Proof. unfold not; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; assert (PP : forall u, p5 0 0 0 0 0 0 2 1 0 0 0 0 0 1 0 0 0 u = [poly [1 / 2] u; poly [0; 0; 8; - 16; 8] u; poly [0; 0; 7 / 2; - 17; 26; - 12] u]) by (intro u; cbv beta delta [p5 q5 hermite5 blend6 q0 qm q1 q0u qu q1u o]; staged; compute_goal; cbv beta iota delta [poly]; parts; field); assert (RR : forall u, r5 0 0 0 0 0 0 1 0 0 0 0 0 1 0 0 0 u = [poly [1; 0; - 8; 16; - 8] u; poly [0; 0; 8; - 16; 8] u; poly [0; 0; 7; - 34; 52; - 24] u]) by (intro u; cbv beta delta [r5 hermite5 blend6 r0 r r1 r0u ru r1u image normal q0 qm q1 q0u qu q1u o]; cbv beta delta [image normal]; cbv beta delta [q0 qm q1 q0u qu q1u o]; staged; compute_goal; cbv beta iota delta [poly]; parts; field); cbv beta zeta delta [statement]; intro no; generalize (no 0 0 0 0 0 0 2 (1 / 4) 1 0 0 0 0 0 1 0 0 0); clear no; repeat curve_at ltac:(fun u => first [apply PP | apply RR]); rewrite ?PP, ?RR; cbv beta iota zeta delta [slope_n slope slopes tl poly qm q1 q0 q0u qu q1u o normal]; fails. Qed.
+End sec_4_goal_designed.
+
+Module sec_4_goal_image.
+Import HermiteDevelopable.Section_4.sec_4_goal_image.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement dp dr p image chord]; intros a'1 a'2 a'3 c'1 c'2 c'3 d'1 d'2 d'3 dc'1 dc'2 dc'3 k o'1 o'2 o'3 q0'1 q0'2 q0'3 W K L; clear L; assert (N : exists n1 n2 n3, normal [a'1; a'2; a'3] [d'1; d'2; d'3] = [n1; n2; n3]) by (do 3 eexists; reflexivity); destruct N as (n1 & n2 & n3 & N); rewrite N in *; clear N; assert (V : ((c'1 - o'1) * n1 + (c'2 - o'2) * n2 + (c'3 - o'3) * n3) <> 0) by (let E := fresh in intro E; apply W; compute_goal; lra); clear W; assert (D : forall o c d s, Derive_n (fun x => o + s / ((c'1 + x * dc'1 - o'1) * n1 + ((c'2 + x * dc'2 - o'2) * n2 + ((c'3 + x * dc'3 - o'3) * n3 + 0))) * (c + x * d - o)) 1 0 = s * (d / ((c'1 - o'1) * n1 + (c'2 - o'2) * n2 + (c'3 - o'3) * n3) - (dc'1 * n1 + dc'2 * n2 + dc'3 * n3) * (c - o) / ((c'1 - o'1) * n1 + (c'2 - o'2) * n2 + (c'3 - o'3) * n3) ^ 2)) by (intros; apply is_derive_unique; auto_derive; [let E := fresh in intro E; apply V; lra | field; repeat split; first [exact V | let E := fresh in intro E; apply V; lra]]); compute_goal; rewrite !D; clear D; conjuncts; parts; field; repeat split; try assumption; let E := fresh in intro E; apply V; lra. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal chord]; exists 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0; met. Qed.
+End sec_4_goal_image.
+
 Module sec_4_goal_leaves.
 Import HermiteDevelopable.Section_4.sec_4_goal_leaves.
 Theorem proved : statement.
@@ -169,6 +183,14 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement normal chord last image r ru r1 r1u] in no; refuting (no (0) (0) (1) (1) (0) (0) (0) (0) (0) (0) (1) (0) (0) (1) (1) (1) (0) (1) (0) (2) (0) (1) (1) (0)). Qed.
 End eq_4_4_tangent_derivative.
 
+Module eq_4_4_tangent_end_point.
+Import HermiteDevelopable.Section_4.eq_4_4_tangent_end_point.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement image ru r1u r r1]; intros a'1 a'2 a'3 d'1 d'2 d'3 o'1 o'2 o'3 q0'1 q0'2 q0'3 q1'1 q1'2 q1'3 q1u'1 q1u'2 q1u'3 qm'1 qm'2 qm'3 qu'1 qu'2 qu'3 _ _ _ _ _ _; assert (M : forall x y z x' y' z', vsub (vadd [x; y; z] [x'; y'; z']) [o'1; o'2; o'3] = vadd (vsub [x; y; z] [o'1; o'2; o'3]) [x'; y'; z']) by (intros; compute_goal; parts; ring); rewrite !M; clear M; repeat match goal with |- context [dot ?a ?b / dot ?c ?d] => generalize (dot a b / dot c d) end; intros; compute_goal; conjuncts; parts; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal]; exists 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0; met. Qed.
+End eq_4_4_tangent_end_point.
+
 Module eq_4_4_tangent_parallel.
 Import HermiteDevelopable.Section_4.eq_4_4_tangent_parallel.
 Theorem proved : statement.
@@ -272,6 +294,18 @@ Proof. cbv beta zeta delta [statement q0 q0u first o a d normal qm qu middle q1 
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance q0 q0u first o a d normal qm qu middle q1 q1u last image]; first [(met) | (met) | (met) | (met) | (met)]. Qed.
 End ex_4_true_tangents.
+
+Module ex_4_a_developable_computed.
+Import HermiteDevelopable.Section_4.ex_4_a_developable_computed.
+Theorem refuted : ~ statement.
+Proof. unfold not; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement q0 qm q1 q0u qu q1u q5 k o quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ blend6 hermite5 p5 r0 a_ normal image r_ r1 r0u ru r1u r5 d_]; intro no; generalize (no 0 0 0 0 0 0 40 40 45 0 (-30) 45 40 (-15) 45 0 (-25) (-15) 40 (25/2) 40 0 (-25) 35 (1/4)); clear no; with_quintics quintic_basis joins; with_quintics quintic_basis curves_at; fails. Qed.
+End ex_4_a_developable_computed.
+
+Module ex_4_a_developable_printed.
+Import HermiteDevelopable.Section_4.ex_4_a_developable_printed.
+Theorem refuted : ~ statement.
+Proof. unfold not; stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [statement q0 qm q1 q0u qu q1u q5 k o quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____ quintic_criterion______ blend6 hermite5 p5 rp]; intro no; generalize (no 0 0 0 0 0 0 40 40 45 0 (-30) 45 40 (-15) 45 0 (-25) (-15) 40 (25/2) 40 0 (-25) 35 (1/4)); clear no; with_quintics quintic_basis joins; with_quintics quintic_basis curves_at; fails. Qed.
+End ex_4_a_developable_printed.
 
 Module ex_4_a_twist.
 Import HermiteDevelopable.Section_4.ex_4_a_twist.
