@@ -174,9 +174,15 @@ impl Prove {
         let kept = |name: &String| !self.names.is_empty() || own.contains(name);
         unproved.retain(|name, _| kept(name));
         chosen.retain(|name, _| kept(name));
+        if own.is_empty() {
+            return Ok((unproved, chosen));
+        }
         let mut left = own;
         let scratch = self.library(coqc)?;
         for which in 0..=script::OTHERS.len() {
+            if left.is_empty() {
+                break;
+            }
             // Only what is left is tried.
             let known = all.theorems.iter().map(Theorem::name);
             let known = known.filter(|name| !left.contains(name));

@@ -1,10 +1,12 @@
 //! The program, and folders with the compiled library, which is compiled once for all tests.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::{LazyLock, Once};
+use std::sync::OnceLock;
 use std::time::Duration;
 use tempfile::TempDir;
-use torse_rocq::coqc::{Coqc, Limits};
+use torse_rocq::coqc::{AXIOMS, Answer, Coqc, Limits};
+use torse_rocq::folder::Folder;
 
 pub const LIMITS: Limits = Limits {
     time: Duration::from_secs(300),
@@ -22,21 +24,39 @@ pub fn coqc() -> Option<Coqc> {
 
 /// A folder with the compiled library and nothing else.
 pub fn with_library(coqc: &Coqc) -> TempDir {
-    static COMPILED: LazyLock<PathBuf> =
-        LazyLock::new(|| Path::new(env!("CARGO_TARGET_TMPDIR")).join("library"));
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
+    static COMPILED: OnceLock<PathBuf> = OnceLock::new();
+    let compiled = COMPILED.get_or_init(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("library");
         // What an earlier run left may be another library.
-        let _ = std::fs::remove_dir_all(&*COMPILED);
-        std::fs::create_dir_all(&*COMPILED).unwrap();
-        coqc.library(&COMPILED, LIMITS, &|| ()).unwrap();
+        let _ = std::fs::remove_dir_all(&folder);
+        std::fs::create_dir_all(&folder).unwrap();
+        coqc.library(&folder, LIMITS, &|| ()).unwrap();
+        folder
     });
     let scratch = tempfile::tempdir().unwrap();
     std::fs::create_dir(scratch.path().join("Torse")).unwrap();
-    for entry in std::fs::read_dir(COMPILED.join("Torse")).unwrap() {
+    for entry in std::fs::read_dir(compiled.join("Torse")).unwrap() {
         let path = entry.unwrap().path();
-        let name = path.strip_prefix(&*COMPILED).unwrap();
+        let name = path.strip_prefix(compiled).unwrap();
         std::fs::copy(&path, scratch.path().join(name)).unwrap();
     }
     scratch
+}
+
+/// The kernel accepts so many theorems of a folder, all there are, on no other axioms than those of the classical reals; those
+/// that they rest on.
+pub fn accepts_all(coqc: &Coqc, folder: &Folder, count: usize) -> Vec<String> {
+    let scratch = with_library(coqc);
+    let (answers, axioms) = coqc.check(folder, scratch.path(), LIMITS, &|| ()).unwrap();
+    let wrong: BTreeMap<_, _> = answers
+        .iter()
+        .filter(|(_, a)| **a != Answer::Accepted)
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert_eq!(answers.len(), count);
+    assert!(
+        axioms.iter().all(|a| AXIOMS.contains(&a.as_str())),
+        "{axioms:?}"
+    );
+    axioms
 }
