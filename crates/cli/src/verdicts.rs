@@ -4,15 +4,14 @@ use crate::terminal;
 use comfy_table::{CellAlignment, ColumnConstraint, Row};
 use std::collections::BTreeMap;
 use torse_language::words::Verdict;
-use torse_report::{Tally, in_words, model::Report, words};
+use torse_report::{Tally, findings_in_words, words};
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
 /// The verdicts of `papers`.
 pub fn text(papers: &[PaperOutcome]) -> String {
     let findings: BTreeMap<String, String> = papers
         .iter()
-        .flat_map(|paper| Report::new(paper, &[]).findings)
-        .map(|finding| (finding.id, in_words(&finding.text)))
+        .flat_map(|paper| findings_in_words(&paper.claims))
         .collect();
     let mut text = String::new();
     for paper in papers {

@@ -174,6 +174,14 @@ impl Ball {
             .all(|end| end.abs() << places <= most)
     }
 
+    /// How many binary places after the point are zero in all numbers of the ball, as far as its digits go: all are less than
+    /// two to the minus this in size. 0 where some is larger than one.
+    #[must_use]
+    pub fn leading_zeros(&self) -> usize {
+        let length = self.lo.bit_len().max(self.hi.bit_len());
+        self.bits.saturating_sub(length)
+    }
+
     /// Whether zero lies in the ball.
     #[must_use]
     pub fn contains_zero(&self) -> bool {

@@ -1,15 +1,25 @@
 //! What was found out besides the corrections, in plain words: a sentence for each claim that a reader must know of.
 
-use crate::math::{Names, Prose, plain, spans};
+use crate::math::{Names, Prose, in_words, plain, spans};
 use crate::sentence;
 use crate::text::{beginning, name, visible};
 use crate::words::{self, Term};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use torse_language::words::Verdict;
 use torse_verdicts::outcome::Outcome;
 
 /// Of what is printed, no more than this many characters is quoted.
 const LONGEST_QUOTATION: usize = 300;
+
+/// The verdicts that a reader must know of, graver ones first.
+const TOLD: [Verdict; 5] = [
+    Verdict::False,
+    Verdict::Misprint,
+    Verdict::Conditional,
+    Verdict::Vacuous,
+    Verdict::Undecided,
+];
 
 /// One finding.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -34,13 +44,6 @@ pub struct Finding {
 ///
 /// `anchors` holds the claims' identifiers for links, by position.
 pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
-    const TOLD: [Verdict; 5] = [
-        Verdict::False,
-        Verdict::Misprint,
-        Verdict::Conditional,
-        Verdict::Vacuous,
-        Verdict::Undecided,
-    ];
     let mut findings = Vec::new();
     for verdict in TOLD {
         for (claim, anchor) in claims.iter().zip(anchors) {
@@ -50,6 +53,18 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
         }
     }
     findings
+}
+
+/// What was found about `claims`, by their ids, in letters and signs: for outputs without formulas.
+#[must_use]
+pub fn findings_in_words(claims: &[Outcome]) -> BTreeMap<String, String> {
+    let told = claims.iter().filter(|claim| TOLD.contains(&claim.verdict));
+    let found = told.map(|claim| (visible(&claim.id), in_words(&in_full(claim))));
+    found.collect()
+}
+
+fn in_full(claim: &Outcome) -> Prose {
+    spans(&visible(&sentence::of(claim)), &Names::of(claim))
 }
 
 /// The finding about a claim.
@@ -65,6 +80,6 @@ pub(crate) fn about(claim: &Outcome, anchor: &str) -> Finding {
             &visible(&beginning(&claim.printed, LONGEST_QUOTATION)),
             &names,
         ),
-        text: spans(&visible(&sentence::of(claim)), &names),
+        text: in_full(claim),
     }
 }

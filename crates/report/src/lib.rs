@@ -45,7 +45,7 @@ mod write;
 pub use erratum::{erratum_latex, erratum_markdown};
 pub use error::ReportError;
 pub use figure::{FigureImage, Image};
-pub use findings::Finding;
+pub use findings::{Finding, findings_in_words};
 pub use gallery::gallery;
 pub use html::{html_page, landing_page};
 pub use json::{verdicts_json, verdicts_json_with_kernel};

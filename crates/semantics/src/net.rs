@@ -10,14 +10,12 @@ use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::real::Real;
 use crate::residue::judge::has_equation;
-use crate::survey::{COSTLY, Ground, Seen, Survey};
+use crate::survey::{COSTLY, Ground, HOPELESS, Seen, Survey};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_language::core::{Claim, Hypothesis, Source, Statement};
 use torse_language::derivation::{Origin, Source as Text};
 
-/// No further points are drawn if the statement is decided at none of the first so many.
-const HOPELESS: u64 = 40;
 /// The work of one judgement of a point that the caller names.
 const POINT_WORK: u64 = 2_000_000;
 

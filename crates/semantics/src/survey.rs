@@ -1,7 +1,7 @@
 //! A walk through points of a domain, with bounded work: exact numbers, or residues modulo a prime.
 
 use crate::domain::draft::Draft;
-use crate::domain::narrow::narrowed;
+use crate::domain::narrow::Narrowed;
 use crate::domain::point::{check_sets, completed};
 use crate::domain::solve::is_equations;
 use crate::domain::stream::Stream;
@@ -11,15 +11,15 @@ use crate::judgement::Judgement;
 use crate::residue;
 use crate::residue::domain::{Drawn, drawn};
 use std::collections::BTreeMap;
-use std::sync::Arc;
 use torse_language::core::{Claim, Statement};
-use torse_language::derivation::declarations::Interval;
 
 /// Attempts for each wanted point, and at least.
 const ATTEMPTS_PER_POINT: u64 = 12;
 const LEAST_ATTEMPTS: u64 = 60;
 /// No further points are drawn if none of the first so many lies in the domain.
 const NOWHERE: u64 = 150;
+/// No further points are drawn if what is looked for is seen at none of the first so many of the domain.
+pub(crate) const HOPELESS: u64 = 40;
 /// No further points are drawn if each of the first so many costs more than its share.
 pub(crate) const COSTLY: u64 = 3;
 /// Every how many-th point lies at the edges of the declared sets: where a statement holds, and where a condition fails.
@@ -43,7 +43,7 @@ pub(crate) enum Seen<'s, 'a> {
 /// A walk through points of a domain, with bounded work.
 pub(crate) struct Survey<'a> {
     claim: &'a Claim,
-    narrowed: BTreeMap<Arc<str>, Interval>,
+    narrowed: Narrowed,
     seed: &'a str,
     attempts: u64,
     /// The work of one point.
@@ -72,7 +72,7 @@ impl<'a> Survey<'a> {
     pub fn new(claim: &'a Claim, seed: &'a str, wanted: u64, budget: u64) -> Self {
         Self {
             claim,
-            narrowed: narrowed(claim),
+            narrowed: Narrowed::new(claim),
             seed,
             attempts: LEAST_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted),
             share: (budget / wanted.max(1)).saturating_mul(2),
@@ -253,16 +253,13 @@ impl<'a> Survey<'a> {
         // The innermost denials first.
         for p in inner.into_iter().rev() {
             let fails = |survey: &Self| {
-                let mut found = false;
+                let (mut found, mut judged) = (false, 0);
                 survey.walk(p, &[], &denied, &mut |seen| {
-                    found = matches!(
-                        seen,
-                        Seen::Judged {
-                            judgement: Judgement::False,
-                            ..
-                        }
-                    );
-                    !found
+                    if let Seen::Judged { judgement, .. } = seen {
+                        found = judgement == Judgement::False;
+                        judged += 1;
+                    }
+                    !found && judged < HOPELESS
                 });
                 found
             };

@@ -1,14 +1,13 @@
 //! A point in the making: every number is drawn from its declared set when it is asked for first.
 
+use super::narrow::Narrowed;
 use super::set;
 use super::stream::Stream;
 use crate::name::Name;
 use crate::real::Real;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
 use torse_language::core::{Claim, Set};
-use torse_language::derivation::declarations::Interval;
 use torse_numbers::Affine;
 use torse_numbers::rational::integer;
 
@@ -20,7 +19,7 @@ const MAX_NAMES: usize = 4000;
 /// A point in the making.
 pub(crate) struct Draft<'a> {
     claim: &'a Claim,
-    narrowed: &'a BTreeMap<Arc<str>, Interval>,
+    narrowed: &'a Narrowed,
     stream: Stream,
     values: RefCell<BTreeMap<Name, Real>>,
     rounded: RefCell<BTreeSet<Name>>,
@@ -30,12 +29,8 @@ pub(crate) struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    /// The empty draft of these choices; symbols are drawn from the intervals of [`narrowed`](super::narrow::narrowed).
-    pub fn new(
-        claim: &'a Claim,
-        narrowed: &'a BTreeMap<Arc<str>, Interval>,
-        stream: Stream,
-    ) -> Self {
+    /// The empty draft of these choices; symbols are drawn from the narrowed sets.
+    pub fn new(claim: &'a Claim, narrowed: &'a Narrowed, stream: Stream) -> Self {
         Self {
             claim,
             narrowed,
@@ -65,9 +60,10 @@ impl<'a> Draft<'a> {
             return None;
         }
         let label = name.to_string();
-        let drawn = match (name, self.claim.symbols.get(name.declared())?) {
-            (Name::Symbol(symbol), Set::Real(interval)) => {
-                let interval = self.narrowed.get(symbol).unwrap_or(interval);
+        let declared = self.claim.symbols.get(name.declared())?;
+        let set = self.narrowed.sets.get(name.declared());
+        let drawn = match (name, set.unwrap_or(declared)) {
+            (Name::Symbol(_), Set::Real(interval)) => {
                 let drawn = set::in_interval(interval, &self.stream, &label);
                 if set::contains(interval, &drawn) != Some(true) {
                     // The ends are exchanged, or one point is left and does not belong to the interval.
@@ -115,6 +111,11 @@ impl<'a> Draft<'a> {
         self.rounded.borrow_mut().insert(name.clone());
     }
 
+    /// Whether a number satisfies the equations nearly.
+    pub fn is_rounded(&self, name: &Name) -> bool {
+        self.rounded.borrow().contains(name)
+    }
+
     /// The numbers that satisfy the equations nearly.
     pub fn rounded(&self) -> BTreeSet<Name> {
         self.rounded.borrow().clone()
@@ -128,10 +129,14 @@ impl<'a> Draft<'a> {
     /// Whether no other point is like this one: the equations leave no choice of any of its numbers.
     pub fn is_determined(&self) -> bool {
         let determined = self.determined.borrow();
+        let pinned = |name: &Name| match name {
+            Name::Symbol(symbol) => self.narrowed.pinned.contains(symbol),
+            Name::Coordinate(..) | Name::Member(..) => false,
+        };
         self.values
             .borrow()
             .keys()
-            .all(|name| determined.contains(name))
+            .all(|name| pinned(name) || determined.contains(name))
     }
 
     /// What is seen of all numbers drawn so far, while none is drawn.

@@ -1,4 +1,5 @@
-//! Ranges that hypotheses narrow: `k > 0` among them says that k is to be drawn from the positive numbers.
+//! Ranges that hypotheses narrow: `k > 0` among them says that k is to be drawn from the positive numbers, `k == 3` that it
+//! is 3.
 //!
 //! This finds points sooner and excludes none: whether all hypotheses are true is asked of every point all the same.
 
@@ -7,49 +8,101 @@ use crate::evaluate::Evaluator;
 use crate::gap::Work;
 use crate::name::Name;
 use crate::real::Reals;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_language::core::{Claim, Node, Set, Term};
-use torse_language::derivation::declarations::{Bound, Interval};
+use torse_language::derivation::declarations::Bound;
 use torse_language::syntax::Relation;
-use torse_numbers::Rational;
+use torse_numbers::rational::floor_quotient;
+use torse_numbers::{Affine, Rational};
 
 /// The operations that the number of one hypothesis may take, and their precision where they are not exact.
 const MAX_WORK: u64 = 100;
 const BITS: usize = 64;
 
-/// The intervals of the symbols that a hypothesis compares with a rational number.
-pub(crate) fn narrowed(claim: &Claim) -> BTreeMap<Arc<str>, Interval> {
-    let mut all: BTreeMap<Arc<str>, Interval> = BTreeMap::new();
-    for (relation, left, right) in constraints(claim) {
-        let (name, relation, number) = match (&*left.node, &*right.node) {
-            (Node::Symbol(name), _) => (name, relation, number(right)),
-            (_, Node::Symbol(name)) => (name, relation.mirrored(), number(left)),
-            _ => continue,
-        };
-        let (Some(Set::Real(declared)), Some(number)) = (claim.symbols.get(name), number) else {
-            continue;
-        };
-        let interval = all
-            .entry(Arc::clone(name))
-            .or_insert_with(|| (**declared).clone());
-        let bound = |closed| Bound {
-            value: number.clone().into(),
-            closed,
-        };
-        match relation {
-            Relation::Less => narrow(&mut interval.upper, bound(false), |own, new| own > new),
-            Relation::AtMost => narrow(&mut interval.upper, bound(true), |own, new| own > new),
-            Relation::Greater => narrow(&mut interval.lower, bound(false), |own, new| own < new),
-            Relation::AtLeast => narrow(&mut interval.lower, bound(true), |own, new| own < new),
-            Relation::Equal | Relation::Different => {}
+/// The sets that symbols are drawn from where a hypothesis compares them with a rational number.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Narrowed {
+    /// Those of symbols that are compared.
+    pub sets: BTreeMap<Arc<str>, Set>,
+    /// The symbols that a hypothesis says are equal to a number.
+    pub pinned: BTreeSet<Arc<str>>,
+}
+
+impl Narrowed {
+    /// What the hypotheses of a claim say of single symbols.
+    pub fn new(claim: &Claim) -> Self {
+        let mut all = Self::default();
+        for (relation, left, right) in constraints(claim) {
+            let (name, relation, number) = match (&*left.node, &*right.node) {
+                (Node::Symbol(name), _) => (name, relation, number(right)),
+                (_, Node::Symbol(name)) => (name, relation.mirrored(), number(left)),
+                _ => continue,
+            };
+            let (Some(declared), Some(number)) = (claim.symbols.get(name), number) else {
+                continue;
+            };
+            let set = all
+                .sets
+                .entry(Arc::clone(name))
+                .or_insert_with(|| declared.clone());
+            if relation != Relation::Different && narrow(set, relation, &number) {
+                all.pinned.insert(Arc::clone(name));
+            }
         }
+        all
     }
-    all
+}
+
+/// Narrows a set to the numbers with this relation to a number: whether it is the only one that is left.
+fn narrow(set: &mut Set, relation: Relation, number: &Rational) -> bool {
+    let (below, above, closed) = match relation {
+        Relation::Less => (true, false, false),
+        Relation::AtMost => (true, false, true),
+        Relation::Greater => (false, true, false),
+        Relation::AtLeast => (false, true, true),
+        Relation::Equal => (true, true, true),
+        Relation::Different => return false,
+    };
+    match set {
+        Set::Real(interval) => {
+            let bound = || Bound {
+                value: number.clone().into(),
+                closed,
+            };
+            if below {
+                narrow_end(&mut interval.upper, bound(), |own, new| own > new);
+            }
+            if above {
+                narrow_end(&mut interval.lower, bound(), |own, new| own < new);
+            }
+        }
+        Set::Integer { least, most } => {
+            // The last integer that is at most the number, and the first that is at least so large.
+            let (numer, denom) = (number.numer(), number.denom());
+            let last = i64::try_from(&floor_quotient(numer, denom));
+            let first = i64::try_from(&-floor_quotient(&-numer, denom));
+            let (Ok(last), Ok(first)) = (last, first) else {
+                return false;
+            };
+            // Where it is an integer itself, it may not belong to them.
+            let open = i64::from(!closed && last == first);
+            match relation {
+                Relation::Equal => {
+                    *least = Some(Affine::number(first));
+                    *most = Some(Affine::number(last));
+                }
+                _ if below => narrow_bound(most, last.saturating_sub(open), i64::min),
+                _ => narrow_bound(least, first.saturating_add(open), i64::max),
+            }
+        }
+        Set::Vector(_) | Set::Family { .. } => return false,
+    }
+    relation == Relation::Equal
 }
 
 /// Replaces an end of an interval by one that lies further inside. Multiples of pi stay.
-fn narrow(end: &mut Option<Bound>, new: Bound, outside: fn(&Rational, &Rational) -> bool) {
+fn narrow_end(end: &mut Option<Bound>, new: Bound, outside: fn(&Rational, &Rational) -> bool) {
     let keeps = end.as_ref().is_some_and(|own| {
         let (Some(a), Some(b)) = (own.value.as_rational(), new.value.as_rational()) else {
             return true;
@@ -59,6 +112,18 @@ fn narrow(end: &mut Option<Bound>, new: Bound, outside: fn(&Rational, &Rational)
     if !keeps {
         *end = Some(new);
     }
+}
+
+/// Replaces a bound of an integer by one that lies further inside. Bounds that name other integers stay.
+fn narrow_bound(bound: &mut Option<Affine>, new: i64, inner: fn(i64, i64) -> i64) {
+    let inside = match bound {
+        None => new,
+        Some(own) => match own.as_number() {
+            None => return,
+            Some(own) => inner(own, new),
+        },
+    };
+    *bound = Some(Affine::number(inside));
 }
 
 /// The rational number that a term without symbols is.

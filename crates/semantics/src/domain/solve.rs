@@ -35,6 +35,10 @@ const SIMPLE_BITS: usize = 64;
 const EXACT_ROUNDS: usize = 5;
 const ROUNDS: usize = 16;
 const MAX_EXACT_BITS: usize = 320;
+/// Rounded numbers come nearer by so many binary places each round at least. Where they do not so many times, there is no
+/// solution near them, or a double one: the method gains two places a round there, and would take far too many.
+const PLACES: usize = 4;
+const MAX_LAPSES: usize = 4;
 
 /// How the equations are satisfied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -100,12 +104,20 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         return Some(Solved::Exactly);
     }
     let unknowns = unknowns(claim, draft, work)?;
-    let value = |name: &Name| draft.value(name);
+    // Sums and products of long fractions cost many times what balls cost.
+    let value = |name: &Name| {
+        let value = draft.value(name)?;
+        Some(match draft.is_rounded(name) {
+            true => value.ball(BITS).into(),
+            false => value,
+        })
+    };
     let expanded = |moves: &dyn Fn(&Name) -> bool| {
         expanded(&equations, Reals { bits: BITS, work }, &value, moves).ok()
     };
     let values = || differences(&equations, &Reals { bits: BITS, work }, &value).ok();
     let mut rounded = false;
+    let (mut places, mut lapses) = (0, 0);
     // What one step determined, where all equations are linear.
     let mut determined: Option<Vec<Name>> = None;
     for round in 0..ROUNDS {
@@ -117,13 +129,26 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         };
         // The values alone cost a fraction of the rates, which are not needed where the equations hold. Numbers that
         // were drawn by chance do not satisfy them.
-        if round > 0
-            && let Some(solved) = found(&values()?.iter().collect::<Vec<_>>())
-        {
-            if round == 1 && solved == Solved::Exactly {
-                draft.determine(determined.into_iter().flatten());
+        if round > 0 {
+            let values = values()?;
+            let gaps: Vec<&Real> = values.iter().collect();
+            if let Some(solved) = found(&gaps) {
+                if round == 1 && solved == Solved::Exactly {
+                    draft.determine(determined.into_iter().flatten());
+                }
+                return Some(solved);
             }
-            return Some(solved);
+            if rounded {
+                let now = gaps
+                    .iter()
+                    .map(|gap| gap.ball(BITS).leading_zeros())
+                    .min()?;
+                lapses += usize::from(now < places + PLACES);
+                places = now;
+                if lapses > MAX_LAPSES {
+                    return None;
+                }
+            }
         }
         // The unknowns alone mostly suffice.
         let some = expanded(&|name| unknowns.contains(name))?;

@@ -54,6 +54,31 @@ fn numbers_are_drawn_from_the_ranges_that_hypotheses_narrow() {
 }
 
 #[test]
+fn a_symbol_that_equals_a_number_is_drawn_as_that_number() {
+    let pinned = "assume = ['a == 7/3', '4 == m']\nsymbols = { k = { integer = \"0..m\" } }";
+    let tally = netted(&claim(pinned, "3*a == 7 and m == 4 and k <= 4"));
+    assert_eq!((tally.holding, tally.found), (20, 20), "{tally:?}");
+    assert!(tally.attempts <= 20, "{tally:?}");
+    let bounded = netted(&claim(
+        "assume = ['m > 5/2', 'm < 9/2']",
+        "(m - 3)*(m - 4) == 0",
+    ));
+    assert_eq!(bounded.attempts, bounded.holding, "{bounded:?}");
+    let open = netted(&claim("assume = ['m > 3', 'm <= 4']", "m == 4"));
+    assert_eq!(open.attempts, open.holding, "{open:?}");
+    is_empty("assume = ['m == 3', 'm == 4']", "a == a");
+    is_empty("assume = ['x == 3/2']", "x == x");
+}
+
+#[test]
+fn what_is_pinned_altogether_is_the_only_point() {
+    let only = netted(&claim("assume = ['a == 1/2', 'm == 3']", "a*m == 3/2"));
+    assert_eq!((only.attempts, only.holding, only.single), (1, 1, true));
+    let free = netted(&claim("assume = ['a == 1/2']", "a*m + b == m/2 + b"));
+    assert_eq!((free.holding, free.single), (20, false));
+}
+
+#[test]
 fn domains_without_points_are_seen_to_be_empty() {
     is_empty("assume = ['1 == 2']", "a == a");
     is_empty("assume = ['a > 0', 'a < 0']", "a == a");

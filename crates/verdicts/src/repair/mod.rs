@@ -78,6 +78,7 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     for edit in edits::single(printed, &alphabet)
         .into_iter()
         .take(MAX_SINGLE)
+        .take_while(|_| target.within_budget())
     {
         let side = subject.side(&edit.expr);
         let entries = target.entries_agreeing(&side);
@@ -100,7 +101,8 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     let second_alphabet = alphabet.without_names();
     let mut twice = vec![];
     let mut budget = MAX_DOUBLE;
-    for (_, first) in singles.iter().take(MAX_FIRST) {
+    let firsts = singles.iter().take(MAX_FIRST);
+    for (_, first) in firsts.take_while(|_| target.within_budget()) {
         for second in edits::single(&first.expr, &second_alphabet) {
             budget = budget.saturating_sub(1);
             if budget == 0 || twice.len() >= MAX_PROOFS {

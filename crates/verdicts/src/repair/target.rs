@@ -117,7 +117,9 @@ impl<'a> Target<'a> {
         work.sum::<u64>().saturating_add(self.terms.get())
     }
 
-    fn within_budget(&self) -> bool {
+    /// Whether there is work left: nothing agrees any more where there is none.
+    #[must_use]
+    pub fn within_budget(&self) -> bool {
         self.spent() <= self.budget.get()
     }
 
