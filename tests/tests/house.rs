@@ -160,6 +160,43 @@ fn an_import_against_the_direction_is_seen() {
     assert_eq!(forbidden("prove", manifest, "torse-"), ["verdicts"]);
 }
 
+/// Whether a source names what makes a fault.
+fn plants(text: &str) -> bool {
+    let imports = text.match_indices("planted::").map(|(at, _)| {
+        let rest = text.get(at..).unwrap_or("");
+        rest.split([';', '(']).next().unwrap_or("")
+    });
+    let names = |import: &str| {
+        tokens(import)
+            .iter()
+            .any(|name| name == "with" || name == "*")
+    };
+    imports.into_iter().any(names)
+}
+
+#[test]
+fn only_tests_can_plant_faults() {
+    assert!(plants("use torse_numbers::planted::{Planted, with};"));
+    assert!(plants("torse_numbers::planted::with(fault, || ())"));
+    assert!(plants("use torse_numbers::planted::*;"));
+    assert!(!plants("use torse_numbers::planted::{Planted, planted};"));
+    let mut asking = 0;
+    for room in built() {
+        let mut files = vec![];
+        sources(&crates().join(&room).join("src"), &mut files);
+        for file in files {
+            let text = fs::read_to_string(&file).unwrap();
+            assert!(!plants(&text), "{}", file.display());
+            asking += usize::from(text.contains("planted::"));
+        }
+    }
+    assert!(asking > 10, "{asking}");
+    // There are none in a release, which has no debug assertions.
+    let manifest = fs::read_to_string(crates().join("../Cargo.toml")).unwrap();
+    let (_, release) = manifest.split_once("[profile.release]").unwrap_or_default();
+    assert!(!release.contains("debug-assertions"), "{release}");
+}
+
 /// Circles of files that are known and not yet mended: each is the list of the modules that reach one another.
 const CIRCLES: [&str; 1] = ["prove: formula::expression, formula::points"];
 

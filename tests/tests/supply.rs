@@ -136,29 +136,3 @@ fn alternatives_need_one_licence_and_conjunctions_all() {
     assert!(!is_met("MITX", &allowed));
     assert!(!is_met("MPL-2.0", &allowed));
 }
-
-#[test]
-fn only_tests_can_plant_faults() {
-    let packages = packages();
-    let ours = packages
-        .iter()
-        .filter(|package| package["source"].is_null());
-    let mut planting = vec![];
-    for package in ours {
-        let own = package["features"].as_object().unwrap();
-        // A package that lets its users choose the feature hands it on.
-        let hands_on = own.values().flat_map(|parts| parts.as_array().unwrap());
-        let handed: Vec<&Value> = hands_on.collect();
-        assert!(
-            handed
-                .iter()
-                .all(|part| !part.to_string().contains("planted"))
-        );
-        for needed in package["dependencies"].as_array().unwrap() {
-            if needed["features"].to_string().contains("planted") {
-                planting.push(format!("{} {}", package["name"], needed["kind"]));
-            }
-        }
-    }
-    assert_eq!(planting, [r#""torse-verdicts" "dev""#]);
-}

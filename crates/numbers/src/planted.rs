@@ -1,8 +1,9 @@
 //! Faults planted on purpose, to see that each is caught.
 //!
 //! A tool that says "proved" has to show what happens when it errs. Each [`Planted`] names one deliberate mistake of an
-//! engine like this one; the place where it would be made asks [`planted`]. Without the feature `planted-faults`, which only
-//! tests turn on, the answer is the constant `false` and nothing of them is left in the program.
+//! engine like this one; the place where it would be made asks [`planted`]. They can be made with debug assertions alone, in
+//! what tests are built from, and only [`with`] makes one, which nothing but tests calls. In a release the answer is the
+//! constant `false` and nothing of them is left in the program.
 
 /// A deliberate mistake.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,20 +58,20 @@ pub enum Planted {
     DifferenceReadAsSum,
 }
 
-#[cfg(feature = "planted-faults")]
+#[cfg(debug_assertions)]
 thread_local! {
     static CHOSEN: std::cell::Cell<Option<Planted>> = const { std::cell::Cell::new(None) };
 }
 
 /// Whether this mistake is to be made on this thread.
-#[cfg(feature = "planted-faults")]
+#[cfg(debug_assertions)]
 #[must_use]
 pub fn planted(fault: Planted) -> bool {
     CHOSEN.get() == Some(fault)
 }
 
 /// Whether this mistake is to be made: no.
-#[cfg(not(feature = "planted-faults"))]
+#[cfg(not(debug_assertions))]
 #[inline(always)]
 #[must_use]
 pub const fn planted(_: Planted) -> bool {
@@ -78,7 +79,7 @@ pub const fn planted(_: Planted) -> bool {
 }
 
 /// Makes one mistake, and no other, wherever it can be made while the job is done on this thread.
-#[cfg(feature = "planted-faults")]
+#[cfg(debug_assertions)]
 pub fn with<T>(fault: Planted, job: impl FnOnce() -> T) -> T {
     let before = CHOSEN.replace(Some(fault));
     let done = job();

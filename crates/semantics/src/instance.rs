@@ -5,7 +5,7 @@
 //! integers; a claim with other equations is left to the points of its domain.
 
 use crate::arithmetic::Arithmetic;
-use crate::domain::solve::constraints;
+use crate::domain::constraints::constraints;
 use crate::evaluate::Evaluator;
 use crate::gap::{Gap, Undefined, Unknown, Work};
 use crate::name::Name;

@@ -1,9 +1,9 @@
 //! A walk through points of a domain, with bounded work: exact numbers, or residues modulo a prime.
 
+use crate::domain::constraints::is_equations;
 use crate::domain::draft::Draft;
 use crate::domain::narrow::Narrowed;
 use crate::domain::point::{check_sets, completed};
-use crate::domain::solve::is_equations;
 use crate::domain::stream::Stream;
 use crate::gap::{Undefined, Work};
 use crate::judge::{Judge, address};

@@ -1,9 +1,8 @@
 //! Deliberate mistakes of the engine, one at a time, and what catches each.
 //!
 //! For every [`Planted`] there is a claim whose verdict changes with it: the prover alone says something else. What a
-//! user sees is then never the wrong verdict. The feature `planted-faults` of the numbers is a matter of the tests of
-//! this crate: what a user builds has no mistake to choose.
-
+//! user sees is then never the wrong verdict. There are mistakes with debug assertions alone: a release has none to choose.
+#![cfg(debug_assertions)]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

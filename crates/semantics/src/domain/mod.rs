@@ -3,8 +3,9 @@
 //! Points come as a stream that a text seeds, the claim's id, so that they are the same on every run. [`set`] draws a
 //! number of a declared set, which [`narrow`] makes smaller, [`draft`] one number after the other as they are asked for,
 //! [`solve`] changes some of them until the assumed and given equations hold, by the steps of [`newton`], and [`point`]
-//! checks what came out.
+//! checks what came out. [`constraints`] are the hypotheses that can be used so.
 
+pub(crate) mod constraints;
 pub(crate) mod draft;
 pub(crate) mod narrow;
 pub(crate) mod newton;

@@ -3,7 +3,7 @@
 //!
 //! This finds points sooner and excludes none: whether all hypotheses are true is asked of every point all the same.
 
-use super::solve::constraints;
+use super::constraints::constraints;
 use crate::evaluate::Evaluator;
 use crate::gap::Work;
 use crate::name::Name;

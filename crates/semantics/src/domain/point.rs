@@ -1,8 +1,9 @@
 //! Points: numbers for names, and whether they belong to a domain.
 
+use super::constraints::is_equations;
 use super::draft::Draft;
 use super::set;
-use super::solve::{Solved, is_equations, solve};
+use super::solve::{Solved, solve};
 use crate::gap::Work;
 use crate::judge::Judge;
 use crate::judgement::Judgement;

@@ -5,6 +5,7 @@
 //! at once, with exact numbers, if the equations are linear in the chosen numbers, and after a few rounds if one can be
 //! solved after the other. Else the numbers are rounded to many digits and the point satisfies the equations nearly.
 
+use super::constraints::equations;
 use super::draft::Draft;
 use super::newton::{changes, differences, expanded};
 use crate::arithmetic::Arithmetic;
@@ -17,8 +18,7 @@ use dashu_int::ops::BitTest;
 use num_traits::Signed;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
-use torse_language::core::{Claim, Statement, Term};
-use torse_language::syntax::{Connective, Relation};
+use torse_language::core::{Claim, Term};
 use torse_numbers::rational::floor_quotient;
 use torse_numbers::{Integer, Rational};
 
@@ -47,54 +47,6 @@ pub(crate) enum Solved {
     Exactly,
     /// Nearly: see [`NEAR_BITS`].
     Nearly,
-}
-
-/// The comparisons that every point of the domain satisfies: those of conjunctions of hypotheses.
-pub(crate) fn constraints(claim: &Claim) -> Vec<(Relation, &Term, &Term)> {
-    let mut pending: Vec<&Statement> = claim
-        .hypotheses
-        .iter()
-        .rev()
-        .map(|h| &h.statement)
-        .collect();
-    let mut all = vec![];
-    while let Some(statement) = pending.pop() {
-        match statement {
-            Statement::Join(Connective::And, a, b) => pending.extend([&**b, &**a]),
-            Statement::Compare {
-                relation,
-                left,
-                right,
-            } => all.push((*relation, left, right)),
-            _ => {}
-        }
-    }
-    all
-}
-
-/// Whether a hypothesis is a conjunction of equations, all of which [`solve`] looks at.
-pub(crate) fn is_equations(statement: &Statement) -> bool {
-    let mut pending = vec![statement];
-    while let Some(statement) = pending.pop() {
-        match statement {
-            Statement::Join(Connective::And, a, b) => pending.extend([&**a, &**b]),
-            Statement::Compare {
-                relation: Relation::Equal,
-                ..
-            } => {}
-            _ => return false,
-        }
-    }
-    true
-}
-
-/// The equations among them.
-pub(crate) fn equations(claim: &Claim) -> Vec<(&Term, Option<&Term>)> {
-    constraints(claim)
-        .into_iter()
-        .filter(|(relation, ..)| *relation == Relation::Equal)
-        .map(|(_, left, right)| (left, Some(right)))
-        .collect()
 }
 
 /// Changes the draft until the equations hold; `None` if that does not succeed.

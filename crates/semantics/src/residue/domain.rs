@@ -2,9 +2,9 @@
 
 use super::judge::Judge;
 use super::point::Point;
+use crate::domain::constraints::is_equations;
 use crate::domain::draft::Draft;
 use crate::domain::point::check_sets;
-use crate::domain::solve::is_equations;
 use crate::gap::{Unknown, Work};
 use crate::judgement::Judgement;
 use std::collections::BTreeMap;

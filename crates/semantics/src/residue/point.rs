@@ -1,9 +1,10 @@
 //! Points modulo the prime: numbers drawn as they always are, and residues for those that equations determine.
 
 use super::{Residue, Residues};
+use crate::domain::constraints::equations;
 use crate::domain::draft::Draft;
 use crate::domain::newton::{changes, differences, expanded};
-use crate::domain::solve::{equations, unknowns};
+use crate::domain::solve::unknowns;
 use crate::gap::Work;
 use crate::name::Name;
 use crate::real::Real;

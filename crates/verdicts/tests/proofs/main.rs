@@ -12,6 +12,7 @@
 mod common;
 
 mod damaged;
+#[cfg(debug_assertions)]
 mod faults;
 mod forced;
 mod kinds;
