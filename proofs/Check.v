@@ -71,9 +71,11 @@ From Hyperbolic Require Part_Catenary Part_Catenary_proofs.
 From Hyperbolic Require Part_Catenoid Part_Catenoid_proofs.
 From Hyperbolic Require Part_Curves Part_Curves_proofs.
 From Hyperbolic Require Part_Hyperbolas Part_Hyperbolas_proofs.
+From Hyperbolic Require Part_Joins Part_Joins_proofs.
 From Hyperbolic Require Part_Logarithmic Part_Logarithmic_proofs.
 From Hyperbolic Require Part_Parts Part_Parts_proofs.
 From Hyperbolic Require Part_Rates Part_Rates_proofs.
+From Hyperbolic Require Part_Roots Part_Roots_proofs.
 From Hyperbolic Require Part_Signs Part_Signs_proofs.
 From Hyperbolic Require Part_Spiral Part_Spiral_proofs.
 From Hyperbolic Require Part_Sums Part_Sums_proofs.
@@ -118,7 +120,9 @@ From Trigonometric Require Part_Half Part_Half_proofs.
 From Trigonometric Require Part_Helicoid Part_Helicoid_proofs.
 From Trigonometric Require Part_Helix Part_Helix_proofs.
 From Trigonometric Require Part_Joins Part_Joins_proofs.
+From Trigonometric Require Part_Known Part_Known_proofs.
 From Trigonometric Require Part_Parts Part_Parts_proofs.
+From Trigonometric Require Part_Roots Part_Roots_proofs.
 From Trigonometric Require Part_Signs Part_Signs_proofs.
 From Trigonometric Require Part_Tangent Part_Tangent_proofs.
 From Trigonometric Require Part_Tangents Part_Tangents_proofs.
@@ -336,6 +340,7 @@ Check (Bezier.Part_The_proofs.circle_outside.met : Bezier.Part_The.circle_outsid
 Check (Bezier.Part_The_proofs.circle_exact_slip.refuted : ~ Bezier.Part_The.circle_exact_slip.statement).
 Check (Bezier.Part_The_proofs.reach_definite.proved : Bezier.Part_The.reach_definite.statement).
 Check (Bezier.Part_The_proofs.reach_cauchy.proved : Bezier.Part_The.reach_cauchy.statement).
+Check (GbtDevelopable.Part_Abstract_proofs.abs_conics_planes.refuted : ~ GbtDevelopable.Part_Abstract.abs_conics_planes.statement).
 Check (GbtDevelopable.Part_Abstract_proofs.abs_conics_points.proved : GbtDevelopable.Part_Abstract.abs_conics_points.statement).
 Check (GbtDevelopable.Part_Abstract_proofs.abs_conics_points.met : GbtDevelopable.Part_Abstract.abs_conics_points.instance).
 Check (GbtDevelopable.Part_Abstract_proofs.abs_4d_factor.proved : GbtDevelopable.Part_Abstract.abs_4d_factor.statement).
@@ -343,6 +348,7 @@ Check (GbtDevelopable.Part_Abstract_proofs.abs_4d_factor.met : GbtDevelopable.Pa
 Check (GbtDevelopable.Section_1_proofs.intro_continuity_free_a.proved : GbtDevelopable.Section_1.intro_continuity_free_a.statement).
 Check (GbtDevelopable.Section_1_proofs.intro_continuity_free_a.met : GbtDevelopable.Section_1.intro_continuity_free_a.instance).
 Check (GbtDevelopable.Section_1_proofs.intro_continuity_free_b_any_values.refuted : ~ GbtDevelopable.Section_1.intro_continuity_free_b_any_values.statement).
+Check (GbtDevelopable.Section_1_proofs.intro_continuity_free_c_any_values.refuted : ~ GbtDevelopable.Section_1.intro_continuity_free_c_any_values.statement).
 Check (GbtDevelopable.Section_2_1_proofs.def_1_g0.proved : GbtDevelopable.Section_2_1.def_1_g0.statement).
 Check (GbtDevelopable.Section_2_1_proofs.def_1_g0.met : GbtDevelopable.Section_2_1.def_1_g0.instance).
 Check (GbtDevelopable.Section_2_1_proofs.def_1_g1.proved : GbtDevelopable.Section_2_1.def_1_g1.statement).
@@ -379,6 +385,8 @@ Check (GbtDevelopable.Section_2_1_proofs.thm_1_4.met : GbtDevelopable.Section_2_
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_5.refuted : ~ GbtDevelopable.Section_2_1.thm_1_5.statement).
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_5_quadratic.proved : GbtDevelopable.Section_2_1.thm_1_5_quadratic.statement).
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_5_quadratic.met : GbtDevelopable.Section_2_1.thm_1_5_quadratic.instance).
+Check (GbtDevelopable.Section_2_1_proofs.thm_1_5_cubic.proved : GbtDevelopable.Section_2_1.thm_1_5_cubic.statement).
+Check (GbtDevelopable.Section_2_1_proofs.thm_1_5_cubic.met : GbtDevelopable.Section_2_1.thm_1_5_cubic.instance).
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_5_all.proved : GbtDevelopable.Section_2_1.thm_1_5_all.statement).
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_5_all.met : GbtDevelopable.Section_2_1.thm_1_5_all.instance).
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_6_a.proved : GbtDevelopable.Section_2_1.thm_1_6_a.statement).
@@ -402,6 +410,8 @@ Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_symmetry.proved : GbtDevelopabl
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_symmetry.met : GbtDevelopable.Section_2_2.sec_2_2_symmetry.instance).
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_symmetry_exchange.proved : GbtDevelopable.Section_2_2.sec_2_2_symmetry_exchange.statement).
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_symmetry_exchange.met : GbtDevelopable.Section_2_2.sec_2_2_symmetry_exchange.instance).
+Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_vd_quadratic.proved : GbtDevelopable.Section_2_2.sec_2_2_vd_quadratic.statement).
+Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_vd_quadratic.met : GbtDevelopable.Section_2_2.sec_2_2_vd_quadratic.instance).
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_vd_operator.proved : GbtDevelopable.Section_2_2.sec_2_2_vd_operator.statement).
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_vd_operator.met : GbtDevelopable.Section_2_2.sec_2_2_vd_operator.instance).
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_geominv.proved : GbtDevelopable.Section_2_2.sec_2_2_geominv.statement).
@@ -465,6 +475,8 @@ Check (GbtDevelopable.Section_3_2_proofs.sec_3_2_psi_z_corrected.proved : GbtDev
 Check (GbtDevelopable.Section_3_2_proofs.sec_3_2_psi_den.proved : GbtDevelopable.Section_3_2.sec_3_2_psi_den.statement).
 Check (GbtDevelopable.Section_3_2_proofs.eq_3_7.proved : GbtDevelopable.Section_3_2.eq_3_7.statement).
 Check (GbtDevelopable.Section_3_2_proofs.eq_3_7.met : GbtDevelopable.Section_3_2.eq_3_7.instance).
+Check (GbtDevelopable.Section_3_2_proofs.sec_3_2_envelope.proved : GbtDevelopable.Section_3_2.sec_3_2_envelope.statement).
+Check (GbtDevelopable.Section_3_2_proofs.sec_3_2_envelope.met : GbtDevelopable.Section_3_2.sec_3_2_envelope.instance).
 Check (GbtDevelopable.Section_3_3_proofs.eq_3_8.proved : GbtDevelopable.Section_3_3.eq_3_8.statement).
 Check (GbtDevelopable.Section_3_3_proofs.eq_3_8.met : GbtDevelopable.Section_3_3.eq_3_8.instance).
 Check (GbtDevelopable.Section_3_3_proofs.eq_3_9.proved : GbtDevelopable.Section_3_3.eq_3_9.statement).
@@ -476,6 +488,16 @@ Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_S_x.proved : GbtDevelopable.Sec
 Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_S_y.proved : GbtDevelopable.Section_3_3.sec_3_3_S_y.statement).
 Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_S_z.proved : GbtDevelopable.Section_3_3.sec_3_3_S_z.statement).
 Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_S_den.proved : GbtDevelopable.Section_3_3.sec_3_3_S_den.statement).
+Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_regression.proved : GbtDevelopable.Section_3_3.sec_3_3_regression.statement).
+Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_regression.met : GbtDevelopable.Section_3_3.sec_3_3_regression.instance).
+Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_regression_velocity.proved : GbtDevelopable.Section_3_3.sec_3_3_regression_velocity.statement).
+Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_regression_velocity.met : GbtDevelopable.Section_3_3.sec_3_3_regression_velocity.instance).
+Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_regression_quadratic.proved : GbtDevelopable.Section_3_3.sec_3_3_regression_quadratic.statement).
+Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_regression_quadratic.met : GbtDevelopable.Section_3_3.sec_3_3_regression_quadratic.instance).
+Check (GbtDevelopable.Section_3_3_proofs.eq_3_10.proved : GbtDevelopable.Section_3_3.eq_3_10.statement).
+Check (GbtDevelopable.Section_3_3_proofs.eq_3_10.met : GbtDevelopable.Section_3_3.eq_3_10.instance).
+Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_developable.proved : GbtDevelopable.Section_3_3.sec_3_3_developable.statement).
+Check (GbtDevelopable.Section_3_3_proofs.sec_3_3_developable.met : GbtDevelopable.Section_3_3.sec_3_3_developable.instance).
 Check (GbtDevelopable.Section_3_4_proofs.eq_3_11_a.proved : GbtDevelopable.Section_3_4.eq_3_11_a.statement).
 Check (GbtDevelopable.Section_3_4_proofs.eq_3_11_a.met : GbtDevelopable.Section_3_4.eq_3_11_a.instance).
 Check (GbtDevelopable.Section_3_4_proofs.eq_3_11_b.proved : GbtDevelopable.Section_3_4.eq_3_11_b.statement).
@@ -488,6 +510,8 @@ Check (GbtDevelopable.Section_3_4_proofs.eq_3_12_b.proved : GbtDevelopable.Secti
 Check (GbtDevelopable.Section_3_4_proofs.eq_3_12_b.met : GbtDevelopable.Section_3_4.eq_3_12_b.instance).
 Check (GbtDevelopable.Section_3_4_proofs.eq_3_12_c.proved : GbtDevelopable.Section_3_4.eq_3_12_c.statement).
 Check (GbtDevelopable.Section_3_4_proofs.eq_3_12_c.met : GbtDevelopable.Section_3_4.eq_3_12_c.instance).
+Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_tangent_ends.proved : GbtDevelopable.Section_3_4.sec_3_4_tangent_ends.statement).
+Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_tangent_ends.met : GbtDevelopable.Section_3_4.sec_3_4_tangent_ends.instance).
 Check (GbtDevelopable.Section_3_4_proofs.eq_3_13.proved : GbtDevelopable.Section_3_4.eq_3_13.statement).
 Check (GbtDevelopable.Section_3_4_proofs.eq_3_13.met : GbtDevelopable.Section_3_4.eq_3_13.instance).
 Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_J0.proved : GbtDevelopable.Section_3_4.sec_3_4_J0.statement).
@@ -571,6 +595,8 @@ Check (GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_b.proved : GbtDevelopable.Sec
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_b.met : GbtDevelopable.Section_4_1.ex_4_1_c3_b.instance).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_c.proved : GbtDevelopable.Section_4_1.ex_4_1_c3_c.statement).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_c.met : GbtDevelopable.Section_4_1.ex_4_1_c3_c.instance).
+Check (GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_d.proved : GbtDevelopable.Section_4_1.ex_4_1_c3_d.statement).
+Check (GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_d.met : GbtDevelopable.Section_4_1.ex_4_1_c3_d.instance).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_Q0.proved : GbtDevelopable.Section_4_1.ex_4_2_Q0.statement).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_Q0.met : GbtDevelopable.Section_4_1.ex_4_2_Q0.instance).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_Q1.proved : GbtDevelopable.Section_4_1.ex_4_2_Q1.statement).
@@ -579,6 +605,7 @@ Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_Q2.proved : GbtDevelopable.Secti
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_Q2.met : GbtDevelopable.Section_4_1.ex_4_2_Q2.instance).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_Q3.proved : GbtDevelopable.Section_4_1.ex_4_2_Q3.statement).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_Q3.met : GbtDevelopable.Section_4_1.ex_4_2_Q3.instance).
+Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_class.refuted : ~ GbtDevelopable.Section_4_1.ex_4_2_class.statement).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_pencil.proved : GbtDevelopable.Section_4_1.ex_4_2_pencil.statement).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_pencil.met : GbtDevelopable.Section_4_1.ex_4_2_pencil.instance).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_lengths.proved : GbtDevelopable.Section_4_1.ex_4_2_lengths.statement).
@@ -603,6 +630,7 @@ Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_c3_b.proved : GbtDevelopable.Sec
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_c3_b.met : GbtDevelopable.Section_4_1.ex_4_2_c3_b.instance).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_c3_c.proved : GbtDevelopable.Section_4_1.ex_4_2_c3_c.statement).
 Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_c3_c.met : GbtDevelopable.Section_4_1.ex_4_2_c3_c.instance).
+Check (GbtDevelopable.Section_4_1_proofs.ex_4_2_c3_d.refuted : ~ GbtDevelopable.Section_4_1.ex_4_2_c3_d.statement).
 Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_Q0.proved : GbtDevelopable.Section_4_2.sec_4_2_Q0.statement).
 Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_Q0.met : GbtDevelopable.Section_4_2.sec_4_2_Q0.instance).
 Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_Q1.proved : GbtDevelopable.Section_4_2.sec_4_2_Q1.statement).
@@ -616,6 +644,10 @@ Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_quadrants.proved : GbtDevelopab
 Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_quadrants.met : GbtDevelopable.Section_4_2.sec_4_2_quadrants.instance).
 Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_distances.proved : GbtDevelopable.Section_4_2.sec_4_2_distances.statement).
 Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_distances.met : GbtDevelopable.Section_4_2.sec_4_2_distances.instance).
+Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_class.proved : GbtDevelopable.Section_4_2.sec_4_2_class.statement).
+Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_class.met : GbtDevelopable.Section_4_2.sec_4_2_class.instance).
+Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_class_ends.proved : GbtDevelopable.Section_4_2.sec_4_2_class_ends.statement).
+Check (GbtDevelopable.Section_4_2_proofs.sec_4_2_class_ends.met : GbtDevelopable.Section_4_2.sec_4_2_class_ends.instance).
 Check (GbtDevelopable.Section_4_proofs.sec_4_midpoints.proved : GbtDevelopable.Section_4.sec_4_midpoints.statement).
 Check (GbtDevelopable.Section_4_proofs.sec_4_midpoints.met : GbtDevelopable.Section_4.sec_4_midpoints.instance).
 Check (GbtDevelopable.Section_4_proofs.ex_4_2_distance.proved : GbtDevelopable.Section_4.ex_4_2_distance.statement).
@@ -632,6 +664,12 @@ Check (GbtDevelopable.Section_5_1_proofs.eq_5_4.met : GbtDevelopable.Section_5_1
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_4_nec_suf_curves_of_four_coordinates.proved : GbtDevelopable.Section_5_1.eq_5_4_nec_suf_curves_of_four_coordinates.statement).
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_4_nec_suf_curves_of_four_coordinates.met : GbtDevelopable.Section_5_1.eq_5_4_nec_suf_curves_of_four_coordinates.instance).
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_4_nec_suf_curves_in_space.refuted : ~ GbtDevelopable.Section_5_1.eq_5_4_nec_suf_curves_in_space.statement).
+Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_certify.proved : GbtDevelopable.Section_5_1.sec_5_1_certify.statement).
+Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_certify.met : GbtDevelopable.Section_5_1.sec_5_1_certify.instance).
+Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_sheets.proved : GbtDevelopable.Section_5_1.sec_5_1_certify_sheets.statement).
+Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_sheets.met : GbtDevelopable.Section_5_1.sec_5_1_certify_sheets.instance).
+Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_cusp.proved : GbtDevelopable.Section_5_1.sec_5_1_certify_cusp.statement).
+Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_cusp.met : GbtDevelopable.Section_5_1.sec_5_1_certify_cusp.instance).
 Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_families.proved : GbtDevelopable.Section_5_1.sec_5_1_G0_families.statement).
 Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_families.met : GbtDevelopable.Section_5_1.sec_5_1_G0_families.instance).
 Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_surfaces.refuted : ~ GbtDevelopable.Section_5_1.sec_5_1_G0_surfaces.statement).
@@ -650,6 +688,8 @@ Check (GbtDevelopable.Section_5_1_proofs.eq_5_9.proved : GbtDevelopable.Section_
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_9.met : GbtDevelopable.Section_5_1.eq_5_9.instance).
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_10.proved : GbtDevelopable.Section_5_1.eq_5_10.statement).
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_10.met : GbtDevelopable.Section_5_1.eq_5_10.instance).
+Check (GbtDevelopable.Section_5_1_proofs.thm_2_sufficient.proved : GbtDevelopable.Section_5_1.thm_2_sufficient.statement).
+Check (GbtDevelopable.Section_5_1_proofs.thm_2_sufficient.met : GbtDevelopable.Section_5_1.thm_2_sufficient.instance).
 Check (GbtDevelopable.Section_5_1_proofs.thm_2_necessary_families.proved : GbtDevelopable.Section_5_1.thm_2_necessary_families.statement).
 Check (GbtDevelopable.Section_5_1_proofs.thm_2_necessary_families.met : GbtDevelopable.Section_5_1.thm_2_necessary_families.instance).
 Check (GbtDevelopable.Section_5_1_proofs.thm_2_necessary_surfaces.refuted : ~ GbtDevelopable.Section_5_1.thm_2_necessary_surfaces.statement).
@@ -659,6 +699,8 @@ Check (GbtDevelopable.Section_5_1_proofs.thm_2_true_sufficient.proved : GbtDevel
 Check (GbtDevelopable.Section_5_1_proofs.thm_2_true_sufficient.met : GbtDevelopable.Section_5_1.thm_2_true_sufficient.instance).
 Check (GbtDevelopable.Section_5_1_proofs.thm_2_true_generator.proved : GbtDevelopable.Section_5_1.thm_2_true_generator.statement).
 Check (GbtDevelopable.Section_5_1_proofs.thm_2_true_generator.met : GbtDevelopable.Section_5_1.thm_2_true_generator.instance).
+Check (GbtDevelopable.Section_5_1_proofs.thm_2_true_sheets.proved : GbtDevelopable.Section_5_1.thm_2_true_sheets.statement).
+Check (GbtDevelopable.Section_5_1_proofs.thm_2_true_sheets.met : GbtDevelopable.Section_5_1.thm_2_true_sheets.instance).
 Check (GbtDevelopable.Section_5_2_proofs.eq_5_11.proved : GbtDevelopable.Section_5_2.eq_5_11.statement).
 Check (GbtDevelopable.Section_5_2_proofs.eq_5_11.met : GbtDevelopable.Section_5_2.eq_5_11.instance).
 Check (GbtDevelopable.Section_5_2_proofs.sec_5_2_meaning.proved : GbtDevelopable.Section_5_2.sec_5_2_meaning.statement).
@@ -706,6 +748,8 @@ Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_necessary.proved : GbtDevelo
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_necessary.met : GbtDevelopable.Section_5_3.thm_4_true_necessary.instance).
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_sufficient.proved : GbtDevelopable.Section_5_3.thm_4_true_sufficient.statement).
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_sufficient.met : GbtDevelopable.Section_5_3.thm_4_true_sufficient.instance).
+Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_sheets.proved : GbtDevelopable.Section_5_3.thm_4_true_sheets.statement).
+Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_sheets.met : GbtDevelopable.Section_5_3.thm_4_true_sheets.instance).
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_curvature.proved : GbtDevelopable.Section_5_3.thm_4_true_curvature.statement).
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_curvature.met : GbtDevelopable.Section_5_3.thm_4_true_curvature.instance).
 Check (GbtDevelopable.Section_5_4_proofs.alg_5_4_s1.proved : GbtDevelopable.Section_5_4.alg_5_4_s1.statement).
@@ -735,12 +779,16 @@ Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_Q22.proved : GbtDevelopable.Sect
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_Q22.met : GbtDevelopable.Section_5_5.ex_5_2_Q22.instance).
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_gamma_one.proved : GbtDevelopable.Section_5_5.ex_5_2_gamma_one.statement).
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_gamma_one.met : GbtDevelopable.Section_5_5.ex_5_2_gamma_one.instance).
+Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_surfaces.refuted : ~ GbtDevelopable.Section_5_5.ex_5_2_gap_surfaces.statement).
+Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_drawn_pieces.proved : GbtDevelopable.Section_5_5.ex_5_2_gap_drawn_pieces.statement).
+Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_drawn_pieces.met : GbtDevelopable.Section_5_5.ex_5_2_gap_drawn_pieces.instance).
 Check (GbtDevelopable.Section_5_proofs.eq_5_1.proved : GbtDevelopable.Section_5.eq_5_1.statement).
 Check (GbtDevelopable.Section_5_proofs.eq_5_1.met : GbtDevelopable.Section_5.eq_5_1.instance).
 Check (GbtDevelopable.Section_5_proofs.sec_5_weighted_a.proved : GbtDevelopable.Section_5.sec_5_weighted_a.statement).
 Check (GbtDevelopable.Section_5_proofs.sec_5_weighted_a.met : GbtDevelopable.Section_5.sec_5_weighted_a.instance).
 Check (GbtDevelopable.Section_5_proofs.sec_5_weighted_b_four_coordinates.proved : GbtDevelopable.Section_5.sec_5_weighted_b_four_coordinates.statement).
 Check (GbtDevelopable.Section_5_proofs.sec_5_weighted_b_four_coordinates.met : GbtDevelopable.Section_5.sec_5_weighted_b_four_coordinates.instance).
+Check (GbtDevelopable.Section_5_proofs.sec_5_weighted_b_after_division.refuted : ~ GbtDevelopable.Section_5.sec_5_weighted_b_after_division.statement).
 Check (GbtDevelopable.Section_5_proofs.eq_5_2.proved : GbtDevelopable.Section_5.eq_5_2.statement).
 Check (GbtDevelopable.Section_5_proofs.eq_5_2.met : GbtDevelopable.Section_5.eq_5_2.instance).
 Check (GbtSurfaces.Part_Abstract_proofs.abs_basis_a.proved : GbtSurfaces.Part_Abstract.abs_basis_a.statement).
@@ -791,6 +839,7 @@ Check (GbtSurfaces.Section_2_1_proofs.thm_1_1_true.proved : GbtSurfaces.Section_
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_1_true.met : GbtSurfaces.Section_2_1.thm_1_1_true.instance).
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_1_blend.proved : GbtSurfaces.Section_2_1.thm_1_1_blend.statement).
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_1_blend.met : GbtSurfaces.Section_2_1.thm_1_1_blend.instance).
+Check (GbtSurfaces.Section_2_1_proofs.thm_1_2_Definition_1.refuted : ~ GbtSurfaces.Section_2_1.thm_1_2_Definition_1.statement).
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_2_where_curves_are_defined.proved : GbtSurfaces.Section_2_1.thm_1_2_where_curves_are_defined.statement).
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_2_where_curves_are_defined.met : GbtSurfaces.Section_2_1.thm_1_2_where_curves_are_defined.instance).
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_3.proved : GbtSurfaces.Section_2_1.thm_1_3.statement).
@@ -821,6 +870,8 @@ Check (GbtSurfaces.Section_2_2_proofs.sec_2_2_symmetry_parameters_exchanged.met 
 Check (GbtSurfaces.Section_2_2_proofs.sec_2_2_symmetry_as_for_B_zier_curves.refuted : ~ GbtSurfaces.Section_2_2.sec_2_2_symmetry_as_for_B_zier_curves.statement).
 Check (GbtSurfaces.Section_2_2_proofs.sec_2_2_convex_hull.proved : GbtSurfaces.Section_2_2.sec_2_2_convex_hull.statement).
 Check (GbtSurfaces.Section_2_2_proofs.sec_2_2_convex_hull.met : GbtSurfaces.Section_2_2.sec_2_2_convex_hull.instance).
+Check (GbtSurfaces.Section_2_2_proofs.sec_2_2_variation_diminishing_order_2.proved : GbtSurfaces.Section_2_2.sec_2_2_variation_diminishing_order_2.statement).
+Check (GbtSurfaces.Section_2_2_proofs.sec_2_2_variation_diminishing_order_2.met : GbtSurfaces.Section_2_2.sec_2_2_variation_diminishing_order_2.instance).
 Check (GbtSurfaces.Section_2_2_proofs.sec_2_2_invariance.proved : GbtSurfaces.Section_2_2.sec_2_2_invariance.statement).
 Check (GbtSurfaces.Section_2_2_proofs.sec_2_2_invariance.met : GbtSurfaces.Section_2_2.sec_2_2_invariance.instance).
 Check (GbtSurfaces.Section_2_2_proofs.sec_2_2_shape_adjustable.proved : GbtSurfaces.Section_2_2.sec_2_2_shape_adjustable.statement).
@@ -866,24 +917,35 @@ Check (GbtSurfaces.Section_2_2_proofs.eq_6_Q12.refuted : ~ GbtSurfaces.Section_2
 Check (GbtSurfaces.Section_2_2_proofs.eq_6_Q12_corrected.proved : GbtSurfaces.Section_2_2.eq_6_Q12_corrected.statement).
 Check (GbtSurfaces.Section_2_2_proofs.eq_6_Q12_corrected.met : GbtSurfaces.Section_2_2.eq_6_Q12_corrected.instance).
 Check (GbtSurfaces.Section_2_2_proofs.eq_6_Q13.refuted : ~ GbtSurfaces.Section_2_2.eq_6_Q13.statement).
+Check (GbtSurfaces.Section_2_2_proofs.eq_6_Q13_true.proved : GbtSurfaces.Section_2_2.eq_6_Q13_true.statement).
+Check (GbtSurfaces.Section_2_2_proofs.eq_6_Q13_true.met : GbtSurfaces.Section_2_2.eq_6_Q13_true.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_a.refuted : ~ GbtSurfaces.Section_2_2.thm_2_4_a.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_b.refuted : ~ GbtSurfaces.Section_2_2.thm_2_4_b.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_true.proved : GbtSurfaces.Section_2_2.thm_2_4_true.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_true.met : GbtSurfaces.Section_2_2.thm_2_4_true.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_iff.proved : GbtSurfaces.Section_2_2.thm_2_4_iff.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_iff.met : GbtSurfaces.Section_2_2.thm_2_4_iff.instance).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_necessary.proved : GbtSurfaces.Section_2_2.thm_2_4_necessary.statement).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_necessary.met : GbtSurfaces.Section_2_2.thm_2_4_necessary.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_sufficient.proved : GbtSurfaces.Section_2_2.thm_2_4_sufficient.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_sufficient.met : GbtSurfaces.Section_2_2.thm_2_4_sufficient.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_sufficient_quintic.proved : GbtSurfaces.Section_2_2.thm_2_4_sufficient_quintic.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_sufficient_quintic.met : GbtSurfaces.Section_2_2.thm_2_4_sufficient_quintic.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_cubic.proved : GbtSurfaces.Section_2_2.thm_2_4_cubic.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_4_cubic.met : GbtSurfaces.Section_2_2.thm_2_4_cubic.instance).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_a.proved : GbtSurfaces.Section_2_2.thm_2_a.statement).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_a.met : GbtSurfaces.Section_2_2.thm_2_a.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_a1.proved : GbtSurfaces.Section_2_2.thm_2_a1.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_a1.met : GbtSurfaces.Section_2_2.thm_2_a1.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_a1_sign.proved : GbtSurfaces.Section_2_2.thm_2_a1_sign.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_a1_sign.met : GbtSurfaces.Section_2_2.thm_2_a1_sign.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_a2.proved : GbtSurfaces.Section_2_2.thm_2_a2.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_a2.met : GbtSurfaces.Section_2_2.thm_2_a2.instance).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_a3.refuted : ~ GbtSurfaces.Section_2_2.thm_2_a3.statement).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_a3_corrected.proved : GbtSurfaces.Section_2_2.thm_2_a3_corrected.statement).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_a3_corrected.met : GbtSurfaces.Section_2_2.thm_2_a3_corrected.instance).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_a3_true.proved : GbtSurfaces.Section_2_2.thm_2_a3_true.statement).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_a3_true.met : GbtSurfaces.Section_2_2.thm_2_a3_true.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_b1.proved : GbtSurfaces.Section_2_2.thm_2_b1.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_b1.met : GbtSurfaces.Section_2_2.thm_2_b1.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_b1_sign.proved : GbtSurfaces.Section_2_2.thm_2_b1_sign.statement).
@@ -896,6 +958,11 @@ Check (GbtSurfaces.Section_2_2_proofs.thm_2_b3_corrected.proved : GbtSurfaces.Se
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_b3_corrected.met : GbtSurfaces.Section_2_2.thm_2_b3_corrected.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_b3_true.proved : GbtSurfaces.Section_2_2.thm_2_b3_true.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_b3_true.met : GbtSurfaces.Section_2_2.thm_2_b3_true.instance).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_b4.refuted : ~ GbtSurfaces.Section_2_2.thm_2_b4.statement).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_b4_corrected.proved : GbtSurfaces.Section_2_2.thm_2_b4_corrected.statement).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_b4_corrected.met : GbtSurfaces.Section_2_2.thm_2_b4_corrected.instance).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_b4_true.proved : GbtSurfaces.Section_2_2.thm_2_b4_true.statement).
+Check (GbtSurfaces.Section_2_2_proofs.thm_2_b4_true.met : GbtSurfaces.Section_2_2.thm_2_b4_true.instance).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_c1.proved : GbtSurfaces.Section_2_2.thm_2_c1.statement).
 Check (GbtSurfaces.Section_2_2_proofs.thm_2_c1.met : GbtSurfaces.Section_2_2.thm_2_c1.instance).
 Check (GbtSurfaces.Section_2_3_proofs.eq_7.proved : GbtSurfaces.Section_2_3.eq_7.statement).
@@ -921,6 +988,7 @@ Check (GbtSurfaces.Section_3_1_proofs.prop_3_1.proved : GbtSurfaces.Section_3_1.
 Check (GbtSurfaces.Section_3_1_proofs.prop_3_1.met : GbtSurfaces.Section_3_1.prop_3_1.instance).
 Check (GbtSurfaces.Section_3_1_proofs.sec_3_1_translating.proved : GbtSurfaces.Section_3_1.sec_3_1_translating.statement).
 Check (GbtSurfaces.Section_3_1_proofs.sec_3_1_translating.met : GbtSurfaces.Section_3_1.sec_3_1_translating.instance).
+Check (GbtSurfaces.Section_3_1_proofs.sec_3_1_not_tensor_literal.refuted : ~ GbtSurfaces.Section_3_1.sec_3_1_not_tensor_literal.statement).
 Check (GbtSurfaces.Section_3_1_proofs.sec_3_1_not_tensor_as_it_stands.proved : GbtSurfaces.Section_3_1.sec_3_1_not_tensor_as_it_stands.statement).
 Check (GbtSurfaces.Section_3_1_proofs.sec_3_1_not_tensor_as_it_stands.met : GbtSurfaces.Section_3_1.sec_3_1_not_tensor_as_it_stands.instance).
 Check (GbtSurfaces.Section_3_1_proofs.sec_3_1_order_one_missing_none.proved : GbtSurfaces.Section_3_1.sec_3_1_order_one_missing_none.statement).
@@ -985,6 +1053,8 @@ Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_fixed.proved : GbtSurfaces.Section
 Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_fixed.met : GbtSurfaces.Section_3_2.sec_3_2_fixed.instance).
 Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_1.proved : GbtSurfaces.Section_3_2.sec_3_2_list_1.statement).
 Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_1.met : GbtSurfaces.Section_3_2.sec_3_2_list_1.instance).
+Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_2.proved : GbtSurfaces.Section_3_2.sec_3_2_list_2.statement).
+Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_2.met : GbtSurfaces.Section_3_2.sec_3_2_list_2.instance).
 Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_3.proved : GbtSurfaces.Section_3_2.sec_3_2_list_3.statement).
 Check (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_3.met : GbtSurfaces.Section_3_2.sec_3_2_list_3.instance).
 Check (GbtSurfaces.Section_3_2_proofs.alg_2_1.proved : GbtSurfaces.Section_3_2.alg_2_1.statement).
@@ -1014,6 +1084,9 @@ Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.proved : GbtSu
 Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.met : GbtSurfaces.Section_3_2.ex_3_2_noncoplanar_possible.instance).
 Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.proved : GbtSurfaces.Section_3_3.sec_3_3_generatrix.statement).
 Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.met : GbtSurfaces.Section_3_3.sec_3_3_generatrix.instance).
+Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_same_degree_literal.refuted : ~ GbtSurfaces.Section_3_3.sec_3_3_same_degree_literal.statement).
+Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_same_degree_in_general.proved : GbtSurfaces.Section_3_3.sec_3_3_same_degree_in_general.statement).
+Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_same_degree_in_general.met : GbtSurfaces.Section_3_3.sec_3_3_same_degree_in_general.instance).
 Check (GbtSurfaces.Section_3_3_proofs.eq_17_0.proved : GbtSurfaces.Section_3_3.eq_17_0.statement).
 Check (GbtSurfaces.Section_3_3_proofs.eq_17_0.met : GbtSurfaces.Section_3_3.eq_17_0.instance).
 Check (GbtSurfaces.Section_3_3_proofs.eq_17_1.proved : GbtSurfaces.Section_3_3.eq_17_1.statement).
@@ -1046,6 +1119,8 @@ Check (GbtSurfaces.Section_3_3_proofs.prop_3_3_b.met : GbtSurfaces.Section_3_3.p
 Check (GbtSurfaces.Section_3_3_proofs.prop_3_4_a_as_printed.proved : GbtSurfaces.Section_3_3.prop_3_4_a_as_printed.statement).
 Check (GbtSurfaces.Section_3_3_proofs.prop_3_4_a_as_printed.met : GbtSurfaces.Section_3_3.prop_3_4_a_as_printed.instance).
 Check (GbtSurfaces.Section_3_3_proofs.prop_3_4_a_with_f_l.refuted : ~ GbtSurfaces.Section_3_3.prop_3_4_a_with_f_l.statement).
+Check (GbtSurfaces.Section_3_3_proofs.prop_3_4_a_net.proved : GbtSurfaces.Section_3_3.prop_3_4_a_net.statement).
+Check (GbtSurfaces.Section_3_3_proofs.prop_3_4_a_net.met : GbtSurfaces.Section_3_3.prop_3_4_a_net.instance).
 Check (GbtSurfaces.Section_3_3_proofs.prop_3_4_b.proved : GbtSurfaces.Section_3_3.prop_3_4_b.statement).
 Check (GbtSurfaces.Section_3_3_proofs.prop_3_4_b.met : GbtSurfaces.Section_3_3.prop_3_4_b.instance).
 Check (GbtSurfaces.Section_3_3_proofs.alg_3_a_as_printed.refuted : ~ GbtSurfaces.Section_3_3.alg_3_a_as_printed.statement).
@@ -1054,6 +1129,8 @@ Check (GbtSurfaces.Section_3_3_proofs.alg_3_a_as_printed_corrected.met : GbtSurf
 Check (GbtSurfaces.Section_3_3_proofs.alg_3_a_with_f_l.proved : GbtSurfaces.Section_3_3.alg_3_a_with_f_l.statement).
 Check (GbtSurfaces.Section_3_3_proofs.alg_3_a_with_f_l.met : GbtSurfaces.Section_3_3.alg_3_a_with_f_l.instance).
 Check (GbtSurfaces.Section_3_3_proofs.alg_3_b_by_the_printed_conditions.refuted : ~ GbtSurfaces.Section_3_3.alg_3_b_by_the_printed_conditions.statement).
+Check (GbtSurfaces.Section_3_3_proofs.alg_3_b_there_are_such_connections.proved : GbtSurfaces.Section_3_3.alg_3_b_there_are_such_connections.statement).
+Check (GbtSurfaces.Section_3_3_proofs.alg_3_b_there_are_such_connections.met : GbtSurfaces.Section_3_3.alg_3_b_there_are_such_connections.instance).
 Check (GbtSurfaces.Section_3_3_proofs.ex_3_3_curves.refuted : ~ GbtSurfaces.Section_3_3.ex_3_3_curves.statement).
 Check (GbtSurfaces.Section_3_3_proofs.ex_3_3_curves_corrected.proved : GbtSurfaces.Section_3_3.ex_3_3_curves_corrected.statement).
 Check (GbtSurfaces.Section_3_3_proofs.ex_3_3_curves_corrected.met : GbtSurfaces.Section_3_3.ex_3_3_curves_corrected.instance).
@@ -1123,6 +1200,8 @@ Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_continuity_pc.proved : GbtSurfaces
 Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_continuity_pc.met : GbtSurfaces.Section_3_4.sec_3_4_continuity_pc.instance).
 Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_continuity_tc.proved : GbtSurfaces.Section_3_4.sec_3_4_continuity_tc.statement).
 Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_continuity_tc.met : GbtSurfaces.Section_3_4.sec_3_4_continuity_tc.instance).
+Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_closed.proved : GbtSurfaces.Section_3_4.sec_3_4_closed.statement).
+Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_closed.met : GbtSurfaces.Section_3_4.sec_3_4_closed.instance).
 Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_revolution.proved : GbtSurfaces.Section_3_4.sec_3_4_revolution.statement).
 Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_revolution.met : GbtSurfaces.Section_3_4.sec_3_4_revolution.instance).
 Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_revolution_not_tensor_quarter.proved : GbtSurfaces.Section_3_4.sec_3_4_revolution_not_tensor_quarter.statement).
@@ -1174,7 +1253,11 @@ Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c1_sections.proved : GbtSurfaces.Se
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c1_sections.met : GbtSurfaces.Section_3_5.ex_3_5_c1_sections.instance).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c1_trajectories.proved : GbtSurfaces.Section_3_5.ex_3_5_c1_trajectories.statement).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c1_trajectories.met : GbtSurfaces.Section_3_5.ex_3_5_c1_trajectories.instance).
+Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_sections.proved : GbtSurfaces.Section_3_5.ex_3_5_c2_sections.statement).
+Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_sections.met : GbtSurfaces.Section_3_5.ex_3_5_c2_sections.instance).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories.refuted : ~ GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories.statement).
+Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_true.proved : GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories_true.statement).
+Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_true.met : GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories_true.instance).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_each_with_its_own.refuted : ~ GbtSurfaces.Section_3_5.ex_3_5_contiguous_each_with_its_own.statement).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_one_trajectory.proved : GbtSurfaces.Section_3_5.ex_3_5_contiguous_one_trajectory.statement).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_one_trajectory.met : GbtSurfaces.Section_3_5.ex_3_5_contiguous_one_trajectory.instance).
@@ -1670,9 +1753,13 @@ Check (HermiteDevelopable.Section_4_proofs.ex_4_a_developable_computed.refuted :
 Check (HermiteDevelopable.Section_4_proofs.ex_4_a_developable_printed.refuted : ~ HermiteDevelopable.Section_4.ex_4_a_developable_printed.statement).
 Check (HermiteDevelopable.Section_4_proofs.ex_4_a_twist.proved : HermiteDevelopable.Section_4.ex_4_a_twist.statement).
 Check (HermiteDevelopable.Section_4_proofs.ex_4_a_twist.met : HermiteDevelopable.Section_4.ex_4_a_twist.instance).
+Check (HermiteDevelopable.Section_4_proofs.ex_4_a_twist_most.proved : HermiteDevelopable.Section_4.ex_4_a_twist_most.statement).
+Check (HermiteDevelopable.Section_4_proofs.ex_4_a_twist_most.met : HermiteDevelopable.Section_4.ex_4_a_twist_most.instance).
 Check (HermiteDevelopable.Section_4_proofs.ex_4_a_twist_printed.proved : HermiteDevelopable.Section_4.ex_4_a_twist_printed.statement).
 Check (HermiteDevelopable.Section_4_proofs.ex_4_a_twist_printed.met : HermiteDevelopable.Section_4.ex_4_a_twist_printed.instance).
 Check (HermiteDevelopable.Section_4_proofs.ex_4_b_developable.refuted : ~ HermiteDevelopable.Section_4.ex_4_b_developable.statement).
+Check (HermiteDevelopable.Section_4_proofs.ex_4_b_twist.proved : HermiteDevelopable.Section_4.ex_4_b_twist.statement).
+Check (HermiteDevelopable.Section_4_proofs.ex_4_b_twist.met : HermiteDevelopable.Section_4.ex_4_b_twist.instance).
 Check (HermiteDevelopable.Section_5_proofs.sec_5_criteria_a.proved : HermiteDevelopable.Section_5.sec_5_criteria_a.statement).
 Check (HermiteDevelopable.Section_5_proofs.sec_5_criteria_a.met : HermiteDevelopable.Section_5.sec_5_criteria_a.instance).
 Check (HermiteDevelopable.Section_5_proofs.sec_5_criteria_reach.proved : HermiteDevelopable.Section_5.sec_5_criteria_reach.statement).
@@ -1691,6 +1778,7 @@ Check (Hyperbolic.Part_Catenary_proofs.catenary_load.proved : Hyperbolic.Part_Ca
 Check (Hyperbolic.Part_Catenoid_proofs.catenoid_conformal.proved : Hyperbolic.Part_Catenoid.catenoid_conformal.statement).
 Check (Hyperbolic.Part_Catenoid_proofs.catenoid_minimal.proved : Hyperbolic.Part_Catenoid.catenoid_minimal.statement).
 Check (Hyperbolic.Part_Catenoid_proofs.catenoid_gauss.proved : Hyperbolic.Part_Catenoid.catenoid_gauss.statement).
+Check (Hyperbolic.Part_Catenoid_proofs.catenoid_regular.proved : Hyperbolic.Part_Catenoid.catenoid_regular.statement).
 Check (Hyperbolic.Part_Curves_proofs.curve_ends.proved : Hyperbolic.Part_Curves.curve_ends.statement).
 Check (Hyperbolic.Part_Curves_proofs.curve_ends.met : Hyperbolic.Part_Curves.curve_ends.instance).
 Check (Hyperbolic.Part_Curves_proofs.curve_d1.proved : Hyperbolic.Part_Curves.curve_d1.statement).
@@ -1707,6 +1795,7 @@ Check (Hyperbolic.Part_Curves_proofs.shape_ends.proved : Hyperbolic.Part_Curves.
 Check (Hyperbolic.Part_Curves_proofs.shape_ends.met : Hyperbolic.Part_Curves.shape_ends.instance).
 Check (Hyperbolic.Part_Curves_proofs.shape_d1.proved : Hyperbolic.Part_Curves.shape_d1.statement).
 Check (Hyperbolic.Part_Curves_proofs.shape_d1.met : Hyperbolic.Part_Curves.shape_d1.instance).
+Check (Hyperbolic.Part_Curves_proofs.shape_d1_slip.refuted : ~ Hyperbolic.Part_Curves.shape_d1_slip.statement).
 Check (Hyperbolic.Part_Curves_proofs.shape_slope.proved : Hyperbolic.Part_Curves.shape_slope.statement).
 Check (Hyperbolic.Part_Curves_proofs.shape_slope.met : Hyperbolic.Part_Curves.shape_slope.instance).
 Check (Hyperbolic.Part_Hyperbolas_proofs.curve_hyperbola.proved : Hyperbolic.Part_Hyperbolas.curve_hyperbola.statement).
@@ -1715,7 +1804,17 @@ Check (Hyperbolic.Part_Hyperbolas_proofs.curve_hyperbola_implicit.proved : Hyper
 Check (Hyperbolic.Part_Hyperbolas_proofs.curve_hyperbola_implicit.met : Hyperbolic.Part_Hyperbolas.curve_hyperbola_implicit.instance).
 Check (Hyperbolic.Part_Hyperbolas_proofs.curve_hyperbola_tangent.proved : Hyperbolic.Part_Hyperbolas.curve_hyperbola_tangent.statement).
 Check (Hyperbolic.Part_Hyperbolas_proofs.curve_hyperbola_tangent.met : Hyperbolic.Part_Hyperbolas.curve_hyperbola_tangent.instance).
+Check (Hyperbolic.Part_Joins_proofs.join_C1.proved : Hyperbolic.Part_Joins.join_C1.statement).
+Check (Hyperbolic.Part_Joins_proofs.join_C1.met : Hyperbolic.Part_Joins.join_C1.instance).
+Check (Hyperbolic.Part_Joins_proofs.join_C1_slip.refuted : ~ Hyperbolic.Part_Joins.join_C1_slip.statement).
+Check (Hyperbolic.Part_Joins_proofs.join_C1_slip_corrected.proved : Hyperbolic.Part_Joins.join_C1_slip_corrected.statement).
+Check (Hyperbolic.Part_Joins_proofs.join_C1_slip_corrected.met : Hyperbolic.Part_Joins.join_C1_slip_corrected.instance).
+Check (Hyperbolic.Part_Joins_proofs.join_C2.proved : Hyperbolic.Part_Joins.join_C2.statement).
+Check (Hyperbolic.Part_Joins_proofs.join_C2.met : Hyperbolic.Part_Joins.join_C2.instance).
+Check (Hyperbolic.Part_Joins_proofs.shape_join.proved : Hyperbolic.Part_Joins.shape_join.statement).
+Check (Hyperbolic.Part_Joins_proofs.shape_join.met : Hyperbolic.Part_Joins.shape_join.instance).
 Check (Hyperbolic.Part_Logarithmic_proofs.spiral_angle.proved : Hyperbolic.Part_Logarithmic.spiral_angle.statement).
+Check (Hyperbolic.Part_Logarithmic_proofs.spiral_angle_slip.refuted : ~ Hyperbolic.Part_Logarithmic.spiral_angle_slip.statement).
 Check (Hyperbolic.Part_Logarithmic_proofs.spiral_regular.proved : Hyperbolic.Part_Logarithmic.spiral_regular.statement).
 Check (Hyperbolic.Part_Logarithmic_proofs.spiral_curvature.proved : Hyperbolic.Part_Logarithmic.spiral_curvature.statement).
 Check (Hyperbolic.Part_Logarithmic_proofs.spiral_curvature.met : Hyperbolic.Part_Logarithmic.spiral_curvature.instance).
@@ -1732,9 +1831,19 @@ Check (Hyperbolic.Part_Rates_proofs.fn_bell.proved : Hyperbolic.Part_Rates.fn_be
 Check (Hyperbolic.Part_Rates_proofs.fn_damped.proved : Hyperbolic.Part_Rates.fn_damped.statement).
 Check (Hyperbolic.Part_Rates_proofs.fn_damped_slip.refuted : ~ Hyperbolic.Part_Rates.fn_damped_slip.statement).
 Check (Hyperbolic.Part_Rates_proofs.fn_damped_slip_corrected.proved : Hyperbolic.Part_Rates.fn_damped_slip_corrected.statement).
+Check (Hyperbolic.Part_Roots_proofs.catenary_norm.proved : Hyperbolic.Part_Roots.catenary_norm.statement).
+Check (Hyperbolic.Part_Roots_proofs.catenary_bend.proved : Hyperbolic.Part_Roots.catenary_bend.statement).
+Check (Hyperbolic.Part_Roots_proofs.catenary_bend.met : Hyperbolic.Part_Roots.catenary_bend.instance).
+Check (Hyperbolic.Part_Roots_proofs.catenary_bend_slip.refuted : ~ Hyperbolic.Part_Roots.catenary_bend_slip.statement).
+Check (Hyperbolic.Part_Roots_proofs.tractrix_norm.proved : Hyperbolic.Part_Roots.tractrix_norm.statement).
+Check (Hyperbolic.Part_Roots_proofs.tractrix_norm.met : Hyperbolic.Part_Roots.tractrix_norm.instance).
 Check (Hyperbolic.Part_Signs_proofs.fn_positive.proved : Hyperbolic.Part_Signs.fn_positive.statement).
 Check (Hyperbolic.Part_Signs_proofs.fn_strict_slip.refuted : ~ Hyperbolic.Part_Signs.fn_strict_slip.statement).
+Check (Hyperbolic.Part_Signs_proofs.fn_bounded.proved : Hyperbolic.Part_Signs.fn_bounded.statement).
+Check (Hyperbolic.Part_Signs_proofs.fn_bounded.met : Hyperbolic.Part_Signs.fn_bounded.instance).
 Check (Hyperbolic.Part_Signs_proofs.fn_tangent_line.proved : Hyperbolic.Part_Signs.fn_tangent_line.statement).
+Check (Hyperbolic.Part_Signs_proofs.fn_unit.proved : Hyperbolic.Part_Signs.fn_unit.statement).
+Check (Hyperbolic.Part_Signs_proofs.fn_unit.met : Hyperbolic.Part_Signs.fn_unit.instance).
 Check (Hyperbolic.Part_Spiral_proofs.cone_slope.proved : Hyperbolic.Part_Spiral.cone_slope.statement).
 Check (Hyperbolic.Part_Spiral_proofs.cone_slope.met : Hyperbolic.Part_Spiral.cone_slope.instance).
 Check (Hyperbolic.Part_Spiral_proofs.cone_torsion.proved : Hyperbolic.Part_Spiral.cone_torsion.statement).
@@ -1751,11 +1860,21 @@ Check (Hyperbolic.Part_The_proofs.quadratic_symmetry.proved : Hyperbolic.Part_Th
 Check (Hyperbolic.Part_The_proofs.quadratic_symmetry.met : Hyperbolic.Part_The.quadratic_symmetry.instance).
 Check (Hyperbolic.Part_The_proofs.quadratic_ends.proved : Hyperbolic.Part_The.quadratic_ends.statement).
 Check (Hyperbolic.Part_The_proofs.quadratic_ends.met : Hyperbolic.Part_The.quadratic_ends.instance).
+Check (Hyperbolic.Part_The_proofs.quadratic_nonnegative.proved : Hyperbolic.Part_The.quadratic_nonnegative.statement).
+Check (Hyperbolic.Part_The_proofs.quadratic_nonnegative.met : Hyperbolic.Part_The.quadratic_nonnegative.instance).
 Check (Hyperbolic.Part_The_proofs.quadratic_nonnegative_slip.refuted : ~ Hyperbolic.Part_The.quadratic_nonnegative_slip.statement).
+Check (Hyperbolic.Part_The_proofs.quadratic_decreasing.proved : Hyperbolic.Part_The.quadratic_decreasing.statement).
+Check (Hyperbolic.Part_The_proofs.quadratic_decreasing.met : Hyperbolic.Part_The.quadratic_decreasing.instance).
+Check (Hyperbolic.Part_The_proofs.quadratic_largest.proved : Hyperbolic.Part_The.quadratic_largest.statement).
+Check (Hyperbolic.Part_The_proofs.quadratic_largest.met : Hyperbolic.Part_The.quadratic_largest.instance).
 Check (Hyperbolic.Part_The_proofs.quadratic_space.proved : Hyperbolic.Part_The.quadratic_space.statement).
 Check (Hyperbolic.Part_The_proofs.quadratic_space.met : Hyperbolic.Part_The.quadratic_space.instance).
+Check (Hyperbolic.Part_The_proofs.shape_unity.proved : Hyperbolic.Part_The.shape_unity.statement).
+Check (Hyperbolic.Part_The_proofs.shape_unity.met : Hyperbolic.Part_The.shape_unity.instance).
 Check (Hyperbolic.Part_The_proofs.shape_symmetry.proved : Hyperbolic.Part_The.shape_symmetry.statement).
 Check (Hyperbolic.Part_The_proofs.shape_symmetry.met : Hyperbolic.Part_The.shape_symmetry.instance).
+Check (Hyperbolic.Part_The_proofs.shape_nonnegative.proved : Hyperbolic.Part_The.shape_nonnegative.statement).
+Check (Hyperbolic.Part_The_proofs.shape_nonnegative.met : Hyperbolic.Part_The.shape_nonnegative.instance).
 Check (Hyperbolic.Part_Tractrix_proofs.tractrix_pull.proved : Hyperbolic.Part_Tractrix.tractrix_pull.statement).
 Check (Hyperbolic.Part_Tractrix_proofs.tractrix_pull.met : Hyperbolic.Part_Tractrix.tractrix_pull.instance).
 Check (Hyperbolic.Part_Tractrix_proofs.tractrix_speed.proved : Hyperbolic.Part_Tractrix.tractrix_speed.statement).
@@ -1825,8 +1944,18 @@ Check (Splines.Part_Quadratic_proofs.uniform_quadratic.proved : Splines.Part_Qua
 Check (Splines.Part_Quadratic_proofs.uniform_quadratic.met : Splines.Part_Quadratic.uniform_quadratic.instance).
 Check (Splines.Part_Shape_proofs.uniform_line.proved : Splines.Part_Shape.uniform_line.statement).
 Check (Splines.Part_Shape_proofs.uniform_line.met : Splines.Part_Shape.uniform_line.instance).
+Check (Splines.Part_Signs_proofs.uniform_nonnegative.proved : Splines.Part_Signs.uniform_nonnegative.statement).
+Check (Splines.Part_Signs_proofs.uniform_nonnegative.met : Splines.Part_Signs.uniform_nonnegative.instance).
+Check (Splines.Part_Signs_proofs.uniform_bound.proved : Splines.Part_Signs.uniform_bound.statement).
+Check (Splines.Part_Signs_proofs.uniform_bound.met : Splines.Part_Signs.uniform_bound.instance).
 Check (Splines.Part_Signs_proofs.uniform_bound_slip.refuted : ~ Splines.Part_Signs.uniform_bound_slip.statement).
+Check (Splines.Part_Signs_proofs.knots_nonnegative_ends.proved : Splines.Part_Signs.knots_nonnegative_ends.statement).
+Check (Splines.Part_Signs_proofs.knots_nonnegative_ends.met : Splines.Part_Signs.knots_nonnegative_ends.instance).
+Check (Splines.Part_Signs_proofs.knots_nonnegative_middle.proved : Splines.Part_Signs.knots_nonnegative_middle.statement).
+Check (Splines.Part_Signs_proofs.knots_nonnegative_middle.met : Splines.Part_Signs.knots_nonnegative_middle.instance).
 Check (Splines.Part_Signs_proofs.knots_nonnegative_outside.refuted : ~ Splines.Part_Signs.knots_nonnegative_outside.statement).
+Check (Splines.Part_Signs_proofs.knots_nonnegative_cubic.proved : Splines.Part_Signs.knots_nonnegative_cubic.statement).
+Check (Splines.Part_Signs_proofs.knots_nonnegative_cubic.met : Splines.Part_Signs.knots_nonnegative_cubic.instance).
 Check (Splines.Part_Symmetry_proofs.uniform_symmetry.proved : Splines.Part_Symmetry.uniform_symmetry.statement).
 Check (Splines.Part_Symmetry_proofs.uniform_symmetry.met : Splines.Part_Symmetry.uniform_symmetry.instance).
 Check (Splines.Part_The_proofs.knots_linear.proved : Splines.Part_The.knots_linear.statement).
@@ -1857,10 +1986,13 @@ Check (Splines.Part_Two_proofs.clamped_knot.met : Splines.Part_Two.clamped_knot.
 Check (Splines.Part_Two_proofs.clamped_C2.refuted : ~ Splines.Part_Two.clamped_C2.statement).
 Check (Torses.Part_Central_proofs.striction_shortest.proved : Torses.Part_Central.striction_shortest.statement).
 Check (Torses.Part_Central_proofs.striction_shortest.met : Torses.Part_Central.striction_shortest.instance).
+Check (Torses.Part_Central_proofs.striction_growth.proved : Torses.Part_Central.striction_growth.statement).
 Check (Torses.Part_Central_proofs.striction_length.proved : Torses.Part_Central.striction_length.statement).
 Check (Torses.Part_Central_proofs.striction_length.met : Torses.Part_Central.striction_length.instance).
 Check (Torses.Part_Central_proofs.striction_scaled.proved : Torses.Part_Central.striction_scaled.statement).
 Check (Torses.Part_Central_proofs.striction_scaled.met : Torses.Part_Central.striction_scaled.instance).
+Check (Torses.Part_Central_proofs.striction_unit.proved : Torses.Part_Central.striction_unit.statement).
+Check (Torses.Part_Central_proofs.striction_unit.met : Torses.Part_Central.striction_unit.instance).
 Check (Torses.Part_Central_proofs.striction_unit_slip.refuted : ~ Torses.Part_Central.striction_unit_slip.statement).
 Check (Torses.Part_Cones_proofs.cone_torse.proved : Torses.Part_Cones.cone_torse.statement).
 Check (Torses.Part_Cones_proofs.cone_apex.proved : Torses.Part_Cones.cone_apex.statement).
@@ -1875,12 +2007,17 @@ Check (Torses.Part_Curvature_proofs.ruled_asymptotic.proved : Torses.Part_Curvat
 Check (Torses.Part_Curvature_proofs.ruled_mixed.proved : Torses.Part_Curvature.ruled_mixed.statement).
 Check (Torses.Part_Curvature_proofs.ruled_lagrange.proved : Torses.Part_Curvature.ruled_lagrange.statement).
 Check (Torses.Part_Curvature_proofs.ruled_gauss.proved : Torses.Part_Curvature.ruled_gauss.statement).
+Check (Torses.Part_Curvature_proofs.ruled_gauss_curvature.proved : Torses.Part_Curvature.ruled_gauss_curvature.statement).
+Check (Torses.Part_Curvature_proofs.ruled_gauss_curvature.met : Torses.Part_Curvature.ruled_gauss_curvature.instance).
+Check (Torses.Part_Curvature_proofs.ruled_gauss_sign.proved : Torses.Part_Curvature.ruled_gauss_sign.statement).
 Check (Torses.Part_Curvature_proofs.ruled_gauss_slip.refuted : ~ Torses.Part_Curvature.ruled_gauss_slip.statement).
 Check (Torses.Part_Curvature_proofs.ruled_gauss_slip_corrected.proved : Torses.Part_Curvature.ruled_gauss_slip_corrected.statement).
 Check (Torses.Part_Curves_proofs.curve_chain.proved : Torses.Part_Curves.curve_chain.statement).
 Check (Torses.Part_Curves_proofs.curve_chain_slip.refuted : ~ Torses.Part_Curves.curve_chain_slip.statement).
 Check (Torses.Part_Curves_proofs.curve_curvature.proved : Torses.Part_Curves.curve_curvature.statement).
 Check (Torses.Part_Curves_proofs.curve_curvature.met : Torses.Part_Curves.curve_curvature.instance).
+Check (Torses.Part_Curves_proofs.curve_torsion.proved : Torses.Part_Curves.curve_torsion.statement).
+Check (Torses.Part_Curves_proofs.curve_torsion.met : Torses.Part_Curves.curve_torsion.instance).
 Check (Torses.Part_Curves_proofs.curve_straight.proved : Torses.Part_Curves.curve_straight.statement).
 Check (Torses.Part_Curves_proofs.curve_straight.met : Torses.Part_Curves.curve_straight.instance).
 Check (Torses.Part_Cylinders_proofs.cylinder_torse.proved : Torses.Part_Cylinders.cylinder_torse.statement).
@@ -1890,8 +2027,12 @@ Check (Torses.Part_Cylinders_proofs.cylinder_normal.met : Torses.Part_Cylinders.
 Check (Torses.Part_Cylinders_proofs.cylinder_converse_slip.refuted : ~ Torses.Part_Cylinders.cylinder_converse_slip.statement).
 Check (Torses.Part_Distribution_proofs.striction_parameter.proved : Torses.Part_Distribution.striction_parameter.statement).
 Check (Torses.Part_Distribution_proofs.striction_parameter.met : Torses.Part_Distribution.striction_parameter.instance).
+Check (Torses.Part_Distribution_proofs.striction_curvature.proved : Torses.Part_Distribution.striction_curvature.statement).
+Check (Torses.Part_Distribution_proofs.striction_curvature.met : Torses.Part_Distribution.striction_curvature.instance).
 Check (Torses.Part_Edge_proofs.regression_singular.proved : Torses.Part_Edge.regression_singular.statement).
 Check (Torses.Part_Edge_proofs.regression_singular.met : Torses.Part_Edge.regression_singular.instance).
+Check (Torses.Part_Edge_proofs.regression_tangent.proved : Torses.Part_Edge.regression_tangent.statement).
+Check (Torses.Part_Edge_proofs.regression_tangent.met : Torses.Part_Edge.regression_tangent.instance).
 Check (Torses.Part_Edge_proofs.regression_tangent_slip.refuted : ~ Torses.Part_Edge.regression_tangent_slip.statement).
 Check (Torses.Part_Edge_proofs.planes_edge.proved : Torses.Part_Edge.planes_edge.statement).
 Check (Torses.Part_Edge_proofs.planes_edge.met : Torses.Part_Edge.planes_edge.instance).
@@ -1962,11 +2103,15 @@ Check (Trigonometric.Part_Curves_proofs.quadratic_d1_slip_corrected.proved : Tri
 Check (Trigonometric.Part_Curves_proofs.quadratic_d1_slip_corrected.met : Trigonometric.Part_Curves.quadratic_d1_slip_corrected.instance).
 Check (Trigonometric.Part_Cycloid_proofs.cycloid_speed.proved : Trigonometric.Part_Cycloid.cycloid_speed.statement).
 Check (Trigonometric.Part_Cycloid_proofs.cycloid_speed.met : Trigonometric.Part_Cycloid.cycloid_speed.instance).
+Check (Trigonometric.Part_Cycloid_proofs.cycloid_regular.proved : Trigonometric.Part_Cycloid.cycloid_regular.statement).
+Check (Trigonometric.Part_Cycloid_proofs.cycloid_regular.met : Trigonometric.Part_Cycloid.cycloid_regular.instance).
 Check (Trigonometric.Part_Cycloid_proofs.cycloid_slope.proved : Trigonometric.Part_Cycloid.cycloid_slope.statement).
 Check (Trigonometric.Part_Cycloid_proofs.cycloid_slope.met : Trigonometric.Part_Cycloid.cycloid_slope.instance).
 Check (Trigonometric.Part_Cycloid_proofs.cycloid_slope_slip.refuted : ~ Trigonometric.Part_Cycloid.cycloid_slope_slip.statement).
 Check (Trigonometric.Part_Cycloid_proofs.cycloid_slope_slip_corrected.proved : Trigonometric.Part_Cycloid.cycloid_slope_slip_corrected.statement).
 Check (Trigonometric.Part_Cycloid_proofs.cycloid_slope_slip_corrected.met : Trigonometric.Part_Cycloid.cycloid_slope_slip_corrected.instance).
+Check (Trigonometric.Part_Cycloid_proofs.cycloid_bend.proved : Trigonometric.Part_Cycloid.cycloid_bend.statement).
+Check (Trigonometric.Part_Cycloid_proofs.cycloid_bend.met : Trigonometric.Part_Cycloid.cycloid_bend.instance).
 Check (Trigonometric.Part_Cycloid_proofs.cycloid_curvature.proved : Trigonometric.Part_Cycloid.cycloid_curvature.statement).
 Check (Trigonometric.Part_Cycloid_proofs.cycloid_curvature.met : Trigonometric.Part_Cycloid.cycloid_curvature.instance).
 Check (Trigonometric.Part_Half_proofs.angle_half_sine.proved : Trigonometric.Part_Half.angle_half_sine.statement).
@@ -1998,20 +2143,38 @@ Check (Trigonometric.Part_Helix_proofs.helix_torsion.proved : Trigonometric.Part
 Check (Trigonometric.Part_Helix_proofs.helix_torsion.met : Trigonometric.Part_Helix.helix_torsion.instance).
 Check (Trigonometric.Part_Helix_proofs.helix_curvature.proved : Trigonometric.Part_Helix.helix_curvature.statement).
 Check (Trigonometric.Part_Helix_proofs.helix_curvature.met : Trigonometric.Part_Helix.helix_curvature.instance).
+Check (Trigonometric.Part_Joins_proofs.quadratic_join.proved : Trigonometric.Part_Joins.quadratic_join.statement).
+Check (Trigonometric.Part_Joins_proofs.quadratic_join.met : Trigonometric.Part_Joins.quadratic_join.instance).
 Check (Trigonometric.Part_Joins_proofs.quadratic_join_slip.refuted : ~ Trigonometric.Part_Joins.quadratic_join_slip.statement).
 Check (Trigonometric.Part_Joins_proofs.quadratic_join_slip_corrected.proved : Trigonometric.Part_Joins.quadratic_join_slip_corrected.statement).
 Check (Trigonometric.Part_Joins_proofs.quadratic_join_slip_corrected.met : Trigonometric.Part_Joins.quadratic_join_slip_corrected.instance).
+Check (Trigonometric.Part_Known_proofs.angle_known.proved : Trigonometric.Part_Known.angle_known.statement).
+Check (Trigonometric.Part_Parts_proofs.angle_third.proved : Trigonometric.Part_Parts.angle_third.statement).
+Check (Trigonometric.Part_Parts_proofs.angle_parts.proved : Trigonometric.Part_Parts.angle_parts.statement).
 Check (Trigonometric.Part_Parts_proofs.angle_rate.proved : Trigonometric.Part_Parts.angle_rate.statement).
+Check (Trigonometric.Part_Roots_proofs.helix_length.proved : Trigonometric.Part_Roots.helix_length.statement).
+Check (Trigonometric.Part_Roots_proofs.helix_length.met : Trigonometric.Part_Roots.helix_length.instance).
+Check (Trigonometric.Part_Roots_proofs.helix_bend.proved : Trigonometric.Part_Roots.helix_bend.statement).
+Check (Trigonometric.Part_Roots_proofs.helix_bend.met : Trigonometric.Part_Roots.helix_bend.instance).
+Check (Trigonometric.Part_Roots_proofs.helix_bend_slip.refuted : ~ Trigonometric.Part_Roots.helix_bend_slip.statement).
+Check (Trigonometric.Part_Roots_proofs.cylinder_normal.proved : Trigonometric.Part_Roots.cylinder_normal.statement).
+Check (Trigonometric.Part_Roots_proofs.cylinder_normal.met : Trigonometric.Part_Roots.cylinder_normal.instance).
+Check (Trigonometric.Part_Roots_proofs.cylinder_offset.proved : Trigonometric.Part_Roots.cylinder_offset.statement).
+Check (Trigonometric.Part_Roots_proofs.cylinder_offset.met : Trigonometric.Part_Roots.cylinder_offset.instance).
 Check (Trigonometric.Part_Signs_proofs.angle_first.proved : Trigonometric.Part_Signs.angle_first.statement).
 Check (Trigonometric.Part_Signs_proofs.angle_first.met : Trigonometric.Part_Signs.angle_first.instance).
 Check (Trigonometric.Part_Signs_proofs.angle_first_turned.proved : Trigonometric.Part_Signs.angle_first_turned.statement).
 Check (Trigonometric.Part_Signs_proofs.angle_first_turned.met : Trigonometric.Part_Signs.angle_first_turned.instance).
+Check (Trigonometric.Part_Signs_proofs.angle_symmetric.proved : Trigonometric.Part_Signs.angle_symmetric.statement).
+Check (Trigonometric.Part_Signs_proofs.angle_symmetric.met : Trigonometric.Part_Signs.angle_symmetric.instance).
 Check (Trigonometric.Part_Signs_proofs.angle_symmetric_slip.refuted : ~ Trigonometric.Part_Signs.angle_symmetric_slip.statement).
 Check (Trigonometric.Part_Signs_proofs.angle_turn.proved : Trigonometric.Part_Signs.angle_turn.statement).
 Check (Trigonometric.Part_Tangent_proofs.helix_torse.proved : Trigonometric.Part_Tangent.helix_torse.statement).
 Check (Trigonometric.Part_Tangent_proofs.helix_torse.met : Trigonometric.Part_Tangent.helix_torse.instance).
 Check (Trigonometric.Part_Tangent_proofs.helix_normal.proved : Trigonometric.Part_Tangent.helix_normal.statement).
 Check (Trigonometric.Part_Tangent_proofs.helix_normal.met : Trigonometric.Part_Tangent.helix_normal.instance).
+Check (Trigonometric.Part_Tangent_proofs.helix_regular.proved : Trigonometric.Part_Tangent.helix_regular.statement).
+Check (Trigonometric.Part_Tangent_proofs.helix_regular.met : Trigonometric.Part_Tangent.helix_regular.instance).
 Check (Trigonometric.Part_Tangents_proofs.angle_tangent.proved : Trigonometric.Part_Tangents.angle_tangent.statement).
 Check (Trigonometric.Part_Tangents_proofs.angle_tangent.met : Trigonometric.Part_Tangents.angle_tangent.instance).
 Check (Trigonometric.Part_Tangents_proofs.angle_tangent_closed.proved : Trigonometric.Part_Tangents.angle_tangent_closed.statement).
@@ -2023,6 +2186,8 @@ Check (Trigonometric.Part_The_proofs.quadratic_nonnegative.met : Trigonometric.P
 Check (Trigonometric.Part_The_proofs.quadratic_nonnegative_slip.refuted : ~ Trigonometric.Part_The.quadratic_nonnegative_slip.statement).
 Check (Trigonometric.Part_The_proofs.quadratic_symmetry.proved : Trigonometric.Part_The.quadratic_symmetry.statement).
 Check (Trigonometric.Part_The_proofs.quadratic_symmetry.met : Trigonometric.Part_The.quadratic_symmetry.instance).
+Check (Trigonometric.Part_The_proofs.quadratic_decreasing.proved : Trigonometric.Part_The.quadratic_decreasing.statement).
+Check (Trigonometric.Part_The_proofs.quadratic_decreasing.met : Trigonometric.Part_The.quadratic_decreasing.instance).
 Definition all_theorems : True :=
 let _ := Bezier.Part_A_proofs.trigonometric_circle.proved in
 let _ := Bezier.Part_A_proofs.trigonometric_circle.met in
@@ -2237,6 +2402,7 @@ let _ := Bezier.Part_The_proofs.circle_outside.met in
 let _ := Bezier.Part_The_proofs.circle_exact_slip.refuted in
 let _ := Bezier.Part_The_proofs.reach_definite.proved in
 let _ := Bezier.Part_The_proofs.reach_cauchy.proved in
+let _ := GbtDevelopable.Part_Abstract_proofs.abs_conics_planes.refuted in
 let _ := GbtDevelopable.Part_Abstract_proofs.abs_conics_points.proved in
 let _ := GbtDevelopable.Part_Abstract_proofs.abs_conics_points.met in
 let _ := GbtDevelopable.Part_Abstract_proofs.abs_4d_factor.proved in
@@ -2244,6 +2410,7 @@ let _ := GbtDevelopable.Part_Abstract_proofs.abs_4d_factor.met in
 let _ := GbtDevelopable.Section_1_proofs.intro_continuity_free_a.proved in
 let _ := GbtDevelopable.Section_1_proofs.intro_continuity_free_a.met in
 let _ := GbtDevelopable.Section_1_proofs.intro_continuity_free_b_any_values.refuted in
+let _ := GbtDevelopable.Section_1_proofs.intro_continuity_free_c_any_values.refuted in
 let _ := GbtDevelopable.Section_2_1_proofs.def_1_g0.proved in
 let _ := GbtDevelopable.Section_2_1_proofs.def_1_g0.met in
 let _ := GbtDevelopable.Section_2_1_proofs.def_1_g1.proved in
@@ -2280,6 +2447,8 @@ let _ := GbtDevelopable.Section_2_1_proofs.thm_1_4.met in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_5.refuted in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_5_quadratic.proved in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_5_quadratic.met in
+let _ := GbtDevelopable.Section_2_1_proofs.thm_1_5_cubic.proved in
+let _ := GbtDevelopable.Section_2_1_proofs.thm_1_5_cubic.met in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_5_all.proved in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_5_all.met in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_6_a.proved in
@@ -2303,6 +2472,8 @@ let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_symmetry.proved in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_symmetry.met in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_symmetry_exchange.proved in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_symmetry_exchange.met in
+let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_vd_quadratic.proved in
+let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_vd_quadratic.met in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_vd_operator.proved in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_vd_operator.met in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_geominv.proved in
@@ -2366,6 +2537,8 @@ let _ := GbtDevelopable.Section_3_2_proofs.sec_3_2_psi_z_corrected.proved in
 let _ := GbtDevelopable.Section_3_2_proofs.sec_3_2_psi_den.proved in
 let _ := GbtDevelopable.Section_3_2_proofs.eq_3_7.proved in
 let _ := GbtDevelopable.Section_3_2_proofs.eq_3_7.met in
+let _ := GbtDevelopable.Section_3_2_proofs.sec_3_2_envelope.proved in
+let _ := GbtDevelopable.Section_3_2_proofs.sec_3_2_envelope.met in
 let _ := GbtDevelopable.Section_3_3_proofs.eq_3_8.proved in
 let _ := GbtDevelopable.Section_3_3_proofs.eq_3_8.met in
 let _ := GbtDevelopable.Section_3_3_proofs.eq_3_9.proved in
@@ -2377,6 +2550,16 @@ let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_S_x.proved in
 let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_S_y.proved in
 let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_S_z.proved in
 let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_S_den.proved in
+let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_regression.proved in
+let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_regression.met in
+let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_regression_velocity.proved in
+let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_regression_velocity.met in
+let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_regression_quadratic.proved in
+let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_regression_quadratic.met in
+let _ := GbtDevelopable.Section_3_3_proofs.eq_3_10.proved in
+let _ := GbtDevelopable.Section_3_3_proofs.eq_3_10.met in
+let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_developable.proved in
+let _ := GbtDevelopable.Section_3_3_proofs.sec_3_3_developable.met in
 let _ := GbtDevelopable.Section_3_4_proofs.eq_3_11_a.proved in
 let _ := GbtDevelopable.Section_3_4_proofs.eq_3_11_a.met in
 let _ := GbtDevelopable.Section_3_4_proofs.eq_3_11_b.proved in
@@ -2389,6 +2572,8 @@ let _ := GbtDevelopable.Section_3_4_proofs.eq_3_12_b.proved in
 let _ := GbtDevelopable.Section_3_4_proofs.eq_3_12_b.met in
 let _ := GbtDevelopable.Section_3_4_proofs.eq_3_12_c.proved in
 let _ := GbtDevelopable.Section_3_4_proofs.eq_3_12_c.met in
+let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_tangent_ends.proved in
+let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_tangent_ends.met in
 let _ := GbtDevelopable.Section_3_4_proofs.eq_3_13.proved in
 let _ := GbtDevelopable.Section_3_4_proofs.eq_3_13.met in
 let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_J0.proved in
@@ -2472,6 +2657,8 @@ let _ := GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_b.proved in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_b.met in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_c.proved in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_c.met in
+let _ := GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_d.proved in
+let _ := GbtDevelopable.Section_4_1_proofs.ex_4_1_c3_d.met in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_Q0.proved in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_Q0.met in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_Q1.proved in
@@ -2480,6 +2667,7 @@ let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_Q2.proved in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_Q2.met in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_Q3.proved in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_Q3.met in
+let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_class.refuted in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_pencil.proved in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_pencil.met in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_lengths.proved in
@@ -2504,6 +2692,7 @@ let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_c3_b.proved in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_c3_b.met in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_c3_c.proved in
 let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_c3_c.met in
+let _ := GbtDevelopable.Section_4_1_proofs.ex_4_2_c3_d.refuted in
 let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_Q0.proved in
 let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_Q0.met in
 let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_Q1.proved in
@@ -2517,6 +2706,10 @@ let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_quadrants.proved in
 let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_quadrants.met in
 let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_distances.proved in
 let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_distances.met in
+let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_class.proved in
+let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_class.met in
+let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_class_ends.proved in
+let _ := GbtDevelopable.Section_4_2_proofs.sec_4_2_class_ends.met in
 let _ := GbtDevelopable.Section_4_proofs.sec_4_midpoints.proved in
 let _ := GbtDevelopable.Section_4_proofs.sec_4_midpoints.met in
 let _ := GbtDevelopable.Section_4_proofs.ex_4_2_distance.proved in
@@ -2533,6 +2726,12 @@ let _ := GbtDevelopable.Section_5_1_proofs.eq_5_4.met in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_4_nec_suf_curves_of_four_coordinates.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_4_nec_suf_curves_of_four_coordinates.met in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_4_nec_suf_curves_in_space.refuted in
+let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_certify.proved in
+let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_certify.met in
+let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_sheets.proved in
+let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_sheets.met in
+let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_cusp.proved in
+let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_cusp.met in
 let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_families.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_families.met in
 let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_surfaces.refuted in
@@ -2551,6 +2750,8 @@ let _ := GbtDevelopable.Section_5_1_proofs.eq_5_9.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_9.met in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_10.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_10.met in
+let _ := GbtDevelopable.Section_5_1_proofs.thm_2_sufficient.proved in
+let _ := GbtDevelopable.Section_5_1_proofs.thm_2_sufficient.met in
 let _ := GbtDevelopable.Section_5_1_proofs.thm_2_necessary_families.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.thm_2_necessary_families.met in
 let _ := GbtDevelopable.Section_5_1_proofs.thm_2_necessary_surfaces.refuted in
@@ -2560,6 +2761,8 @@ let _ := GbtDevelopable.Section_5_1_proofs.thm_2_true_sufficient.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.thm_2_true_sufficient.met in
 let _ := GbtDevelopable.Section_5_1_proofs.thm_2_true_generator.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.thm_2_true_generator.met in
+let _ := GbtDevelopable.Section_5_1_proofs.thm_2_true_sheets.proved in
+let _ := GbtDevelopable.Section_5_1_proofs.thm_2_true_sheets.met in
 let _ := GbtDevelopable.Section_5_2_proofs.eq_5_11.proved in
 let _ := GbtDevelopable.Section_5_2_proofs.eq_5_11.met in
 let _ := GbtDevelopable.Section_5_2_proofs.sec_5_2_meaning.proved in
@@ -2607,6 +2810,8 @@ let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_necessary.proved in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_necessary.met in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_sufficient.proved in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_sufficient.met in
+let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_sheets.proved in
+let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_sheets.met in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_curvature.proved in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_curvature.met in
 let _ := GbtDevelopable.Section_5_4_proofs.alg_5_4_s1.proved in
@@ -2636,12 +2841,16 @@ let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_Q22.proved in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_Q22.met in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_gamma_one.proved in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_gamma_one.met in
+let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_surfaces.refuted in
+let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_drawn_pieces.proved in
+let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_drawn_pieces.met in
 let _ := GbtDevelopable.Section_5_proofs.eq_5_1.proved in
 let _ := GbtDevelopable.Section_5_proofs.eq_5_1.met in
 let _ := GbtDevelopable.Section_5_proofs.sec_5_weighted_a.proved in
 let _ := GbtDevelopable.Section_5_proofs.sec_5_weighted_a.met in
 let _ := GbtDevelopable.Section_5_proofs.sec_5_weighted_b_four_coordinates.proved in
 let _ := GbtDevelopable.Section_5_proofs.sec_5_weighted_b_four_coordinates.met in
+let _ := GbtDevelopable.Section_5_proofs.sec_5_weighted_b_after_division.refuted in
 let _ := GbtDevelopable.Section_5_proofs.eq_5_2.proved in
 let _ := GbtDevelopable.Section_5_proofs.eq_5_2.met in
 let _ := GbtSurfaces.Part_Abstract_proofs.abs_basis_a.proved in
@@ -2692,6 +2901,7 @@ let _ := GbtSurfaces.Section_2_1_proofs.thm_1_1_true.proved in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_1_true.met in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_1_blend.proved in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_1_blend.met in
+let _ := GbtSurfaces.Section_2_1_proofs.thm_1_2_Definition_1.refuted in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_2_where_curves_are_defined.proved in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_2_where_curves_are_defined.met in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_3.proved in
@@ -2722,6 +2932,8 @@ let _ := GbtSurfaces.Section_2_2_proofs.sec_2_2_symmetry_parameters_exchanged.me
 let _ := GbtSurfaces.Section_2_2_proofs.sec_2_2_symmetry_as_for_B_zier_curves.refuted in
 let _ := GbtSurfaces.Section_2_2_proofs.sec_2_2_convex_hull.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.sec_2_2_convex_hull.met in
+let _ := GbtSurfaces.Section_2_2_proofs.sec_2_2_variation_diminishing_order_2.proved in
+let _ := GbtSurfaces.Section_2_2_proofs.sec_2_2_variation_diminishing_order_2.met in
 let _ := GbtSurfaces.Section_2_2_proofs.sec_2_2_invariance.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.sec_2_2_invariance.met in
 let _ := GbtSurfaces.Section_2_2_proofs.sec_2_2_shape_adjustable.proved in
@@ -2767,24 +2979,35 @@ let _ := GbtSurfaces.Section_2_2_proofs.eq_6_Q12.refuted in
 let _ := GbtSurfaces.Section_2_2_proofs.eq_6_Q12_corrected.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.eq_6_Q12_corrected.met in
 let _ := GbtSurfaces.Section_2_2_proofs.eq_6_Q13.refuted in
+let _ := GbtSurfaces.Section_2_2_proofs.eq_6_Q13_true.proved in
+let _ := GbtSurfaces.Section_2_2_proofs.eq_6_Q13_true.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_a.refuted in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_b.refuted in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_true.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_true.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_iff.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_iff.met in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_necessary.proved in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_necessary.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_sufficient.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_sufficient.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_sufficient_quintic.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_sufficient_quintic.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_cubic.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_4_cubic.met in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a.proved in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a1.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a1.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a1_sign.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a1_sign.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a2.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a2.met in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a3.refuted in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a3_corrected.proved in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a3_corrected.met in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a3_true.proved in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_a3_true.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b1.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b1.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b1_sign.proved in
@@ -2797,6 +3020,11 @@ let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b3_corrected.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b3_corrected.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b3_true.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b3_true.met in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b4.refuted in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b4_corrected.proved in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b4_corrected.met in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b4_true.proved in
+let _ := GbtSurfaces.Section_2_2_proofs.thm_2_b4_true.met in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_c1.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.thm_2_c1.met in
 let _ := GbtSurfaces.Section_2_3_proofs.eq_7.proved in
@@ -2822,6 +3050,7 @@ let _ := GbtSurfaces.Section_3_1_proofs.prop_3_1.proved in
 let _ := GbtSurfaces.Section_3_1_proofs.prop_3_1.met in
 let _ := GbtSurfaces.Section_3_1_proofs.sec_3_1_translating.proved in
 let _ := GbtSurfaces.Section_3_1_proofs.sec_3_1_translating.met in
+let _ := GbtSurfaces.Section_3_1_proofs.sec_3_1_not_tensor_literal.refuted in
 let _ := GbtSurfaces.Section_3_1_proofs.sec_3_1_not_tensor_as_it_stands.proved in
 let _ := GbtSurfaces.Section_3_1_proofs.sec_3_1_not_tensor_as_it_stands.met in
 let _ := GbtSurfaces.Section_3_1_proofs.sec_3_1_order_one_missing_none.proved in
@@ -2886,6 +3115,8 @@ let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_fixed.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_fixed.met in
 let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_list_1.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_list_1.met in
+let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_list_2.proved in
+let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_list_2.met in
 let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_list_3.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.sec_3_2_list_3.met in
 let _ := GbtSurfaces.Section_3_2_proofs.alg_2_1.proved in
@@ -2915,6 +3146,9 @@ let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.met in
 let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.proved in
 let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.met in
+let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_same_degree_literal.refuted in
+let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_same_degree_in_general.proved in
+let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_same_degree_in_general.met in
 let _ := GbtSurfaces.Section_3_3_proofs.eq_17_0.proved in
 let _ := GbtSurfaces.Section_3_3_proofs.eq_17_0.met in
 let _ := GbtSurfaces.Section_3_3_proofs.eq_17_1.proved in
@@ -2947,6 +3181,8 @@ let _ := GbtSurfaces.Section_3_3_proofs.prop_3_3_b.met in
 let _ := GbtSurfaces.Section_3_3_proofs.prop_3_4_a_as_printed.proved in
 let _ := GbtSurfaces.Section_3_3_proofs.prop_3_4_a_as_printed.met in
 let _ := GbtSurfaces.Section_3_3_proofs.prop_3_4_a_with_f_l.refuted in
+let _ := GbtSurfaces.Section_3_3_proofs.prop_3_4_a_net.proved in
+let _ := GbtSurfaces.Section_3_3_proofs.prop_3_4_a_net.met in
 let _ := GbtSurfaces.Section_3_3_proofs.prop_3_4_b.proved in
 let _ := GbtSurfaces.Section_3_3_proofs.prop_3_4_b.met in
 let _ := GbtSurfaces.Section_3_3_proofs.alg_3_a_as_printed.refuted in
@@ -2955,6 +3191,8 @@ let _ := GbtSurfaces.Section_3_3_proofs.alg_3_a_as_printed_corrected.met in
 let _ := GbtSurfaces.Section_3_3_proofs.alg_3_a_with_f_l.proved in
 let _ := GbtSurfaces.Section_3_3_proofs.alg_3_a_with_f_l.met in
 let _ := GbtSurfaces.Section_3_3_proofs.alg_3_b_by_the_printed_conditions.refuted in
+let _ := GbtSurfaces.Section_3_3_proofs.alg_3_b_there_are_such_connections.proved in
+let _ := GbtSurfaces.Section_3_3_proofs.alg_3_b_there_are_such_connections.met in
 let _ := GbtSurfaces.Section_3_3_proofs.ex_3_3_curves.refuted in
 let _ := GbtSurfaces.Section_3_3_proofs.ex_3_3_curves_corrected.proved in
 let _ := GbtSurfaces.Section_3_3_proofs.ex_3_3_curves_corrected.met in
@@ -3024,6 +3262,8 @@ let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_continuity_pc.proved in
 let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_continuity_pc.met in
 let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_continuity_tc.proved in
 let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_continuity_tc.met in
+let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_closed.proved in
+let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_closed.met in
 let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_revolution.proved in
 let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_revolution.met in
 let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_revolution_not_tensor_quarter.proved in
@@ -3075,7 +3315,11 @@ let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c1_sections.proved in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c1_sections.met in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c1_trajectories.proved in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c1_trajectories.met in
+let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_sections.proved in
+let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_sections.met in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories.refuted in
+let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_true.proved in
+let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_true.met in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_each_with_its_own.refuted in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_one_trajectory.proved in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_one_trajectory.met in
@@ -3571,9 +3815,13 @@ let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_developable_computed.refuted
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_developable_printed.refuted in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_twist.proved in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_twist.met in
+let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_twist_most.proved in
+let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_twist_most.met in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_twist_printed.proved in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_a_twist_printed.met in
 let _ := HermiteDevelopable.Section_4_proofs.ex_4_b_developable.refuted in
+let _ := HermiteDevelopable.Section_4_proofs.ex_4_b_twist.proved in
+let _ := HermiteDevelopable.Section_4_proofs.ex_4_b_twist.met in
 let _ := HermiteDevelopable.Section_5_proofs.sec_5_criteria_a.proved in
 let _ := HermiteDevelopable.Section_5_proofs.sec_5_criteria_a.met in
 let _ := HermiteDevelopable.Section_5_proofs.sec_5_criteria_reach.proved in
@@ -3592,6 +3840,7 @@ let _ := Hyperbolic.Part_Catenary_proofs.catenary_load.proved in
 let _ := Hyperbolic.Part_Catenoid_proofs.catenoid_conformal.proved in
 let _ := Hyperbolic.Part_Catenoid_proofs.catenoid_minimal.proved in
 let _ := Hyperbolic.Part_Catenoid_proofs.catenoid_gauss.proved in
+let _ := Hyperbolic.Part_Catenoid_proofs.catenoid_regular.proved in
 let _ := Hyperbolic.Part_Curves_proofs.curve_ends.proved in
 let _ := Hyperbolic.Part_Curves_proofs.curve_ends.met in
 let _ := Hyperbolic.Part_Curves_proofs.curve_d1.proved in
@@ -3608,6 +3857,7 @@ let _ := Hyperbolic.Part_Curves_proofs.shape_ends.proved in
 let _ := Hyperbolic.Part_Curves_proofs.shape_ends.met in
 let _ := Hyperbolic.Part_Curves_proofs.shape_d1.proved in
 let _ := Hyperbolic.Part_Curves_proofs.shape_d1.met in
+let _ := Hyperbolic.Part_Curves_proofs.shape_d1_slip.refuted in
 let _ := Hyperbolic.Part_Curves_proofs.shape_slope.proved in
 let _ := Hyperbolic.Part_Curves_proofs.shape_slope.met in
 let _ := Hyperbolic.Part_Hyperbolas_proofs.curve_hyperbola.proved in
@@ -3616,7 +3866,17 @@ let _ := Hyperbolic.Part_Hyperbolas_proofs.curve_hyperbola_implicit.proved in
 let _ := Hyperbolic.Part_Hyperbolas_proofs.curve_hyperbola_implicit.met in
 let _ := Hyperbolic.Part_Hyperbolas_proofs.curve_hyperbola_tangent.proved in
 let _ := Hyperbolic.Part_Hyperbolas_proofs.curve_hyperbola_tangent.met in
+let _ := Hyperbolic.Part_Joins_proofs.join_C1.proved in
+let _ := Hyperbolic.Part_Joins_proofs.join_C1.met in
+let _ := Hyperbolic.Part_Joins_proofs.join_C1_slip.refuted in
+let _ := Hyperbolic.Part_Joins_proofs.join_C1_slip_corrected.proved in
+let _ := Hyperbolic.Part_Joins_proofs.join_C1_slip_corrected.met in
+let _ := Hyperbolic.Part_Joins_proofs.join_C2.proved in
+let _ := Hyperbolic.Part_Joins_proofs.join_C2.met in
+let _ := Hyperbolic.Part_Joins_proofs.shape_join.proved in
+let _ := Hyperbolic.Part_Joins_proofs.shape_join.met in
 let _ := Hyperbolic.Part_Logarithmic_proofs.spiral_angle.proved in
+let _ := Hyperbolic.Part_Logarithmic_proofs.spiral_angle_slip.refuted in
 let _ := Hyperbolic.Part_Logarithmic_proofs.spiral_regular.proved in
 let _ := Hyperbolic.Part_Logarithmic_proofs.spiral_curvature.proved in
 let _ := Hyperbolic.Part_Logarithmic_proofs.spiral_curvature.met in
@@ -3633,9 +3893,19 @@ let _ := Hyperbolic.Part_Rates_proofs.fn_bell.proved in
 let _ := Hyperbolic.Part_Rates_proofs.fn_damped.proved in
 let _ := Hyperbolic.Part_Rates_proofs.fn_damped_slip.refuted in
 let _ := Hyperbolic.Part_Rates_proofs.fn_damped_slip_corrected.proved in
+let _ := Hyperbolic.Part_Roots_proofs.catenary_norm.proved in
+let _ := Hyperbolic.Part_Roots_proofs.catenary_bend.proved in
+let _ := Hyperbolic.Part_Roots_proofs.catenary_bend.met in
+let _ := Hyperbolic.Part_Roots_proofs.catenary_bend_slip.refuted in
+let _ := Hyperbolic.Part_Roots_proofs.tractrix_norm.proved in
+let _ := Hyperbolic.Part_Roots_proofs.tractrix_norm.met in
 let _ := Hyperbolic.Part_Signs_proofs.fn_positive.proved in
 let _ := Hyperbolic.Part_Signs_proofs.fn_strict_slip.refuted in
+let _ := Hyperbolic.Part_Signs_proofs.fn_bounded.proved in
+let _ := Hyperbolic.Part_Signs_proofs.fn_bounded.met in
 let _ := Hyperbolic.Part_Signs_proofs.fn_tangent_line.proved in
+let _ := Hyperbolic.Part_Signs_proofs.fn_unit.proved in
+let _ := Hyperbolic.Part_Signs_proofs.fn_unit.met in
 let _ := Hyperbolic.Part_Spiral_proofs.cone_slope.proved in
 let _ := Hyperbolic.Part_Spiral_proofs.cone_slope.met in
 let _ := Hyperbolic.Part_Spiral_proofs.cone_torsion.proved in
@@ -3652,11 +3922,21 @@ let _ := Hyperbolic.Part_The_proofs.quadratic_symmetry.proved in
 let _ := Hyperbolic.Part_The_proofs.quadratic_symmetry.met in
 let _ := Hyperbolic.Part_The_proofs.quadratic_ends.proved in
 let _ := Hyperbolic.Part_The_proofs.quadratic_ends.met in
+let _ := Hyperbolic.Part_The_proofs.quadratic_nonnegative.proved in
+let _ := Hyperbolic.Part_The_proofs.quadratic_nonnegative.met in
 let _ := Hyperbolic.Part_The_proofs.quadratic_nonnegative_slip.refuted in
+let _ := Hyperbolic.Part_The_proofs.quadratic_decreasing.proved in
+let _ := Hyperbolic.Part_The_proofs.quadratic_decreasing.met in
+let _ := Hyperbolic.Part_The_proofs.quadratic_largest.proved in
+let _ := Hyperbolic.Part_The_proofs.quadratic_largest.met in
 let _ := Hyperbolic.Part_The_proofs.quadratic_space.proved in
 let _ := Hyperbolic.Part_The_proofs.quadratic_space.met in
+let _ := Hyperbolic.Part_The_proofs.shape_unity.proved in
+let _ := Hyperbolic.Part_The_proofs.shape_unity.met in
 let _ := Hyperbolic.Part_The_proofs.shape_symmetry.proved in
 let _ := Hyperbolic.Part_The_proofs.shape_symmetry.met in
+let _ := Hyperbolic.Part_The_proofs.shape_nonnegative.proved in
+let _ := Hyperbolic.Part_The_proofs.shape_nonnegative.met in
 let _ := Hyperbolic.Part_Tractrix_proofs.tractrix_pull.proved in
 let _ := Hyperbolic.Part_Tractrix_proofs.tractrix_pull.met in
 let _ := Hyperbolic.Part_Tractrix_proofs.tractrix_speed.proved in
@@ -3726,8 +4006,18 @@ let _ := Splines.Part_Quadratic_proofs.uniform_quadratic.proved in
 let _ := Splines.Part_Quadratic_proofs.uniform_quadratic.met in
 let _ := Splines.Part_Shape_proofs.uniform_line.proved in
 let _ := Splines.Part_Shape_proofs.uniform_line.met in
+let _ := Splines.Part_Signs_proofs.uniform_nonnegative.proved in
+let _ := Splines.Part_Signs_proofs.uniform_nonnegative.met in
+let _ := Splines.Part_Signs_proofs.uniform_bound.proved in
+let _ := Splines.Part_Signs_proofs.uniform_bound.met in
 let _ := Splines.Part_Signs_proofs.uniform_bound_slip.refuted in
+let _ := Splines.Part_Signs_proofs.knots_nonnegative_ends.proved in
+let _ := Splines.Part_Signs_proofs.knots_nonnegative_ends.met in
+let _ := Splines.Part_Signs_proofs.knots_nonnegative_middle.proved in
+let _ := Splines.Part_Signs_proofs.knots_nonnegative_middle.met in
 let _ := Splines.Part_Signs_proofs.knots_nonnegative_outside.refuted in
+let _ := Splines.Part_Signs_proofs.knots_nonnegative_cubic.proved in
+let _ := Splines.Part_Signs_proofs.knots_nonnegative_cubic.met in
 let _ := Splines.Part_Symmetry_proofs.uniform_symmetry.proved in
 let _ := Splines.Part_Symmetry_proofs.uniform_symmetry.met in
 let _ := Splines.Part_The_proofs.knots_linear.proved in
@@ -3758,10 +4048,13 @@ let _ := Splines.Part_Two_proofs.clamped_knot.met in
 let _ := Splines.Part_Two_proofs.clamped_C2.refuted in
 let _ := Torses.Part_Central_proofs.striction_shortest.proved in
 let _ := Torses.Part_Central_proofs.striction_shortest.met in
+let _ := Torses.Part_Central_proofs.striction_growth.proved in
 let _ := Torses.Part_Central_proofs.striction_length.proved in
 let _ := Torses.Part_Central_proofs.striction_length.met in
 let _ := Torses.Part_Central_proofs.striction_scaled.proved in
 let _ := Torses.Part_Central_proofs.striction_scaled.met in
+let _ := Torses.Part_Central_proofs.striction_unit.proved in
+let _ := Torses.Part_Central_proofs.striction_unit.met in
 let _ := Torses.Part_Central_proofs.striction_unit_slip.refuted in
 let _ := Torses.Part_Cones_proofs.cone_torse.proved in
 let _ := Torses.Part_Cones_proofs.cone_apex.proved in
@@ -3776,12 +4069,17 @@ let _ := Torses.Part_Curvature_proofs.ruled_asymptotic.proved in
 let _ := Torses.Part_Curvature_proofs.ruled_mixed.proved in
 let _ := Torses.Part_Curvature_proofs.ruled_lagrange.proved in
 let _ := Torses.Part_Curvature_proofs.ruled_gauss.proved in
+let _ := Torses.Part_Curvature_proofs.ruled_gauss_curvature.proved in
+let _ := Torses.Part_Curvature_proofs.ruled_gauss_curvature.met in
+let _ := Torses.Part_Curvature_proofs.ruled_gauss_sign.proved in
 let _ := Torses.Part_Curvature_proofs.ruled_gauss_slip.refuted in
 let _ := Torses.Part_Curvature_proofs.ruled_gauss_slip_corrected.proved in
 let _ := Torses.Part_Curves_proofs.curve_chain.proved in
 let _ := Torses.Part_Curves_proofs.curve_chain_slip.refuted in
 let _ := Torses.Part_Curves_proofs.curve_curvature.proved in
 let _ := Torses.Part_Curves_proofs.curve_curvature.met in
+let _ := Torses.Part_Curves_proofs.curve_torsion.proved in
+let _ := Torses.Part_Curves_proofs.curve_torsion.met in
 let _ := Torses.Part_Curves_proofs.curve_straight.proved in
 let _ := Torses.Part_Curves_proofs.curve_straight.met in
 let _ := Torses.Part_Cylinders_proofs.cylinder_torse.proved in
@@ -3791,8 +4089,12 @@ let _ := Torses.Part_Cylinders_proofs.cylinder_normal.met in
 let _ := Torses.Part_Cylinders_proofs.cylinder_converse_slip.refuted in
 let _ := Torses.Part_Distribution_proofs.striction_parameter.proved in
 let _ := Torses.Part_Distribution_proofs.striction_parameter.met in
+let _ := Torses.Part_Distribution_proofs.striction_curvature.proved in
+let _ := Torses.Part_Distribution_proofs.striction_curvature.met in
 let _ := Torses.Part_Edge_proofs.regression_singular.proved in
 let _ := Torses.Part_Edge_proofs.regression_singular.met in
+let _ := Torses.Part_Edge_proofs.regression_tangent.proved in
+let _ := Torses.Part_Edge_proofs.regression_tangent.met in
 let _ := Torses.Part_Edge_proofs.regression_tangent_slip.refuted in
 let _ := Torses.Part_Edge_proofs.planes_edge.proved in
 let _ := Torses.Part_Edge_proofs.planes_edge.met in
@@ -3863,11 +4165,15 @@ let _ := Trigonometric.Part_Curves_proofs.quadratic_d1_slip_corrected.proved in
 let _ := Trigonometric.Part_Curves_proofs.quadratic_d1_slip_corrected.met in
 let _ := Trigonometric.Part_Cycloid_proofs.cycloid_speed.proved in
 let _ := Trigonometric.Part_Cycloid_proofs.cycloid_speed.met in
+let _ := Trigonometric.Part_Cycloid_proofs.cycloid_regular.proved in
+let _ := Trigonometric.Part_Cycloid_proofs.cycloid_regular.met in
 let _ := Trigonometric.Part_Cycloid_proofs.cycloid_slope.proved in
 let _ := Trigonometric.Part_Cycloid_proofs.cycloid_slope.met in
 let _ := Trigonometric.Part_Cycloid_proofs.cycloid_slope_slip.refuted in
 let _ := Trigonometric.Part_Cycloid_proofs.cycloid_slope_slip_corrected.proved in
 let _ := Trigonometric.Part_Cycloid_proofs.cycloid_slope_slip_corrected.met in
+let _ := Trigonometric.Part_Cycloid_proofs.cycloid_bend.proved in
+let _ := Trigonometric.Part_Cycloid_proofs.cycloid_bend.met in
 let _ := Trigonometric.Part_Cycloid_proofs.cycloid_curvature.proved in
 let _ := Trigonometric.Part_Cycloid_proofs.cycloid_curvature.met in
 let _ := Trigonometric.Part_Half_proofs.angle_half_sine.proved in
@@ -3899,20 +4205,38 @@ let _ := Trigonometric.Part_Helix_proofs.helix_torsion.proved in
 let _ := Trigonometric.Part_Helix_proofs.helix_torsion.met in
 let _ := Trigonometric.Part_Helix_proofs.helix_curvature.proved in
 let _ := Trigonometric.Part_Helix_proofs.helix_curvature.met in
+let _ := Trigonometric.Part_Joins_proofs.quadratic_join.proved in
+let _ := Trigonometric.Part_Joins_proofs.quadratic_join.met in
 let _ := Trigonometric.Part_Joins_proofs.quadratic_join_slip.refuted in
 let _ := Trigonometric.Part_Joins_proofs.quadratic_join_slip_corrected.proved in
 let _ := Trigonometric.Part_Joins_proofs.quadratic_join_slip_corrected.met in
+let _ := Trigonometric.Part_Known_proofs.angle_known.proved in
+let _ := Trigonometric.Part_Parts_proofs.angle_third.proved in
+let _ := Trigonometric.Part_Parts_proofs.angle_parts.proved in
 let _ := Trigonometric.Part_Parts_proofs.angle_rate.proved in
+let _ := Trigonometric.Part_Roots_proofs.helix_length.proved in
+let _ := Trigonometric.Part_Roots_proofs.helix_length.met in
+let _ := Trigonometric.Part_Roots_proofs.helix_bend.proved in
+let _ := Trigonometric.Part_Roots_proofs.helix_bend.met in
+let _ := Trigonometric.Part_Roots_proofs.helix_bend_slip.refuted in
+let _ := Trigonometric.Part_Roots_proofs.cylinder_normal.proved in
+let _ := Trigonometric.Part_Roots_proofs.cylinder_normal.met in
+let _ := Trigonometric.Part_Roots_proofs.cylinder_offset.proved in
+let _ := Trigonometric.Part_Roots_proofs.cylinder_offset.met in
 let _ := Trigonometric.Part_Signs_proofs.angle_first.proved in
 let _ := Trigonometric.Part_Signs_proofs.angle_first.met in
 let _ := Trigonometric.Part_Signs_proofs.angle_first_turned.proved in
 let _ := Trigonometric.Part_Signs_proofs.angle_first_turned.met in
+let _ := Trigonometric.Part_Signs_proofs.angle_symmetric.proved in
+let _ := Trigonometric.Part_Signs_proofs.angle_symmetric.met in
 let _ := Trigonometric.Part_Signs_proofs.angle_symmetric_slip.refuted in
 let _ := Trigonometric.Part_Signs_proofs.angle_turn.proved in
 let _ := Trigonometric.Part_Tangent_proofs.helix_torse.proved in
 let _ := Trigonometric.Part_Tangent_proofs.helix_torse.met in
 let _ := Trigonometric.Part_Tangent_proofs.helix_normal.proved in
 let _ := Trigonometric.Part_Tangent_proofs.helix_normal.met in
+let _ := Trigonometric.Part_Tangent_proofs.helix_regular.proved in
+let _ := Trigonometric.Part_Tangent_proofs.helix_regular.met in
 let _ := Trigonometric.Part_Tangents_proofs.angle_tangent.proved in
 let _ := Trigonometric.Part_Tangents_proofs.angle_tangent.met in
 let _ := Trigonometric.Part_Tangents_proofs.angle_tangent_closed.proved in
@@ -3924,5 +4248,7 @@ let _ := Trigonometric.Part_The_proofs.quadratic_nonnegative.met in
 let _ := Trigonometric.Part_The_proofs.quadratic_nonnegative_slip.refuted in
 let _ := Trigonometric.Part_The_proofs.quadratic_symmetry.proved in
 let _ := Trigonometric.Part_The_proofs.quadratic_symmetry.met in
+let _ := Trigonometric.Part_The_proofs.quadratic_decreasing.proved in
+let _ := Trigonometric.Part_The_proofs.quadratic_decreasing.met in
 I.
 Print Assumptions all_theorems.

@@ -1,8 +1,14 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtDevelopable Require Part_Abstract.
 Import GbtDevelopable.Part_Abstract.Definitions.
 Open Scope R_scope.
+
+Module abs_conics_planes.
+Import GbtDevelopable.Part_Abstract.abs_conics_planes.
+Theorem refuted : ~ statement.
+Proof. cbv beta zeta delta [statement]; intro no; apply (no 0 ltac:(lra)); clear no; intros u U _; assert (D : vDerive 4 (fun u_ => bernstein_family u_) 1 u = [- 2 * u; 2; 0; 2 * u]) by (cbv delta [bernstein_family]; lists; parts; apply is_derive_unique; auto_derive; try exact I; ring); assert (V : bernstein_family u = [1 - u * u; 2 * u; 0; 1 + u * u]) by (cbv delta [bernstein_family]; lists; parts; ring); cbv delta [profile foot direction moment normal]; cbv beta; rewrite D, V; assert (X : 1 + u * u <> 0) by nra; lists; split; field; (try exact X); nra. Qed.
+End abs_conics_planes.
 
 Module abs_conics_points.
 Import GbtDevelopable.Part_Abstract.abs_conics_points.

@@ -7,8 +7,16 @@ Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
   sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition ratio (gamma : R) (l : Z) (mu2 : R) (mu3 : R) : R :=
+  gamma * (2 * (IZR l - 2) + PI * (1 + mu3)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
+  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition N2 (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu3 nu3 i l * P2 i).
 End Definitions.
 Import Definitions.
 
@@ -21,8 +29,6 @@ Definition N2 (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : Z) : R :=
   sum 0%Z l (fun i => g (IZR x) mu3 nu3 i l * P2 i).
 Definition N2_ (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu3 nu3 i l * P2 i).
-Definition ratio (gamma : R) (l : Z) (mu2 : R) (mu3 : R) : R :=
-  gamma * (2 * (IZR l - 2) + PI * (1 + mu3)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (mu3 : R) (nu1 : R) (nu3 : R),
   0 < gamma ->
@@ -67,12 +73,6 @@ Module intro_continuity_free_b_any_values.
    printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
    read as: Whatever values the shape parameters of the second family get, the derivatives still agree.
    stated: N2'(0) == H1'(1) and N2''(0) == H1''(1) *)
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
-  sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
-Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
-Definition N2 (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu3 nu3 i l * P2 i).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (mu3 : R) (nu1 : R) (nu2 : R) (nu3 : R),
   (2 <= k)%Z ->
@@ -140,3 +140,35 @@ exists (A : Z -> R) (B : Z -> R) (t : R),
   (let x := 0%Z in Derive_n (fun x_ => F2_ B x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => F1_ A x__) 1 (IZR x_)) /\
   (let x__ := 0%Z in Derive_n (fun x___ => F2_ B x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => F1_ A x____) 2 (IZR x___)).
 End intro_continuity_free_b_suitable_values.
+
+Module intro_continuity_free_c_any_values.
+(* gbt-developable/intro-continuity-free.c.any values, Sect. 1, list of contributions, last item, for the smooth connection (5.16)
+   printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
+   read as: The shape parameters of the second family are changed from mu2, nu2 to any mu3, nu3. The first derivatives then have the ratio `ratio`, and the second derivative needs the square of it before that of the first family; what is free besides are multiples of the end plane and of the first derivative, in which Q_{k-2,1} does not occur.
+   stated: coefficients([N2''(0)], [P1[k-2]]) == ratio^2*coefficients([H1''(1)], [P1[k-2]]) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (mu3 : R) (nu1 : R) (nu2 : R) (nu3 : R) (P2_0_of_t : R -> R) (P2_1_of_t : R -> R) (P2_2_of_t : R -> R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= mu3 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  (-1) <= nu3 <= 1 ->
+  IZR k = 3 ->
+  IZR l = 3 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = gamma ^ 2 * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) + lambda * (let x____ := 1%Z in Derive_n (fun x_____ => H1_ P1 k mu1 nu1 x_____) 1 (IZR x____)) ->
+  (0 <= k - 2 <= k)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  P2_0_of_t (P1 (k - 2)%Z) = P2 0%Z ->
+  P2_1_of_t (P1 (k - 2)%Z) = P2 1%Z ->
+  P2_2_of_t (P1 (k - 2)%Z) = P2 2%Z ->
+  (forall t : R, H2 (update1 (update1 (update1 P2 0%Z (P2_0_of_t t)) 1%Z (P2_1_of_t t)) 2%Z (P2_2_of_t t)) l mu2 nu2 0%Z = H1 (update1 P1 (k - 2)%Z t) k mu1 nu1 1%Z) ->
+  (forall t : R, (let x_______ := 0%Z in Derive_n (fun x________ => H2_ (update1 (update1 (update1 P2 0%Z (P2_0_of_t t)) 1%Z (P2_1_of_t t)) 2%Z (P2_2_of_t t)) l mu2 nu2 x________) 1 (IZR x_______)) = gamma * (let x________ := 1%Z in Derive_n (fun x_________ => H1_ (update1 P1 (k - 2)%Z t) k mu1 nu1 x_________) 1 (IZR x________))) ->
+  (forall t : R, (let x_________ := 0%Z in Derive_n (fun x__________ => H2_ (update1 (update1 (update1 P2 0%Z (P2_0_of_t t)) 1%Z (P2_1_of_t t)) 2%Z (P2_2_of_t t)) l mu2 nu2 x__________) 2 (IZR x_________)) = gamma ^ 2 * (let x__________ := 1%Z in Derive_n (fun x___________ => H1_ (update1 P1 (k - 2)%Z t) k mu1 nu1 x___________) 2 (IZR x__________)) + lambda * (let x___________ := 1%Z in Derive_n (fun x____________ => H1_ (update1 P1 (k - 2)%Z t) k mu1 nu1 x____________) 1 (IZR x___________))) ->
+  [[Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => N2 (update1 (update1 (update1 P2 0%Z (P2_0_of_t t)) 1%Z (P2_1_of_t t)) 2%Z (P2_2_of_t t)) l mu3 nu3 x______) 2 (IZR x_____)) 1 (P1 (k - 2)%Z)]] = mscale (ratio gamma l mu2 mu3 ^ 2) [[Derive_n (fun t_ => let x______ := 1%Z in Derive_n (fun x_______ => H1_ (update1 P1 (k - 2)%Z t_) k mu1 nu1 x_______) 2 (IZR x______)) 1 (P1 (k - 2)%Z)]].
+End intro_continuity_free_c_any_values.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtDevelopable Require Section_2_1.
 Import GbtDevelopable.Section_2_1.Definitions.
 From GbtDevelopable Require Import Section_2_1_closed.
@@ -156,6 +156,14 @@ Proof. cbv beta zeta delta [statement g]; identity. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), ((-1) / 3); met) | (exists (0), (0); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met) | (exists ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_1_5_quadratic.
+
+Module thm_1_5_cubic.
+Import GbtDevelopable.Section_2_1.thm_1_5_cubic.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g]; compute_goal; intros mu nu M N; replace (PI / 2 * (1 / 3)) with (PI / 6) by field; replace (PI / 2 * (2 / 3)) with (PI / 3) by field; rewrite sin_PI6, cos_PI6, sin_PI3, cos_PI3; assert (S : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra); pose proof (sqrt_pos 3) as Q; generalize dependent (sqrt 3); intros s S Q; assert (A : 172 / 100 < s < 175 / 100) by (split; nra); match goal with |- ?e > 0 => replace e with (mu^2*s/24 - mu^2/16 - mu*nu*s/4 + 7*mu*nu/16 - mu*s/18 + 11*mu/72 + nu^2*s/24 - nu^2/16 - nu*s/18 + 11*nu/72 + s/18 + 1/36 + (s * s - 3) * (-mu^2/48 + mu*nu*s^2/48 - mu*nu*s/12 + 7*mu*nu/48 - mu*s/24 + 5*mu/72 - nu^2/48 - nu*s/24 + 5*nu/72 + 1/12)) by field end; rewrite S; assert (0 <= (mu + 1) * (nu + 1) + (1 - mu) * (1 - nu)) by nra; assert (0 <= (s / 24 - 1 / 16) * (mu ^ 2 + nu ^ 2)) by nra; assert (0 <= (7 / 16 - s / 4) * (1 + mu * nu)) by nra; assert (0 <= (11 / 72 - s / 18) * (1 + mu)) by nra; assert (0 <= (11 / 72 - s / 18) * (1 + nu)) by nra; lra. Qed.
+Theorem met : instance.
+Proof. exists 0, 0; lra. Qed.
+End thm_1_5_cubic.
 
 Module thm_1_5_all.
 Import GbtDevelopable.Section_2_1.thm_1_5_all.

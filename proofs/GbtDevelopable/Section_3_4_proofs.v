@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtDevelopable Require Section_3_4.
 Import GbtDevelopable.Section_3_4.Definitions.
 Open Scope R_scope.
@@ -51,6 +51,14 @@ Proof. cbv beta zeta delta [statement g H]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End eq_3_12_c.
+
+Module sec_3_4_tangent_ends.
+Import GbtDevelopable.Section_3_4.sec_3_4_tangent_ends.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; intros; match goal with A : _ = HT ?T ?k ?mu ?nu 0%Z, B : _ = HT ?T ?k ?mu ?nu 1%Z |- _ => assert (C : HT T k mu nu 0%Z = T 0%Z) by (cbv beta delta [HT g]; lists; at_ends; reflexivity); assert (D : HT T k mu nu 1%Z = T k) by (cbv beta delta [HT g]; lists; at_ends; reflexivity); rewrite C in A; rewrite D in B; clear C D; rewrite <- A, <- B; clear A B end; clear - H6 H7 H9 H10; revert H6 H7 H9 H10; cbv beta zeta delta [P P_ O_ O__ normal direction moment foot J0 J0_ J1 J1_]; intros N L N' L'; match goal with |- ?A /\ ?B /\ ?C /\ ?D /\ ?E => assert (F : B /\ C /\ D) by (clear N' L'; (pose proof (on_planes (fun e => h'1 + e * d'1 + e ^ 2 / 2 * dd'1) (fun e => h'2 + e * d'2 + e ^ 2 / 2 * dd'2) (fun e => h'3 + e * d'3 + e ^ 2 / 2 * dd'3) (fun e => h'4 + e * d'4 + e ^ 2 / 2 * dd'4) x1 0) as V; pose proof (tangent_plane (fun e => h'1 + e * d'1 + e ^ 2 / 2 * dd'1) (fun e => h'2 + e * d'2 + e ^ 2 / 2 * dd'2) (fun e => h'3 + e * d'3 + e ^ 2 / 2 * dd'3) (fun e => h'4 + e * d'4 + e ^ 2 / 2 * dd'4) (smooth_quadratic h'1 d'1 dd'1) (smooth_quadratic h'2 d'2 dd'2) (smooth_quadratic h'3 d'3 dd'3) (smooth_quadratic h'4 d'4 dd'4) x1 0) as W; revert V W N L; lists; start_values; intros V W N L; split; [exact (proj1 (V N))|split; [ring|exact (proj1 (W L))]])); assert (F' : E) by (clear F N L; split; [reflexivity|]; (pose proof (on_planes (fun e => e'1 + e * f'1 + e ^ 2 / 2 * ff'1) (fun e => e'2 + e * f'2 + e ^ 2 / 2 * ff'2) (fun e => e'3 + e * f'3 + e ^ 2 / 2 * ff'3) (fun e => e'4 + e * f'4 + e ^ 2 / 2 * ff'4) x1 0) as V; pose proof (tangent_plane (fun e => e'1 + e * f'1 + e ^ 2 / 2 * ff'1) (fun e => e'2 + e * f'2 + e ^ 2 / 2 * ff'2) (fun e => e'3 + e * f'3 + e ^ 2 / 2 * ff'3) (fun e => e'4 + e * f'4 + e ^ 2 / 2 * ff'4) (smooth_quadratic e'1 f'1 ff'1) (smooth_quadratic e'2 f'2 ff'2) (smooth_quadratic e'3 f'3 ff'3) (smooth_quadratic e'4 f'4 ff'4) x1 0) as W; revert V W N' L'; lists; start_values; intros V W N L; split; [exact (proj1 (V N))|split; [ring|exact (proj1 (W L))]])) end; destruct F as (F1 & F2 & F3); split; [reflexivity|split; [exact F1|split; [exact F2|split; [exact F3|exact F']]]]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance P P_ O_ O__ normal direction moment foot J0 J0_ J1 J1_ HT g]; exists 2%Z, (fun _ => 1), (fun _ => 0), (fun _ => 0), (fun _ => 0), 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0; repeat match goal with |- _ /\ _ => split end; lazymatch goal with |- locally _ _ => apply filter_forall; intro e; lists; rewrite ?quadratic_rate; match goal with |- ?d <> 0 => replace d with 1 by field; lra end | |- _ => first [lia|lra|lists; at_ends; reflexivity|lists; start_values; lra] end. Qed.
+End sec_3_4_tangent_ends.
 
 Module eq_3_13.
 Import GbtDevelopable.Section_3_4.eq_3_13.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtDevelopable Require Section_5_3.
 Import GbtDevelopable.Section_5_3.Definitions.
 Open Scope R_scope.
@@ -95,6 +95,14 @@ Proof. cbv beta zeta delta [statement kappa2 c cl ck kappa1 g H2 H1 H2_ H1_]; pr
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance kappa2 c cl ck kappa1 g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (11), (12), (13), (14); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (8), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (2), (11), (1), (4); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1), (1), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (0), (0), (0); met)]. Qed.
 End thm_4_true_sufficient.
+
+Module thm_4_true_sheets.
+Import GbtDevelopable.Section_5_3.thm_4_true_sheets.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement P P__ normal direction moment foot JA JA_ e1 e2]; intros; clear H H5 H6; pose proof (on_planes (fun e => h'1 + e * d'1 + e ^ 2 / 2 * dd'1) (fun e => h'2 + e * d'2 + e ^ 2 / 2 * dd'2) (fun e => h'3 + e * d'3 + e ^ 2 / 2 * dd'3) (fun e => h'4 + e * d'4 + e ^ 2 / 2 * dd'4) x1 0) as L0; pose proof (tangent_plane (fun e => h'1 + e * d'1 + e ^ 2 / 2 * dd'1) (fun e => h'2 + e * d'2 + e ^ 2 / 2 * dd'2) (fun e => h'3 + e * d'3 + e ^ 2 / 2 * dd'3) (fun e => h'4 + e * d'4 + e ^ 2 / 2 * dd'4) (smooth_quadratic h'1 d'1 dd'1) (smooth_quadratic h'2 d'2 dd'2) (smooth_quadratic h'3 d'3 dd'3) (smooth_quadratic h'4 d'4 dd'4) x1 0) as L; revert L L0 H0 H3 H4; lists; start_values; intros L L0 E A B; specialize (L A); specialize (L0 B); clear A B; destruct L as [_ L]; split; [exact L|]; clear L; destruct (four_entries _ _ _ _ _ _ _ _ E) as (E1 & E2 & E3 & E4); rewrite E1, E2, E3, E4; clear E E1 E2 E3 E4; destruct L0 as [L M]; revert L M; match goal with |- _ * ?x + (_ * ?y + (_ * ?z + 0)) = _ -> _ => generalize x y z end; intros x y z L M; rewrite <- L, <- M; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance P P__ normal direction moment foot JA JA_ e1 e2]; exists 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0; lists; start_values; split; [lra|split; [parts; ring|split; [apply filter_forall; intro e; rewrite ?quadratic_rate; match goal with |- ?d <> 0 => replace d with 1 by field; lra end|split; [lra|split; [lra|lra]]]]]. Qed.
+End thm_4_true_sheets.
 
 Module thm_4_true_curvature.
 Import GbtDevelopable.Section_5_3.thm_4_true_curvature.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtSurfaces Require Section_2_1.
 Import GbtSurfaces.Section_2_1.Definitions.
 Open Scope R_scope.
@@ -79,6 +79,12 @@ Proof. cbv beta zeta delta [statement f e]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f e]; first [(exists (2)%Z, (fun _ => 3), (1), (- 1), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), (- 1), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (1), (- 1), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (1), (- 1), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (1), (- 1), (1 / 3); met)]. Qed.
 End thm_1_1_blend.
+
+Module thm_1_2_Definition_1.
+Import GbtSurfaces.Section_2_1.thm_1_2_Definition_1.
+Theorem refuted : ~ statement.
+Proof. cbv beta zeta delta [statement f]; intro no; destruct (no 0 0 1 ltac:(lra) ltac:(lra) ltac:(lra)) as [_ C]; revert C; compute_goal; replace (PI / 2 * (- (1))) with (- (PI / 2)) by field; rewrite ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2; intro C; lra. Qed.
+End thm_1_2_Definition_1.
 
 Module thm_1_2_where_curves_are_defined.
 Import GbtSurfaces.Section_2_1.thm_1_2_where_curves_are_defined.

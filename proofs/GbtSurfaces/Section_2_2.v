@@ -9,8 +9,8 @@ Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
 Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
-  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
+  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
@@ -21,10 +21,10 @@ Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
 Definition a2 (m : Z) (nu : R) : R :=
   4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
 Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
 Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
   p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
 Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
@@ -41,20 +41,16 @@ Definition b2 (m : Z) (nu : R) : R :=
   4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)).
 Definition c1 (mu1 : R) (n : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
-Definition b3 (mu1 : R) (n : Z) (nu1 : R) : R :=
-  3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - nu1).
 Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
   4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
 Definition b3_true (mu1 : R) (n : Z) (nu1 : R) : R :=
   3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 + mu1 - nu1).
+Definition b3 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - nu1).
 Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
   6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
 Definition b4_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   a m mu1 n nu * (3 * c1 mu1 n + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * mu1 - nu1) - PI ^ 3 * (1 + mu1)) - a3_true m mu1 n nu nu1 * b3_true mu1 n nu1 / a1 mu1 n nu1 + PI ^ 3 * (1 + nu).
-Definition join3 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) (s : R) : R :=
-  p + 1 / b1 mu1 n nu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 mu1 n nu1 * b3_true mu1 n nu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true mu1 n nu1 / a1 mu1 n nu1 * (q - r) - b4_true m mu1 n nu nu1 * (p - q)).
-Definition join13 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  join3 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z).
 End Definitions.
 Import Definitions.
 
@@ -411,6 +407,8 @@ Module thm_2_setting.
    stated: F(z) == sum(k, 0, m, Q[k]*f[k,m](z, mu, nu)) and F1(z) == sum(k, 0, n, Q1[k]*f[k,n](z, mu1, nu1)) and F(1) == Q[m] and F1(0) == Q1[0] *)
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
 Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
@@ -448,8 +446,6 @@ Module thm_2_1.
 (* gbt-surfaces/thm-2.1, Sect. 2.2, Theorem 2, item 1
    printed: Q_m = Q_{10} for C0 continuity
    stated: F1(0) - F(1) == Q1[0] - Q[m] *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -481,8 +477,6 @@ Module eq_4_Q11.
 (* gbt-surfaces/eq-4.Q11, Sect. 2.2, Theorem 2, item 2, eq. (4), second line
    printed: Q_{11} = Q_m + (2(m-2) + π(1+ν)) / (2(n-2) + π(1+μ_1)) (Q_m - Q_{m-1})
    stated: Q1[1] == Q[m] + (2*(m - 2) + pi*(1 + nu))/(2*(n - 2) + pi*(1 + mu1))*(Q[m] - Q[m-1]) *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -522,6 +516,8 @@ Module thm_2_2.
 (* gbt-surfaces/thm-2.2, Sect. 2.2, Theorem 2, item 2, eq. (4) as a system
    printed: For C1 continuity, Q_{10} = Q_m, Q_{11} = Q_m + (2(m-2) + π(1+ν)) / (2(n-2) + π(1+μ_1)) (Q_m - Q_{m-1})   (necessary and sufficient)
    stated: F1'(0) - F'(1) == 1/2*(2*(n - 2) + pi*(1 + mu1))*(Q1[1] - printed11) and 2*(n - 2) + pi*(1 + mu1) > 0 *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
@@ -563,8 +559,6 @@ Module eq_5_Q12.
 (* gbt-surfaces/eq-5.Q12, Sect. 2.2, Theorem 2, item 3, eq. (5), third line
    printed: Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]
    stated: Q1[2] == Q[m] + 1/a1*(a2*(Q[m] - 2*Q[m-1] + Q[m-2]) - pi^2*(1 - mu)*(Q[m-1] - Q[m-2]) + a3*(Q[m] - Q[m-1])) *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -590,8 +584,6 @@ Module eq_5_Q12_corrected.
 (* gbt-surfaces/eq-5.Q12 (corrected), Sect. 2.2, Theorem 2, item 3, eq. (5), third line
    printed: Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]
    stated: Q1[2] == Q[m] + 1/a1*(a2*(Q[m] - 2*Q[m-1] + Q[m-2]) - pi^2*(1 - mu)*(Q[m-1] - Q[m-2]) + (a*(2*a1 - pi^2*(1 - 2*mu1 - nu1)) + 2*pi^2*nu)*(Q[m] - Q[m-1])) *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -639,14 +631,6 @@ Module eq_5_Q12_true.
 (* gbt-surfaces/eq-5.Q12.true, Sect. 2.2, Theorem 2, item 3, eq. (5), third line
    printed: The control point Q_{12} that a C2 join has.
    stated: Q1[2] == join12 *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
-Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
-Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
-  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
-Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -695,6 +679,8 @@ Module thm_2_3_a.
    printed: For C2 continuity, Q_{10} = Q_m, Q_{11} as in (4), Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]   (necessary and sufficient)
    read as: Sufficient: segments with the printed control points join with two continuous derivatives.
    stated: F1'(0) == F'(1) and F1''(0) == F''(1) *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
@@ -726,8 +712,6 @@ Module thm_2_3_b.
    printed: For C2 continuity, Q_{10} = Q_m, Q_{11} as in (4), Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]   (necessary and sufficient)
    read as: Necessary: segments that join with two continuous derivatives have the printed control points.
    stated: Q1[0] == Q[m] and Q1[1] == printed11 and Q1[2] == printed12 *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -756,6 +740,8 @@ Module thm_2_3_true.
 (* gbt-surfaces/thm-2.3.true, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
    printed: Segments that meet join with C2 if and only if, beside (4), the right side vanishes: without a division, for all degrees and shape parameters.
    stated: 4*(F1''(0) - F''(1)) == a1*(Q1[2] - Q[m]) - (2*a1 - pi^2*(1 - 2*mu1 - nu1))*(Q1[1] - Q[m]) - (a2*(Q[m] - 2*Q[m-1] + Q[m-2]) - pi^2*(1 - mu)*(Q[m-1] - Q[m-2]) + 2*pi^2*nu*(Q[m] - Q[m-1])) *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
@@ -799,8 +785,16 @@ Module thm_2_3_iff.
 (* gbt-surfaces/thm-2.3.iff, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
    printed: With the first two control points of (5) the second derivative jumps by a_1/4 times what Q_{12} lies beside the point `join12`: this point is necessary and sufficient.
    stated: F1''(0) - F''(1) == a1/4*(Q1[2] - join12) *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
+Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -850,14 +844,6 @@ Module thm_2_3_necessary.
 (* gbt-surfaces/thm-2.3.necessary, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
    printed: The control points of every C2 join.
    stated: Q1[0] == Q[m] and Q1[1] == join11 and Q1[2] == join12 *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
-Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
-Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
-  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
-Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -909,6 +895,14 @@ Module thm_2_3_sufficient.
 (* gbt-surfaces/thm-2.3.sufficient, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
    printed: A second segment of degree 4 or more with these control points joins with C2, for all shape parameters.
    stated: F1'(0) == F'(1) and F1''(0) == F''(1) *)
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
+Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
@@ -960,8 +954,12 @@ Module thm_2_3_jump.
 (* gbt-surfaces/thm-2.3.jump, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
    printed: The jump that the printed (5) leaves.
    stated: 4*(F1''(0) - F''(1)) == (a3 - a3_true)*(Q[m] - Q[m-1]) *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -1011,6 +1009,8 @@ Module thm_2_3_when.
 (* gbt-surfaces/thm-2.3.when, Sect. 2.2, Theorem 2, item 3, eq. (5) as a system
    printed: The printed coefficient is the right one for two segments of one degree with ν = μ_1 and ν_1 = 1.
    stated: a3_true == a3 *)
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -1040,8 +1040,6 @@ Module eq_6_Q11.
 (* gbt-surfaces/eq-6.Q11, Sect. 2.2, Theorem 2, item 4, eq. (6), second line
    printed: Q_{11} = Q_m + a (Q_m - Q_{m-1})
    stated: Q1[1] == Q[m] + a*(Q[m] - Q[m-1]) *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -1081,8 +1079,6 @@ Module eq_6_Q12.
 (* gbt-surfaces/eq-6.Q12, Sect. 2.2, Theorem 2, item 4, eq. (6), third line
    printed: Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]
    stated: Q1[2] == Q[m] + 1/a1*(a2*(Q[m] - 2*Q[m-1] + Q[m-2]) - pi^2*(1 - mu)*(Q[m-1] - Q[m-2]) + a3*(Q[m] - Q[m-1])) *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -1108,8 +1104,6 @@ Module eq_6_Q12_corrected.
 (* gbt-surfaces/eq-6.Q12 (corrected), Sect. 2.2, Theorem 2, item 4, eq. (6), third line
    printed: Q_{12} = Q_m + 1/a_1 [a_2 (Q_m - 2Q_{m-1} + Q_{m-2}) - π^2 (1-μ)(Q_{m-1} - Q_{m-2}) + a_3 (Q_m - Q_{m-1})]
    stated: Q1[2] == Q[m] + 1/a1*(a2*(Q[m] - 2*Q[m-1] + Q[m-2]) - pi^2*(1 - mu)*(Q[m-1] - Q[m-2]) + (a*(2*a1 - pi^2*(1 - 2*mu1 - nu1)) + 2*pi^2*nu)*(Q[m] - Q[m-1])) *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -1158,8 +1152,6 @@ Module eq_6_Q13.
    printed: Q_{13} = Q_m + 1/b_1 [b_2 (Q_m - 3Q_{m-1} + 3Q_{m-2} - Q_{m-3}) + (a_2/a_1) b_3 (Q_m - 2Q_{m-1} + Q_{m-2}) - (π^2 (1-μ_1) b_3 / a_1)(Q_{m-1} - Q_{m-2}) - b_4 (Q_m - Q_{m-1})]
    read as: 'a2 / a1' stacked over two lines before b3 is read as the factor a_2/a_1, and 'π2(1-μ1)b3 / a1' as the fraction π^2(1-μ_1)b_3/a_1
    stated: Q1[3] == printed13 *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition b4 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   a3 mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 - a m mu1 n nu * (c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - 4 * nu1) + PI ^ 3 * (1 + mu1)) + PI ^ 3 * (1 + nu).
 Definition printed13 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
@@ -1193,12 +1185,6 @@ Module eq_6_Q13_true.
 (* gbt-surfaces/eq-6.Q13.true, Sect. 2.2, Theorem 2, item 4, eq. (6), fourth line
    printed: The control point Q_{13} that a C3 join has.
    stated: Q1[3] == join13 *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
-Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
-Definition b4_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a m mu1 n nu * (3 * c1 mu1 n + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * mu1 - nu1) - PI ^ 3 * (1 + mu1)) - a3_true m mu1 n nu nu1 * b3_true mu1 n nu1 / a1 mu1 n nu1 + PI ^ 3 * (1 + nu).
 Definition join3 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) (s : R) : R :=
   p + 1 / b1 mu1 n nu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 mu1 n nu1 * b3_true mu1 n nu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true mu1 n nu1 / a1 mu1 n nu1 * (q - r) - b4_true m mu1 n nu nu1 * (p - q)).
 Definition join13 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
@@ -1263,6 +1249,8 @@ Definition b4 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   a3 mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 - a m mu1 n nu * (c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - 4 * nu1) + PI ^ 3 * (1 + mu1)) + PI ^ 3 * (1 + nu).
 Definition printed13 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   Q m + 1 / b1 mu1 n nu1 * (b2 m nu * (Q m - 3 * Q (m - 1)%Z + 3 * Q (m - 2)%Z - Q (m - 3)%Z) + a2 m nu / a1 mu1 n nu1 * b3 mu1 n nu1 * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu1) * b3 mu1 n nu1 / a1 mu1 n nu1 * (Q (m - 1)%Z - Q (m - 2)%Z) - b4 m mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
@@ -1298,8 +1286,6 @@ Module thm_2_4_b.
    printed: For C3 continuity, (6)   (necessary and sufficient)
    read as: Necessary: segments that join with three continuous derivatives have the printed control points.
    stated: Q1[0] == Q[m] and Q1[1] == printed11 and Q1[2] == printed12 and Q1[3] == printed13 *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition b4 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   a3 mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 - a m mu1 n nu * (c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - 4 * nu1) + PI ^ 3 * (1 + mu1)) + PI ^ 3 * (1 + nu).
 Definition printed13 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
@@ -1336,6 +1322,8 @@ Module thm_2_4_true.
 (* gbt-surfaces/thm-2.4.true, Sect. 2.2, Theorem 2, item 4, eq. (6) as a system
    printed: Segments that join with C2 join with C3 if and only if the right side vanishes: without a division, for all degrees and shape parameters.
    stated: 8*(F1'''(0) - F'''(1)) == b1*(Q1[3] - Q[m]) - b3_true*(Q1[2] - Q[m]) + (3*c1 + 6*(n - 2)*pi^2*(1 + 4*mu1 - nu1) - pi^3*(1 + mu1))*(Q1[1] - Q[m]) - (b2_true*(Q[m] - 3*Q[m-1] + 3*Q[m-2] - Q[m-3]) + b5_true*(Q[m] - 2*Q[m-1] + Q[m-2]) - pi^3*(1 + nu)*(Q[m] - Q[m-1])) *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
@@ -1383,8 +1371,22 @@ Module thm_2_4_iff.
 (* gbt-surfaces/thm-2.4.iff, Sect. 2.2, Theorem 2, item 4, eq. (6) as a system
    printed: With the first three control points of a C2 join the third derivative jumps by b_1/8 times what Q_{13} lies beside the point `join13`: this point is necessary and sufficient.
    stated: F1'''(0) - F'''(1) == b1/8*(Q1[3] - join13) *)
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
+Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition b4_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (3 * c1 mu1 n + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * mu1 - nu1) - PI ^ 3 * (1 + mu1)) - a3_true m mu1 n nu nu1 * b3_true mu1 n nu1 / a1 mu1 n nu1 + PI ^ 3 * (1 + nu).
+Definition join3 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) (s : R) : R :=
+  p + 1 / b1 mu1 n nu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 mu1 n nu1 * b3_true mu1 n nu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true mu1 n nu1 / a1 mu1 n nu1 * (q - r) - b4_true m mu1 n nu nu1 * (p - q)).
+Definition join13 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join3 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -1444,14 +1446,6 @@ Module thm_2_4_necessary.
 (* gbt-surfaces/thm-2.4.necessary, Sect. 2.2, Theorem 2, item 4, eq. (6) as a system
    printed: The control points of every C3 join.
    stated: Q1[0] == Q[m] and Q1[1] == join11 and Q1[2] == join12 and Q1[3] == join13 *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
-Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
-Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
-  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
-Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
 Definition b4_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   a m mu1 n nu * (3 * c1 mu1 n + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * mu1 - nu1) - PI ^ 3 * (1 + mu1)) - a3_true m mu1 n nu nu1 * b3_true mu1 n nu1 / a1 mu1 n nu1 + PI ^ 3 * (1 + nu).
 Definition join3 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) (s : R) : R :=
@@ -1519,8 +1513,18 @@ Module thm_2_4_sufficient.
 (* gbt-surfaces/thm-2.4.sufficient, Sect. 2.2, Theorem 2, item 4, eq. (6) as a system
    printed: Segments with these control points join with C3.
    stated: F1(0) == F(1) and F1'(0) == F'(1) and F1''(0) == F''(1) and F1'''(0) == F'''(1) *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
+Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
+Definition b4_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (3 * c1 mu1 n + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * mu1 - nu1) - PI ^ 3 * (1 + mu1)) - a3_true m mu1 n nu nu1 * b3_true mu1 n nu1 / a1 mu1 n nu1 + PI ^ 3 * (1 + nu).
+Definition join3 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) (s : R) : R :=
+  p + 1 / b1 mu1 n nu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 mu1 n nu1 * b3_true mu1 n nu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true mu1 n nu1 / a1 mu1 n nu1 * (q - r) - b4_true m mu1 n nu nu1 * (p - q)).
+Definition join13 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join3 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -1582,8 +1586,18 @@ Module thm_2_4_sufficient_quintic.
 (* gbt-surfaces/thm-2.4.sufficient.quintic, Sect. 2.2, Theorem 2, item 4, eq. (6) as a system
    printed: A second segment of degree 5 or more with these control points joins with C3, for all shape parameters.
    stated: F1(0) == F(1) and F1'(0) == F'(1) and F1''(0) == F''(1) and F1'''(0) == F'''(1) *)
-Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
-  sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
+Definition a3_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition join2 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
+  p + 1 / a1 mu1 n nu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m mu1 n nu nu1 * (p - q)).
+Definition join12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join2 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z).
+Definition b4_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a m mu1 n nu * (3 * c1 mu1 n + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * mu1 - nu1) - PI ^ 3 * (1 + mu1)) - a3_true m mu1 n nu nu1 * b3_true mu1 n nu1 / a1 mu1 n nu1 + PI ^ 3 * (1 + nu).
+Definition join3 (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) (s : R) : R :=
+  p + 1 / b1 mu1 n nu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 mu1 n nu1 * b3_true mu1 n nu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true mu1 n nu1 / a1 mu1 n nu1 * (q - r) - b4_true m mu1 n nu nu1 * (p - q)).
+Definition join13 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  join3 m mu mu1 n nu nu1 (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -1641,6 +1655,8 @@ Module thm_2_4_cubic.
 (* gbt-surfaces/thm-2.4.cubic, Sect. 2.2, Theorem 2, item 4, eq. (6) as a system
    printed: For a cubic second segment with ν_1 = 1 the divisor b_1 of (6) is zero: the third derivative at its start does not contain Q_{13}.
    stated: b1 == 0 and coefficients([F1'''(0)], [Q1[3]])[1,1] == 0 *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
   (-1) <= mu1 <= 1 ->
@@ -1662,11 +1678,58 @@ exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
   (0 <= 3 <= n)%Z.
 End thm_2_4_cubic.
 
+Module thm_2_a.
+(* gbt-surfaces/thm-2.a, Sect. 2.2, coefficients after eq. (6)
+   printed: a = (2(m-2) + π(1+ν)) / (2(n-2) + π(1+μ_1))
+   stated: -coefficients([Q1[1]], [Q[m-1]])[1,1] == (2*(m - 2) + pi*(1 + nu))/(2*(n - 2) + pi*(1 + mu1)) *)
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
+  (0 <= 1 <= n)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  Q1_0_of_t (Q (m - 1)%Z) = Q1 0%Z ->
+  Q1_1_of_t (Q (m - 1)%Z) = Q1 1%Z ->
+  (forall t : R, F1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) mu1 n nu1 0%Z = F (update1 Q (m - 1)%Z t) m mu nu 1%Z) ->
+  (forall t : R, (let z__ := 0%Z in Derive_n (fun z___ => F1_ (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) mu1 n nu1 z___) 1 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ (update1 Q (m - 1)%Z t) m mu nu z____) 1 (IZR z___))) ->
+  - entry (row [[Derive_n (fun t => (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 1%Z) 1 (Q (m - 1)%Z)]] 1) 1 = (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z /\
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) /\
+  (0 <= 1 <= n)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
+  Q1_0_of_t (Q (m - 1)%Z) = Q1 0%Z /\
+  Q1_1_of_t (Q (m - 1)%Z) = Q1 1%Z /\
+  (forall t : R, F1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) mu1 n nu1 0%Z = F (update1 Q (m - 1)%Z t) m mu nu 1%Z) /\
+  (forall t : R, (let z__ := 0%Z in Derive_n (fun z___ => F1_ (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) mu1 n nu1 z___) 1 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ (update1 Q (m - 1)%Z t) m mu nu z____) 1 (IZR z___))).
+End thm_2_a.
+
 Module thm_2_a1.
 (* gbt-surfaces/thm-2.a1, Sect. 2.2, coefficients after eq. (6)
    printed: a_1 = 4(n-2)(n-3 + π(1+μ_1)) + π^2 (1-ν_1)
    read as: The coefficient of Q_{12} in four times the second derivative, the factor with which (5) has it.
    stated: coefficients([4*F1''(0)], [Q1[2]])[1,1] == 4*(n - 2)*(n - 3 + pi*(1 + mu1)) + pi^2*(1 - nu1) *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
   (-1) <= mu1 <= 1 ->
@@ -1729,11 +1792,159 @@ exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
   (0 <= m - 2 <= m)%Z.
 End thm_2_a2.
 
+Module thm_2_a3.
+(* gbt-surfaces/thm-2.a3, Sect. 2.2, coefficients after eq. (6)
+   printed: a_3 = (2a_1 + π^2 (1 + 2μ_1 - ν_1) + 2π^2 ν)
+   read as: The bracket of (5) solved for the coefficient of Q_m - Q_{m-1}, with Q_{12} from the join itself.
+   stated: coefficients([a1*(Q1[2] - Q[m]) - a2*(Q[m] - 2*Q[m-1] + Q[m-2]) + pi^2*(1 - mu)*(Q[m-1] - Q[m-2])], [Q[m]])[1,1] == 2*a1 + pi^2*(1 + 2*mu1 - nu1) + 2*pi^2*nu *)
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R) (Q1_2_of_t : R -> R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) ->
+  (0 <= 2 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  Q1_0_of_t (Q m) = Q1 0%Z ->
+  Q1_1_of_t (Q m) = Q1 1%Z ->
+  Q1_2_of_t (Q m) = Q1 2%Z ->
+  (forall t : R, F1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 0%Z = F (update1 Q m t) m mu nu 1%Z) ->
+  (forall t : R, (let z____ := 0%Z in Derive_n (fun z_____ => F1_ (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 z_____) 1 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F_ (update1 Q m t) m mu nu z______) 1 (IZR z_____))) ->
+  (forall t : R, (let z______ := 0%Z in Derive_n (fun z_______ => F1_ (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 z_______) 2 (IZR z______)) = (let z_______ := 1%Z in Derive_n (fun z________ => F_ (update1 Q m t) m mu nu z________) 2 (IZR z_______))) ->
+  entry (row [[Derive_n (fun t => a1 mu1 n nu1 * ((update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 2%Z - (update1 Q m t) m) - a2 m nu * ((update1 Q m t) m - 2 * (update1 Q m t) (m - 1)%Z + (update1 Q m t) (m - 2)%Z) + PI ^ 2 * (1 - mu) * ((update1 Q m t) (m - 1)%Z - (update1 Q m t) (m - 2)%Z)) 1 (Q m)]] 1) 1 = 2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
+End thm_2_a3.
+
+Module thm_2_a3_corrected.
+(* gbt-surfaces/thm-2.a3 (corrected), Sect. 2.2, coefficients after eq. (6)
+   printed: a_3 = (2a_1 + π^2 (1 + 2μ_1 - ν_1) + 2π^2 ν)
+   read as: The bracket of (5) solved for the coefficient of Q_m - Q_{m-1}, with Q_{12} from the join itself.
+   stated: coefficients([a1*(Q1[2] - Q[m]) - a2*(Q[m] - 2*Q[m-1] + Q[m-2]) + pi^2*(1 - mu)*(Q[m-1] - Q[m-2])], [Q[m]])[1,1] == a*(2*a1 - pi^2*(1 - 2*mu1 - nu1)) + 2*pi^2*nu *)
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R) (Q1_2_of_t : R -> R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) ->
+  (0 <= 2 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 ->
+  Q1_0_of_t (Q m) = Q1 0%Z ->
+  Q1_1_of_t (Q m) = Q1 1%Z ->
+  Q1_2_of_t (Q m) = Q1 2%Z ->
+  (forall t : R, F1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 0%Z = F (update1 Q m t) m mu nu 1%Z) ->
+  (forall t : R, (let z____ := 0%Z in Derive_n (fun z_____ => F1_ (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 z_____) 1 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F_ (update1 Q m t) m mu nu z______) 1 (IZR z_____))) ->
+  (forall t : R, (let z______ := 0%Z in Derive_n (fun z_______ => F1_ (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 z_______) 2 (IZR z______)) = (let z_______ := 1%Z in Derive_n (fun z________ => F_ (update1 Q m t) m mu nu z________) 2 (IZR z_______))) ->
+  entry (row [[Derive_n (fun t => a1 mu1 n nu1 * ((update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 2%Z - (update1 Q m t) m) - a2 m nu * ((update1 Q m t) m - 2 * (update1 Q m t) (m - 1)%Z + (update1 Q m t) (m - 2)%Z) + PI ^ 2 * (1 - mu) * ((update1 Q m t) (m - 1)%Z - (update1 Q m t) (m - 2)%Z)) 1 (Q m)]] 1) 1 = a m mu1 n nu * (2 * a1 mu1 n nu1 - PI ^ 2 * (1 - 2 * mu1 - nu1)) + 2 * PI ^ 2 * nu.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R) (Q1_2_of_t : R -> R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z /\
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) /\
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) /\
+  (0 <= 2 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  (0 <= m - 2 <= m)%Z /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 /\
+  Q1_0_of_t (Q m) = Q1 0%Z /\
+  Q1_1_of_t (Q m) = Q1 1%Z /\
+  Q1_2_of_t (Q m) = Q1 2%Z /\
+  (forall t : R, F1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 0%Z = F (update1 Q m t) m mu nu 1%Z) /\
+  (forall t : R, (let z____ := 0%Z in Derive_n (fun z_____ => F1_ (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 z_____) 1 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F_ (update1 Q m t) m mu nu z______) 1 (IZR z_____))) /\
+  (forall t : R, (let z______ := 0%Z in Derive_n (fun z_______ => F1_ (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 z_______) 2 (IZR z______)) = (let z_______ := 1%Z in Derive_n (fun z________ => F_ (update1 Q m t) m mu nu z________) 2 (IZR z_______))).
+End thm_2_a3_corrected.
+
+Module thm_2_a3_true.
+(* gbt-surfaces/thm-2.a3.true, Sect. 2.2, coefficients after eq. (6)
+   printed: The coefficient that the C2 join has.
+   stated: coefficients([a1*(Q1[2] - Q[m]) - a2*(Q[m] - 2*Q[m-1] + Q[m-2]) + pi^2*(1 - mu)*(Q[m-1] - Q[m-2])], [Q[m]])[1,1] == a3_true *)
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R) (Q1_2_of_t : R -> R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) ->
+  (0 <= 2 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 ->
+  Q1_0_of_t (Q m) = Q1 0%Z ->
+  Q1_1_of_t (Q m) = Q1 1%Z ->
+  Q1_2_of_t (Q m) = Q1 2%Z ->
+  (forall t : R, F1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 0%Z = F (update1 Q m t) m mu nu 1%Z) ->
+  (forall t : R, (let z____ := 0%Z in Derive_n (fun z_____ => F1_ (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 z_____) 1 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F_ (update1 Q m t) m mu nu z______) 1 (IZR z_____))) ->
+  (forall t : R, (let z______ := 0%Z in Derive_n (fun z_______ => F1_ (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 z_______) 2 (IZR z______)) = (let z_______ := 1%Z in Derive_n (fun z________ => F_ (update1 Q m t) m mu nu z________) 2 (IZR z_______))) ->
+  entry (row [[Derive_n (fun t => a1 mu1 n nu1 * ((update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 2%Z - (update1 Q m t) m) - a2 m nu * ((update1 Q m t) m - 2 * (update1 Q m t) (m - 1)%Z + (update1 Q m t) (m - 2)%Z) + PI ^ 2 * (1 - mu) * ((update1 Q m t) (m - 1)%Z - (update1 Q m t) (m - 2)%Z)) 1 (Q m)]] 1) 1 = a3_true m mu1 n nu nu1.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R) (Q1_2_of_t : R -> R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z /\
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) /\
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) /\
+  (0 <= 2 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  (0 <= m - 2 <= m)%Z /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 /\
+  Q1_0_of_t (Q m) = Q1 0%Z /\
+  Q1_1_of_t (Q m) = Q1 1%Z /\
+  Q1_2_of_t (Q m) = Q1 2%Z /\
+  (forall t : R, F1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 0%Z = F (update1 Q m t) m mu nu 1%Z) /\
+  (forall t : R, (let z____ := 0%Z in Derive_n (fun z_____ => F1_ (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 z_____) 1 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F_ (update1 Q m t) m mu nu z______) 1 (IZR z_____))) /\
+  (forall t : R, (let z______ := 0%Z in Derive_n (fun z_______ => F1_ (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) mu1 n nu1 z_______) 2 (IZR z______)) = (let z_______ := 1%Z in Derive_n (fun z________ => F_ (update1 Q m t) m mu nu z________) 2 (IZR z_______))).
+End thm_2_a3_true.
+
 Module thm_2_b1.
 (* gbt-surfaces/thm-2.b1, Sect. 2.2, coefficients after eq. (6)
    printed: b_1 = 4(n-2)(n-3)(2(n-4) + 3π(1+μ_1)) + 6(n-2)π^2 (1-ν_1)
    read as: The coefficient of Q_{13} in eight times the third derivative, the factor with which (6) has it.
    stated: coefficients([8*F1'''(0)], [Q1[3]])[1,1] == 4*(n - 2)*(n - 3)*(2*(n - 4) + 3*pi*(1 + mu1)) + 6*(n - 2)*pi^2*(1 - nu1) *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
   (-1) <= mu1 <= 1 ->
@@ -1815,6 +2026,8 @@ Module thm_2_b3.
    printed: b_3 = (3c_1 + 12(n-2)π^2 (1 - μ_1 - ν_1))
    read as: Minus the coefficient of Q_{12} in eight times the third derivative.
    stated: -coefficients([8*F1'''(0)], [Q1[2]])[1,1] == 3*c1 + 12*(n - 2)*pi^2*(1 - mu1 - nu1) *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
   (-1) <= mu1 <= 1 ->
@@ -1830,6 +2043,8 @@ Module thm_2_b3_corrected.
    printed: b_3 = (3c_1 + 12(n-2)π^2 (1 - μ_1 - ν_1))
    read as: Minus the coefficient of Q_{12} in eight times the third derivative.
    stated: -coefficients([8*F1'''(0)], [Q1[2]])[1,1] == 3*c1 + 12*(n - 2)*pi^2*(1 + mu1 - nu1) *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
   (-1) <= mu1 <= 1 ->
@@ -1851,6 +2066,8 @@ Module thm_2_b3_true.
 (* gbt-surfaces/thm-2.b3.true, Sect. 2.2, coefficients after eq. (6)
    printed: The coefficient that the C3 join has.
    stated: -coefficients([8*F1'''(0)], [Q1[2]])[1,1] == b3_true *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition statement : Prop :=
 forall (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
   (-1) <= mu1 <= 1 ->
@@ -1867,6 +2084,272 @@ exists (n : Z) (Q1 : Z -> R) (mu1 : R) (nu1 : R),
   (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
   (0 <= 2 <= n)%Z.
 End thm_2_b3_true.
+
+Module thm_2_b4.
+(* gbt-surfaces/thm-2.b4, Sect. 2.2, coefficients after eq. (6)
+   printed: b_4 = a_3 b_3 / a_1 - a (c_1 + 12(n-2)π^2 (1 - μ_1 - 4ν_1) + π^3 (1+μ_1)) + π^3 (1+ν)
+   read as: The bracket of (6) on evenly spaced points, where the second and third differences vanish, with the a_3 and b_3 that the join has and with mu in the term with Q_{m-1} - Q_{m-2}: what is left is b_4.
+   stated: (coefficients([b1*(Q1[3] - Q[m])], [Q[m-1], Q[m-2], Q[m-3]])*[1, 2, 3])[1] - pi^2*(1 - mu)*b3/a1 == a3*b3/a1 - a*(c1 + 12*(n - 2)*pi^2*(1 - mu1 - 4*nu1) + pi^3*(1 + mu1)) + pi^3*(1 + nu) *)
+Definition b3 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  b3_true mu1 n nu1.
+Definition a3 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a3_true m mu1 n nu nu1.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R) (Q1_2_of_t : R -> R) (Q1_3_of_t : R -> R) (Q1_0_of_t_ : R -> R) (Q1_1_of_t_ : R -> R) (Q1_2_of_t_ : R -> R) (Q1_3_of_t_ : R -> R) (Q1_0_of_t__ : R -> R) (Q1_1_of_t__ : R -> R) (Q1_2_of_t__ : R -> R) (Q1_3_of_t__ : R -> R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) ->
+  (let z____ := 0%Z in Derive_n (fun z_____ => F1_ Q1 mu1 n nu1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F_ Q m mu nu z______) 3 (IZR z_____)) ->
+  (0 <= 3 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  (0 <= m - 3 <= m)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  Q1_0_of_t (Q (m - 1)%Z) = Q1 0%Z ->
+  Q1_1_of_t (Q (m - 1)%Z) = Q1 1%Z ->
+  Q1_2_of_t (Q (m - 1)%Z) = Q1 2%Z ->
+  Q1_3_of_t (Q (m - 1)%Z) = Q1 3%Z ->
+  (forall t : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 0%Z = F (update1 Q (m - 1)%Z t) m mu nu 1%Z) ->
+  (forall t : R, (let z______ := 0%Z in Derive_n (fun z_______ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z_______) 1 (IZR z______)) = (let z_______ := 1%Z in Derive_n (fun z________ => F_ (update1 Q (m - 1)%Z t) m mu nu z________) 1 (IZR z_______))) ->
+  (forall t : R, (let z________ := 0%Z in Derive_n (fun z_________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z_________) 2 (IZR z________)) = (let z_________ := 1%Z in Derive_n (fun z__________ => F_ (update1 Q (m - 1)%Z t) m mu nu z__________) 2 (IZR z_________))) ->
+  (forall t : R, (let z__________ := 0%Z in Derive_n (fun z___________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z___________) 3 (IZR z__________)) = (let z___________ := 1%Z in Derive_n (fun z____________ => F_ (update1 Q (m - 1)%Z t) m mu nu z____________) 3 (IZR z___________))) ->
+  Q1_0_of_t_ (Q (m - 2)%Z) = Q1 0%Z ->
+  Q1_1_of_t_ (Q (m - 2)%Z) = Q1 1%Z ->
+  Q1_2_of_t_ (Q (m - 2)%Z) = Q1 2%Z ->
+  Q1_3_of_t_ (Q (m - 2)%Z) = Q1 3%Z ->
+  (forall t_ : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 0%Z = F (update1 Q (m - 2)%Z t_) m mu nu 1%Z) ->
+  (forall t_ : R, (let z____________ := 0%Z in Derive_n (fun z_____________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_____________) 1 (IZR z____________)) = (let z_____________ := 1%Z in Derive_n (fun z______________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z______________) 1 (IZR z_____________))) ->
+  (forall t_ : R, (let z______________ := 0%Z in Derive_n (fun z_______________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_______________) 2 (IZR z______________)) = (let z_______________ := 1%Z in Derive_n (fun z________________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z________________) 2 (IZR z_______________))) ->
+  (forall t_ : R, (let z________________ := 0%Z in Derive_n (fun z_________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_________________) 3 (IZR z________________)) = (let z_________________ := 1%Z in Derive_n (fun z__________________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z__________________) 3 (IZR z_________________))) ->
+  Q1_0_of_t__ (Q (m - 3)%Z) = Q1 0%Z ->
+  Q1_1_of_t__ (Q (m - 3)%Z) = Q1 1%Z ->
+  Q1_2_of_t__ (Q (m - 3)%Z) = Q1 2%Z ->
+  Q1_3_of_t__ (Q (m - 3)%Z) = Q1 3%Z ->
+  (forall t__ : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 0%Z = F (update1 Q (m - 3)%Z t__) m mu nu 1%Z) ->
+  (forall t__ : R, (let z__________________ := 0%Z in Derive_n (fun z___________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z___________________) 1 (IZR z__________________)) = (let z___________________ := 1%Z in Derive_n (fun z____________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z____________________) 1 (IZR z___________________))) ->
+  (forall t__ : R, (let z____________________ := 0%Z in Derive_n (fun z_____________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z_____________________) 2 (IZR z____________________)) = (let z_____________________ := 1%Z in Derive_n (fun z______________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z______________________) 2 (IZR z_____________________))) ->
+  (forall t__ : R, (let z______________________ := 0%Z in Derive_n (fun z_______________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z_______________________) 3 (IZR z______________________)) = (let z_______________________ := 1%Z in Derive_n (fun z________________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z________________________) 3 (IZR z_______________________))) ->
+  entry (mvec [[Derive_n (fun t => b1 mu1 n nu1 * ((update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) 3%Z - (update1 Q (m - 1)%Z t) m)) 1 (Q (m - 1)%Z); Derive_n (fun t_ => b1 mu1 n nu1 * ((update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) 3%Z - (update1 Q (m - 2)%Z t_) m)) 1 (Q (m - 2)%Z); Derive_n (fun t__ => b1 mu1 n nu1 * ((update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) 3%Z - (update1 Q (m - 3)%Z t__) m)) 1 (Q (m - 3)%Z)]] [1; 2; 3]) 1 - PI ^ 2 * (1 - mu) * b3 mu1 n nu1 / a1 mu1 n nu1 = a3 m mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 - a m mu1 n nu * (c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - 4 * nu1) + PI ^ 3 * (1 + mu1)) + PI ^ 3 * (1 + nu).
+End thm_2_b4.
+
+Module thm_2_b4_corrected.
+(* gbt-surfaces/thm-2.b4 (corrected), Sect. 2.2, coefficients after eq. (6)
+   printed: b_4 = a_3 b_3 / a_1 - a (c_1 + 12(n-2)π^2 (1 - μ_1 - 4ν_1) + π^3 (1+μ_1)) + π^3 (1+ν)
+   read as: The bracket of (6) on evenly spaced points, where the second and third differences vanish, with the a_3 and b_3 that the join has and with mu in the term with Q_{m-1} - Q_{m-2}: what is left is b_4.
+   stated: (coefficients([b1*(Q1[3] - Q[m])], [Q[m-1], Q[m-2], Q[m-3]])*[1, 2, 3])[1] - pi^2*(1 - mu)*b3/a1 == 3*a*c1 - a3*b3/a1 + pi^2*(a*(6*n*(1 + 4*mu1 - nu1) + (12*nu1 - 12 - 48*mu1 - pi*(1 + mu1))) + pi*(1 + nu)) *)
+Definition b3 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  b3_true mu1 n nu1.
+Definition a3 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a3_true m mu1 n nu nu1.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R) (Q1_2_of_t : R -> R) (Q1_3_of_t : R -> R) (Q1_0_of_t_ : R -> R) (Q1_1_of_t_ : R -> R) (Q1_2_of_t_ : R -> R) (Q1_3_of_t_ : R -> R) (Q1_0_of_t__ : R -> R) (Q1_1_of_t__ : R -> R) (Q1_2_of_t__ : R -> R) (Q1_3_of_t__ : R -> R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) ->
+  (let z____ := 0%Z in Derive_n (fun z_____ => F1_ Q1 mu1 n nu1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F_ Q m mu nu z______) 3 (IZR z_____)) ->
+  (0 <= 3 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  (0 <= m - 3 <= m)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 ->
+  4 * (IZR n - 3) * (IZR n - 4) + 6 * PI * (1 + mu1) * (IZR n - 3) + 3 * PI ^ 2 * (1 - nu1) <> 0 ->
+  Q1_0_of_t (Q (m - 1)%Z) = Q1 0%Z ->
+  Q1_1_of_t (Q (m - 1)%Z) = Q1 1%Z ->
+  Q1_2_of_t (Q (m - 1)%Z) = Q1 2%Z ->
+  Q1_3_of_t (Q (m - 1)%Z) = Q1 3%Z ->
+  (forall t : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 0%Z = F (update1 Q (m - 1)%Z t) m mu nu 1%Z) ->
+  (forall t : R, (let z______ := 0%Z in Derive_n (fun z_______ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z_______) 1 (IZR z______)) = (let z_______ := 1%Z in Derive_n (fun z________ => F_ (update1 Q (m - 1)%Z t) m mu nu z________) 1 (IZR z_______))) ->
+  (forall t : R, (let z________ := 0%Z in Derive_n (fun z_________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z_________) 2 (IZR z________)) = (let z_________ := 1%Z in Derive_n (fun z__________ => F_ (update1 Q (m - 1)%Z t) m mu nu z__________) 2 (IZR z_________))) ->
+  (forall t : R, (let z__________ := 0%Z in Derive_n (fun z___________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z___________) 3 (IZR z__________)) = (let z___________ := 1%Z in Derive_n (fun z____________ => F_ (update1 Q (m - 1)%Z t) m mu nu z____________) 3 (IZR z___________))) ->
+  Q1_0_of_t_ (Q (m - 2)%Z) = Q1 0%Z ->
+  Q1_1_of_t_ (Q (m - 2)%Z) = Q1 1%Z ->
+  Q1_2_of_t_ (Q (m - 2)%Z) = Q1 2%Z ->
+  Q1_3_of_t_ (Q (m - 2)%Z) = Q1 3%Z ->
+  (forall t_ : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 0%Z = F (update1 Q (m - 2)%Z t_) m mu nu 1%Z) ->
+  (forall t_ : R, (let z____________ := 0%Z in Derive_n (fun z_____________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_____________) 1 (IZR z____________)) = (let z_____________ := 1%Z in Derive_n (fun z______________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z______________) 1 (IZR z_____________))) ->
+  (forall t_ : R, (let z______________ := 0%Z in Derive_n (fun z_______________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_______________) 2 (IZR z______________)) = (let z_______________ := 1%Z in Derive_n (fun z________________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z________________) 2 (IZR z_______________))) ->
+  (forall t_ : R, (let z________________ := 0%Z in Derive_n (fun z_________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_________________) 3 (IZR z________________)) = (let z_________________ := 1%Z in Derive_n (fun z__________________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z__________________) 3 (IZR z_________________))) ->
+  Q1_0_of_t__ (Q (m - 3)%Z) = Q1 0%Z ->
+  Q1_1_of_t__ (Q (m - 3)%Z) = Q1 1%Z ->
+  Q1_2_of_t__ (Q (m - 3)%Z) = Q1 2%Z ->
+  Q1_3_of_t__ (Q (m - 3)%Z) = Q1 3%Z ->
+  (forall t__ : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 0%Z = F (update1 Q (m - 3)%Z t__) m mu nu 1%Z) ->
+  (forall t__ : R, (let z__________________ := 0%Z in Derive_n (fun z___________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z___________________) 1 (IZR z__________________)) = (let z___________________ := 1%Z in Derive_n (fun z____________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z____________________) 1 (IZR z___________________))) ->
+  (forall t__ : R, (let z____________________ := 0%Z in Derive_n (fun z_____________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z_____________________) 2 (IZR z____________________)) = (let z_____________________ := 1%Z in Derive_n (fun z______________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z______________________) 2 (IZR z_____________________))) ->
+  (forall t__ : R, (let z______________________ := 0%Z in Derive_n (fun z_______________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z_______________________) 3 (IZR z______________________)) = (let z_______________________ := 1%Z in Derive_n (fun z________________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z________________________) 3 (IZR z_______________________))) ->
+  entry (mvec [[Derive_n (fun t => b1 mu1 n nu1 * ((update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) 3%Z - (update1 Q (m - 1)%Z t) m)) 1 (Q (m - 1)%Z); Derive_n (fun t_ => b1 mu1 n nu1 * ((update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) 3%Z - (update1 Q (m - 2)%Z t_) m)) 1 (Q (m - 2)%Z); Derive_n (fun t__ => b1 mu1 n nu1 * ((update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) 3%Z - (update1 Q (m - 3)%Z t__) m)) 1 (Q (m - 3)%Z)]] [1; 2; 3]) 1 - PI ^ 2 * (1 - mu) * b3 mu1 n nu1 / a1 mu1 n nu1 = 3 * a m mu1 n nu * c1 mu1 n - a3 m mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 + PI ^ 2 * (a m mu1 n nu * (6 * IZR n * (1 + 4 * mu1 - nu1) + (12 * nu1 - 12 - 48 * mu1 - PI * (1 + mu1))) + PI * (1 + nu)).
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R) (Q1_2_of_t : R -> R) (Q1_3_of_t : R -> R) (Q1_0_of_t_ : R -> R) (Q1_1_of_t_ : R -> R) (Q1_2_of_t_ : R -> R) (Q1_3_of_t_ : R -> R) (Q1_0_of_t__ : R -> R) (Q1_1_of_t__ : R -> R) (Q1_2_of_t__ : R -> R) (Q1_3_of_t__ : R -> R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z /\
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) /\
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) /\
+  (let z____ := 0%Z in Derive_n (fun z_____ => F1_ Q1 mu1 n nu1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F_ Q m mu nu z______) 3 (IZR z_____)) /\
+  (0 <= 3 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  (0 <= m - 2 <= m)%Z /\
+  (0 <= m - 3 <= m)%Z /\
+  a1 mu1 n nu1 <> 0 /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 /\
+  4 * (IZR n - 3) * (IZR n - 4) + 6 * PI * (1 + mu1) * (IZR n - 3) + 3 * PI ^ 2 * (1 - nu1) <> 0 /\
+  Q1_0_of_t (Q (m - 1)%Z) = Q1 0%Z /\
+  Q1_1_of_t (Q (m - 1)%Z) = Q1 1%Z /\
+  Q1_2_of_t (Q (m - 1)%Z) = Q1 2%Z /\
+  Q1_3_of_t (Q (m - 1)%Z) = Q1 3%Z /\
+  (forall t : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 0%Z = F (update1 Q (m - 1)%Z t) m mu nu 1%Z) /\
+  (forall t : R, (let z______ := 0%Z in Derive_n (fun z_______ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z_______) 1 (IZR z______)) = (let z_______ := 1%Z in Derive_n (fun z________ => F_ (update1 Q (m - 1)%Z t) m mu nu z________) 1 (IZR z_______))) /\
+  (forall t : R, (let z________ := 0%Z in Derive_n (fun z_________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z_________) 2 (IZR z________)) = (let z_________ := 1%Z in Derive_n (fun z__________ => F_ (update1 Q (m - 1)%Z t) m mu nu z__________) 2 (IZR z_________))) /\
+  (forall t : R, (let z__________ := 0%Z in Derive_n (fun z___________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z___________) 3 (IZR z__________)) = (let z___________ := 1%Z in Derive_n (fun z____________ => F_ (update1 Q (m - 1)%Z t) m mu nu z____________) 3 (IZR z___________))) /\
+  Q1_0_of_t_ (Q (m - 2)%Z) = Q1 0%Z /\
+  Q1_1_of_t_ (Q (m - 2)%Z) = Q1 1%Z /\
+  Q1_2_of_t_ (Q (m - 2)%Z) = Q1 2%Z /\
+  Q1_3_of_t_ (Q (m - 2)%Z) = Q1 3%Z /\
+  (forall t_ : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 0%Z = F (update1 Q (m - 2)%Z t_) m mu nu 1%Z) /\
+  (forall t_ : R, (let z____________ := 0%Z in Derive_n (fun z_____________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_____________) 1 (IZR z____________)) = (let z_____________ := 1%Z in Derive_n (fun z______________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z______________) 1 (IZR z_____________))) /\
+  (forall t_ : R, (let z______________ := 0%Z in Derive_n (fun z_______________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_______________) 2 (IZR z______________)) = (let z_______________ := 1%Z in Derive_n (fun z________________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z________________) 2 (IZR z_______________))) /\
+  (forall t_ : R, (let z________________ := 0%Z in Derive_n (fun z_________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_________________) 3 (IZR z________________)) = (let z_________________ := 1%Z in Derive_n (fun z__________________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z__________________) 3 (IZR z_________________))) /\
+  Q1_0_of_t__ (Q (m - 3)%Z) = Q1 0%Z /\
+  Q1_1_of_t__ (Q (m - 3)%Z) = Q1 1%Z /\
+  Q1_2_of_t__ (Q (m - 3)%Z) = Q1 2%Z /\
+  Q1_3_of_t__ (Q (m - 3)%Z) = Q1 3%Z /\
+  (forall t__ : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 0%Z = F (update1 Q (m - 3)%Z t__) m mu nu 1%Z) /\
+  (forall t__ : R, (let z__________________ := 0%Z in Derive_n (fun z___________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z___________________) 1 (IZR z__________________)) = (let z___________________ := 1%Z in Derive_n (fun z____________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z____________________) 1 (IZR z___________________))) /\
+  (forall t__ : R, (let z____________________ := 0%Z in Derive_n (fun z_____________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z_____________________) 2 (IZR z____________________)) = (let z_____________________ := 1%Z in Derive_n (fun z______________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z______________________) 2 (IZR z_____________________))) /\
+  (forall t__ : R, (let z______________________ := 0%Z in Derive_n (fun z_______________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z_______________________) 3 (IZR z______________________)) = (let z_______________________ := 1%Z in Derive_n (fun z________________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z________________________) 3 (IZR z_______________________))).
+End thm_2_b4_corrected.
+
+Module thm_2_b4_true.
+(* gbt-surfaces/thm-2.b4.true, Sect. 2.2, coefficients after eq. (6)
+   printed: The coefficient that the C3 join has.
+   stated: (coefficients([b1*(Q1[3] - Q[m])], [Q[m-1], Q[m-2], Q[m-3]])*[1, 2, 3])[1] - pi^2*(1 - mu)*b3/a1 == b4_true *)
+Definition b3 (mu1 : R) (n : Z) (nu1 : R) : R :=
+  b3_true mu1 n nu1.
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R) (Q1_2_of_t : R -> R) (Q1_3_of_t : R -> R) (Q1_0_of_t_ : R -> R) (Q1_1_of_t_ : R -> R) (Q1_2_of_t_ : R -> R) (Q1_3_of_t_ : R -> R) (Q1_0_of_t__ : R -> R) (Q1_1_of_t__ : R -> R) (Q1_2_of_t__ : R -> R) (Q1_3_of_t__ : R -> R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z ->
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) ->
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) ->
+  (let z____ := 0%Z in Derive_n (fun z_____ => F1_ Q1 mu1 n nu1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F_ Q m mu nu z______) 3 (IZR z_____)) ->
+  (0 <= 3 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  (0 <= m - 1 <= m)%Z ->
+  (0 <= m - 2 <= m)%Z ->
+  (0 <= m - 3 <= m)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 ->
+  4 * (IZR n - 3) * (IZR n - 4) + 6 * PI * (1 + mu1) * (IZR n - 3) + 3 * PI ^ 2 * (1 - nu1) <> 0 ->
+  Q1_0_of_t (Q (m - 1)%Z) = Q1 0%Z ->
+  Q1_1_of_t (Q (m - 1)%Z) = Q1 1%Z ->
+  Q1_2_of_t (Q (m - 1)%Z) = Q1 2%Z ->
+  Q1_3_of_t (Q (m - 1)%Z) = Q1 3%Z ->
+  (forall t : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 0%Z = F (update1 Q (m - 1)%Z t) m mu nu 1%Z) ->
+  (forall t : R, (let z______ := 0%Z in Derive_n (fun z_______ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z_______) 1 (IZR z______)) = (let z_______ := 1%Z in Derive_n (fun z________ => F_ (update1 Q (m - 1)%Z t) m mu nu z________) 1 (IZR z_______))) ->
+  (forall t : R, (let z________ := 0%Z in Derive_n (fun z_________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z_________) 2 (IZR z________)) = (let z_________ := 1%Z in Derive_n (fun z__________ => F_ (update1 Q (m - 1)%Z t) m mu nu z__________) 2 (IZR z_________))) ->
+  (forall t : R, (let z__________ := 0%Z in Derive_n (fun z___________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z___________) 3 (IZR z__________)) = (let z___________ := 1%Z in Derive_n (fun z____________ => F_ (update1 Q (m - 1)%Z t) m mu nu z____________) 3 (IZR z___________))) ->
+  Q1_0_of_t_ (Q (m - 2)%Z) = Q1 0%Z ->
+  Q1_1_of_t_ (Q (m - 2)%Z) = Q1 1%Z ->
+  Q1_2_of_t_ (Q (m - 2)%Z) = Q1 2%Z ->
+  Q1_3_of_t_ (Q (m - 2)%Z) = Q1 3%Z ->
+  (forall t_ : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 0%Z = F (update1 Q (m - 2)%Z t_) m mu nu 1%Z) ->
+  (forall t_ : R, (let z____________ := 0%Z in Derive_n (fun z_____________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_____________) 1 (IZR z____________)) = (let z_____________ := 1%Z in Derive_n (fun z______________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z______________) 1 (IZR z_____________))) ->
+  (forall t_ : R, (let z______________ := 0%Z in Derive_n (fun z_______________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_______________) 2 (IZR z______________)) = (let z_______________ := 1%Z in Derive_n (fun z________________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z________________) 2 (IZR z_______________))) ->
+  (forall t_ : R, (let z________________ := 0%Z in Derive_n (fun z_________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_________________) 3 (IZR z________________)) = (let z_________________ := 1%Z in Derive_n (fun z__________________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z__________________) 3 (IZR z_________________))) ->
+  Q1_0_of_t__ (Q (m - 3)%Z) = Q1 0%Z ->
+  Q1_1_of_t__ (Q (m - 3)%Z) = Q1 1%Z ->
+  Q1_2_of_t__ (Q (m - 3)%Z) = Q1 2%Z ->
+  Q1_3_of_t__ (Q (m - 3)%Z) = Q1 3%Z ->
+  (forall t__ : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 0%Z = F (update1 Q (m - 3)%Z t__) m mu nu 1%Z) ->
+  (forall t__ : R, (let z__________________ := 0%Z in Derive_n (fun z___________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z___________________) 1 (IZR z__________________)) = (let z___________________ := 1%Z in Derive_n (fun z____________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z____________________) 1 (IZR z___________________))) ->
+  (forall t__ : R, (let z____________________ := 0%Z in Derive_n (fun z_____________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z_____________________) 2 (IZR z____________________)) = (let z_____________________ := 1%Z in Derive_n (fun z______________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z______________________) 2 (IZR z_____________________))) ->
+  (forall t__ : R, (let z______________________ := 0%Z in Derive_n (fun z_______________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z_______________________) 3 (IZR z______________________)) = (let z_______________________ := 1%Z in Derive_n (fun z________________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z________________________) 3 (IZR z_______________________))) ->
+  entry (mvec [[Derive_n (fun t => b1 mu1 n nu1 * ((update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) 3%Z - (update1 Q (m - 1)%Z t) m)) 1 (Q (m - 1)%Z); Derive_n (fun t_ => b1 mu1 n nu1 * ((update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) 3%Z - (update1 Q (m - 2)%Z t_) m)) 1 (Q (m - 2)%Z); Derive_n (fun t__ => b1 mu1 n nu1 * ((update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) 3%Z - (update1 Q (m - 3)%Z t__) m)) 1 (Q (m - 3)%Z)]] [1; 2; 3]) 1 - PI ^ 2 * (1 - mu) * b3 mu1 n nu1 / a1 mu1 n nu1 = b4_true m mu1 n nu nu1.
+Definition instance : Prop :=
+exists (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (Q1_0_of_t : R -> R) (Q1_1_of_t : R -> R) (Q1_2_of_t : R -> R) (Q1_3_of_t : R -> R) (Q1_0_of_t_ : R -> R) (Q1_1_of_t_ : R -> R) (Q1_2_of_t_ : R -> R) (Q1_3_of_t_ : R -> R) (Q1_0_of_t__ : R -> R) (Q1_1_of_t__ : R -> R) (Q1_2_of_t__ : R -> R) (Q1_3_of_t__ : R -> R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= mu1 <= 1 /\
+  (3 <= n)%Z /\
+  (-1) <= nu <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
+  F1 Q1 mu1 n nu1 0%Z = F Q m mu nu 1%Z /\
+  (let z := 0%Z in Derive_n (fun z_ => F1_ Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F_ Q m mu nu z__) 1 (IZR z_)) /\
+  (let z__ := 0%Z in Derive_n (fun z___ => F1_ Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F_ Q m mu nu z____) 2 (IZR z___)) /\
+  (let z____ := 0%Z in Derive_n (fun z_____ => F1_ Q1 mu1 n nu1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F_ Q m mu nu z______) 3 (IZR z_____)) /\
+  (0 <= 3 <= n)%Z /\
+  (0 <= m <= m)%Z /\
+  (0 <= m - 1 <= m)%Z /\
+  (0 <= m - 2 <= m)%Z /\
+  (0 <= m - 3 <= m)%Z /\
+  a1 mu1 n nu1 <> 0 /\
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 /\
+  4 * (IZR n - 2) * (IZR n - 3) + 4 * PI * (1 + mu1) * (IZR n - 2) + PI ^ 2 * (1 - nu1) <> 0 /\
+  4 * (IZR n - 3) * (IZR n - 4) + 6 * PI * (1 + mu1) * (IZR n - 3) + 3 * PI ^ 2 * (1 - nu1) <> 0 /\
+  Q1_0_of_t (Q (m - 1)%Z) = Q1 0%Z /\
+  Q1_1_of_t (Q (m - 1)%Z) = Q1 1%Z /\
+  Q1_2_of_t (Q (m - 1)%Z) = Q1 2%Z /\
+  Q1_3_of_t (Q (m - 1)%Z) = Q1 3%Z /\
+  (forall t : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 0%Z = F (update1 Q (m - 1)%Z t) m mu nu 1%Z) /\
+  (forall t : R, (let z______ := 0%Z in Derive_n (fun z_______ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z_______) 1 (IZR z______)) = (let z_______ := 1%Z in Derive_n (fun z________ => F_ (update1 Q (m - 1)%Z t) m mu nu z________) 1 (IZR z_______))) /\
+  (forall t : R, (let z________ := 0%Z in Derive_n (fun z_________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z_________) 2 (IZR z________)) = (let z_________ := 1%Z in Derive_n (fun z__________ => F_ (update1 Q (m - 1)%Z t) m mu nu z__________) 2 (IZR z_________))) /\
+  (forall t : R, (let z__________ := 0%Z in Derive_n (fun z___________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t t)) 1%Z (Q1_1_of_t t)) 2%Z (Q1_2_of_t t)) 3%Z (Q1_3_of_t t)) mu1 n nu1 z___________) 3 (IZR z__________)) = (let z___________ := 1%Z in Derive_n (fun z____________ => F_ (update1 Q (m - 1)%Z t) m mu nu z____________) 3 (IZR z___________))) /\
+  Q1_0_of_t_ (Q (m - 2)%Z) = Q1 0%Z /\
+  Q1_1_of_t_ (Q (m - 2)%Z) = Q1 1%Z /\
+  Q1_2_of_t_ (Q (m - 2)%Z) = Q1 2%Z /\
+  Q1_3_of_t_ (Q (m - 2)%Z) = Q1 3%Z /\
+  (forall t_ : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 0%Z = F (update1 Q (m - 2)%Z t_) m mu nu 1%Z) /\
+  (forall t_ : R, (let z____________ := 0%Z in Derive_n (fun z_____________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_____________) 1 (IZR z____________)) = (let z_____________ := 1%Z in Derive_n (fun z______________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z______________) 1 (IZR z_____________))) /\
+  (forall t_ : R, (let z______________ := 0%Z in Derive_n (fun z_______________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_______________) 2 (IZR z______________)) = (let z_______________ := 1%Z in Derive_n (fun z________________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z________________) 2 (IZR z_______________))) /\
+  (forall t_ : R, (let z________________ := 0%Z in Derive_n (fun z_________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t_ t_)) 1%Z (Q1_1_of_t_ t_)) 2%Z (Q1_2_of_t_ t_)) 3%Z (Q1_3_of_t_ t_)) mu1 n nu1 z_________________) 3 (IZR z________________)) = (let z_________________ := 1%Z in Derive_n (fun z__________________ => F_ (update1 Q (m - 2)%Z t_) m mu nu z__________________) 3 (IZR z_________________))) /\
+  Q1_0_of_t__ (Q (m - 3)%Z) = Q1 0%Z /\
+  Q1_1_of_t__ (Q (m - 3)%Z) = Q1 1%Z /\
+  Q1_2_of_t__ (Q (m - 3)%Z) = Q1 2%Z /\
+  Q1_3_of_t__ (Q (m - 3)%Z) = Q1 3%Z /\
+  (forall t__ : R, F1 (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 0%Z = F (update1 Q (m - 3)%Z t__) m mu nu 1%Z) /\
+  (forall t__ : R, (let z__________________ := 0%Z in Derive_n (fun z___________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z___________________) 1 (IZR z__________________)) = (let z___________________ := 1%Z in Derive_n (fun z____________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z____________________) 1 (IZR z___________________))) /\
+  (forall t__ : R, (let z____________________ := 0%Z in Derive_n (fun z_____________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z_____________________) 2 (IZR z____________________)) = (let z_____________________ := 1%Z in Derive_n (fun z______________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z______________________) 2 (IZR z_____________________))) /\
+  (forall t__ : R, (let z______________________ := 0%Z in Derive_n (fun z_______________________ => F1_ (update1 (update1 (update1 (update1 Q1 0%Z (Q1_0_of_t__ t__)) 1%Z (Q1_1_of_t__ t__)) 2%Z (Q1_2_of_t__ t__)) 3%Z (Q1_3_of_t__ t__)) mu1 n nu1 z_______________________) 3 (IZR z______________________)) = (let z_______________________ := 1%Z in Derive_n (fun z________________________ => F_ (update1 Q (m - 3)%Z t__) m mu nu z________________________) 3 (IZR z_______________________))).
+End thm_2_b4_true.
 
 Module thm_2_c1.
 (* gbt-surfaces/thm-2.c1, Sect. 2.2, coefficients after eq. (6)

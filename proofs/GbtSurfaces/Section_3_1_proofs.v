@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtSurfaces Require Section_3_1.
 Import GbtSurfaces.Section_3_1.Definitions.
 Open Scope R_scope.
@@ -43,6 +43,12 @@ Proof. cbv beta zeta delta [statement f T F F_]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f T F F_]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), 8, (6), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), 1, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End sec_3_1_translating.
+
+Module sec_3_1_not_tensor_literal.
+Import GbtSurfaces.Section_3_1.sec_3_1_not_tensor_literal.
+Theorem refuted : ~ statement.
+Proof. cbv beta zeta delta [statement]; intro no; apply (no 2%Z (fun _ => 0) 0 1 0 0 0 0); [ lra | lia | lra | lra | lra | lra | ]; clear; intros m Q V alpha mu nu z z1 _ _ _ _ _ _ _; cbv beta delta [T net3]; apply sum_ext; intros k _; generalize (f z mu nu k m); intro g; rewrite Rmult_comm; f_equal; cbv beta delta [f]; compute_goal; pose proof (sin2_cos2 (PI / 2 * z1)) as E; unfold Rsqr in E; generalize dependent (sin (PI / 2 * z1)); generalize dependent (cos (PI / 2 * z1)); intros c s E; assert (F : s * s = 1 - c * c) by lra; ring [F]. Qed.
+End sec_3_1_not_tensor_literal.
 
 Module sec_3_1_not_tensor_as_it_stands.
 Import GbtSurfaces.Section_3_1.sec_3_1_not_tensor_as_it_stands.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtSurfaces Require Section_3_2.
 Import GbtSurfaces.Section_3_2.Definitions.
 Open Scope R_scope.
@@ -75,6 +75,14 @@ Proof. cbv beta zeta delta [statement f T]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f T]; first [(exists (2)%Z, (2)%Z, (fun _ _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 i1 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 2 * i1 * i1 * i1 + 8 * i1 + 5 * i0 * i1 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_2_list_1.
+
+Module sec_3_2_list_2.
+Import GbtSurfaces.Section_3_2.sec_3_2_list_2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement R_ T f]; intros; repeat split; [ apply sum_ext; intros; f_equal; curve_at_end; reflexivity .. | | ]; [ rewrite (sum_ext 0 m _ (fun k => A * basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] k m + (B - A) * (basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] k m * t k))) by (intros; ring); rewrite sum_plus, !sum_scal; rewrite unity_of_three by (lia || lra); ring | intros; nonnegative ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; exists 2%Z, 2%Z, 0, 0, (fun _ _ => 0), 0, 0, 0, 0, (fun _ => 0), 0, 0; conjuncts; first [ lia | intros; lia | lra ]. Qed.
+End sec_3_2_list_2.
 
 Module sec_3_2_list_3.
 Import GbtSurfaces.Section_3_2.sec_3_2_list_3.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtSurfaces Require Section_3_3.
 Import GbtSurfaces.Section_3_3.Definitions.
 Open Scope R_scope.
@@ -11,6 +11,20 @@ Proof. cbv beta zeta delta [statement f L0 L1 S_ S__]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f L0 L1 S_ S__]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End sec_3_3_generatrix.
+
+Module sec_3_3_same_degree_literal.
+Import GbtSurfaces.Section_3_3.sec_3_3_same_degree_literal.
+Theorem refuted : ~ statement.
+Proof. cbv beta zeta delta [statement]; intro no; apply (no (fun _ => 0) 0 0 0 0 0); [ lra | lra | clear; intros B P R_ W z z1 _ _; cbv beta delta [cubic quartic raised f b]; compute_goal; pose proof (sin2_cos2 (PI / 2 * z)) as E; unfold Rsqr in E; generalize dependent (sin (PI / 2 * z)); generalize dependent (cos (PI / 2 * z)); intros c s E; assert (F : s * s = 1 - c * c) by lra; field_simplify_eq; ring [F] ]. Qed.
+End sec_3_3_same_degree_literal.
+
+Module sec_3_3_same_degree_in_general.
+Import GbtSurfaces.Section_3_3.sec_3_3_same_degree_in_general.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement quartic quartic_ cubic cubic_ f]; intros; intro no; refuting_at_ends (no (fun i => nth (Z.to_nat i) [0; 0; 0; 1] 0) (fun i => nth (Z.to_nat i) [0; 0; 0; 2 / (4 + PI); 1] 0) (1 / 2)). Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance quartic quartic_ cubic cubic_ f]; exists (fun _ => 0), (fun _ => 0), 0; lists; conjuncts; first [ lra | ends_of_sums; ring ]. Qed.
+End sec_3_3_same_degree_in_general.
 
 Module eq_17_0.
 Import GbtSurfaces.Section_3_3.eq_17_0.
@@ -148,6 +162,14 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement b f with_own tensor] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
 End prop_3_4_a_with_f_l.
 
+Module prop_3_4_a_net.
+Import GbtSurfaces.Section_3_3.prop_3_4_a_net.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement any any_ line line_ f]; intros; intro no; refuting_at_ends (no (fun i => nth (Z.to_nat i) [0; 1; 0] 0) (fun _ => 0) 0 (-1) 0 0 (1 / 2)). Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance any any_ line line_ f]; exists (fun _ => 0), (fun _ => 0), 0, 0, 0, 0, 0; lists; conjuncts; first [ lra | ends_of_sums; ring ]. Qed.
+End prop_3_4_a_net.
+
 Module prop_3_4_b.
 Import GbtSurfaces.Section_3_3.prop_3_4_b.
 Theorem proved : statement.
@@ -183,6 +205,14 @@ Import GbtSurfaces.Section_3_3.alg_3_b_by_the_printed_conditions.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 b1 b2 c1 b3 b4 printed13 third fourth f F1 other F pair F1_ other_ F_ pair_] in no; refuting_at_ends (no 3%Z 3%Z (fun i => nth (Z.to_nat i) [0; 0; -1; 0] 0) (fun i => nth (Z.to_nat i) [0; 1; -1; 16] 0) (fun _ => 0) (fun _ => 0) 1 (-1) (-1) 0 1). Qed.
 End alg_3_b_by_the_printed_conditions.
+
+Module alg_3_b_there_are_such_connections.
+Import GbtSurfaces.Section_3_3.alg_3_b_there_are_such_connections.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement a1 a2 b1 c1 b3_true f a join1 a3_true join2 b2_true b5_true b4_true join3 next next_ other other_ pair pair_ F F_]; intros; conjuncts; ends_of_sums; field; nonzero. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance a1 b1]; exists 3%Z, (fun _ => 0), (fun _ => 0), 0, 0, 0; conjuncts; first [ lia | intros; lia | lra | numeric ]. Qed.
+End alg_3_b_there_are_such_connections.
 
 Module ex_3_3_curves.
 Import GbtSurfaces.Section_3_3.ex_3_3_curves.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtSurfaces Require Section_3_4.
 Import GbtSurfaces.Section_3_4.Definitions.
 Open Scope R_scope.
@@ -223,6 +223,14 @@ Proof. cbv beta zeta delta [statement f FU2 FV2 FU FV swung along_trajectories j
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f FU2 FV2 FU FV swung along_trajectories jumpU jumpV]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (13), (14); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (4); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
 End sec_3_4_continuity_tc.
+
+Module sec_3_4_closed.
+Import GbtSurfaces.Section_3_4.sec_3_4_closed.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement gapz gapz1 gapz_ gapz1_ swung]; lists; intros lambda r theta u0 u1 v0 v1 w w0 w1 x x0 x1 L R0 A B C D N X; pose proof (sin2_cos2 theta) as E; unfold Rsqr in E; assert (K : lambda <> 0) by lra; assert (A' : lambda * r * (x1 - x0) = 0) by (transitivity (lambda * r * (x1 - x0) * (sin theta * sin theta + cos theta * cos theta)); [ rewrite E; ring | rewrite <- A; cbn; ring ]); assert (x1 = x0) by (assert (G : x1 - x0 = 0) by (apply (Rmult_eq_reg_l (lambda * r)); [ rewrite A'; ring | apply Rmult_integral_contrapositive_currified; assumption ]); lra); assert (w1 = w0) by (cbn in B; lra); assert (P : lambda * x <> 0) by (apply Rmult_integral_contrapositive_currified; assumption); assert (u1 = u0) by (apply (Rmult_eq_reg_l (lambda * x)); [ cbn in C; lra | exact P ]); assert (v1 = v0) by (apply (Rmult_eq_reg_l (lambda * x)); [ cbn in D; lra | exact P ]); repeat split; try assumption; compute_goal; parts; ring. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance gapz gapz1 swung]; exists 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0; lists; conjuncts; first [ lra | cbn; ring ]. Qed.
+End sec_3_4_closed.
 
 Module sec_3_4_revolution.
 Import GbtSurfaces.Section_3_4.sec_3_4_revolution.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtSurfaces Require Section_3_5.
 Import GbtSurfaces.Section_3_5.Definitions.
 Open Scope R_scope.
@@ -148,11 +148,27 @@ Theorem met : instance.
 Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [instance gap]; exists 0, 0, 0, 0; conjuncts; first [ lra | intros; lia | rows_added first T1; rows_added second T2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f T1 T2]; orders; cbn [row nth pred]; written_out; ends_of_sums; parts; field ]. Qed.
 End ex_3_5_c1_trajectories.
 
+Module ex_3_5_c2_sections.
+Import GbtSurfaces.Section_3_5.ex_3_5_c2_sections.
+Theorem proved : statement.
+Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [statement gap]; intros mu mu1 nu nu1 H N; rows_added first S1; rows_added second S2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f S1 S2]; orders; cbn [row nth pred]; written_out; ends_of_sums; intros E1 E2 D; injection E1; injection E2; clear E1 E2; intros; pose proof PI_RGT_0 as P; assert (mu1 = nu) by (apply Rmult_eq_reg_l with PI; [ lra | apply PI_neq0 ]); subst mu1; assert (Q : PI ^ 2 <> 0) by (apply pow_nonzero, PI_neq0); assert (M : nu1 = mu) by (apply Rmult_eq_reg_l with (PI ^ 2); [ lra | exact Q ]); assert (V : (2 + PI) * nu = - 2) by (subst nu1; apply Rmult_eq_reg_l with PI; [ lra | apply PI_neq0 ]); repeat split; try lra; [ parts; ring | apply Rmult_eq_reg_l with (2 + PI); [ rewrite V; field; exact D | exact D ] | nra | nra ]. Qed.
+Theorem met : instance.
+Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [instance gap]; exists 0, (- 2 / (2 + PI)), (- 2 / (2 + PI)), (0); pose proof PI_RGT_0; conjuncts; first [ lra | intros; lia | rows_added first S1; rows_added second S2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f S1 S2]; orders; cbn [row nth pred]; written_out; ends_of_sums; parts; field; lra ]. Qed.
+End ex_3_5_c2_sections.
+
 Module ex_3_5_c2_trajectories.
 Import GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories.
 Theorem refuted : ~ statement.
 Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [statement gap not]; intro no; specialize (no 1 (- 2 / (2 + PI)) (- 2 / (2 + PI)) ((10 + PI) / (2 + PI)) ltac:(lra) ltac:(intros; lia)); revert no; rows_added first T1; rows_added second T2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f T1 T2]; orders; cbn [row nth pred]; written_out; ends_of_sums; intro no; pose proof PI_RGT_0; destruct (no ltac:(parts; field; lra) ltac:(parts; field; lra)) as (_ & _ & _ & C); revert C; apply Rlt_not_le; numeric. Qed.
 End ex_3_5_c2_trajectories.
+
+Module ex_3_5_c2_trajectories_true.
+Import GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories_true.
+Theorem proved : statement.
+Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [statement gap]; intros mu mu1 nu nu1 H N; rows_added first T1; rows_added second T2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f T1 T2]; orders; cbn [row nth pred]; written_out; ends_of_sums; intros E1 E2 D; injection E1; injection E2; clear E1 E2; intros; pose proof PI_RGT_0 as P; assert (mu1 = nu) by (apply Rmult_eq_reg_l with PI; [ lra | apply PI_neq0 ]); subst mu1; assert (Q : PI ^ 2 <> 0) by (apply pow_nonzero, PI_neq0); assert (V : (2 + PI) * nu = - 2) by (apply Rmult_eq_reg_l with PI; [ lra | apply PI_neq0 ]); assert (V' : nu = - 2 / (2 + PI)) by (apply Rmult_eq_reg_l with (2 + PI); [ rewrite V; field; exact D | exact D ]); assert (M : nu1 = 2 - 4 * nu - mu) by (apply Rmult_eq_reg_l with (PI ^ 2); [ lra | exact Q ]); repeat split; [ exact V' | rewrite M, V'; field; exact D | assert (nu < 0) by nra; lra ]. Qed.
+Theorem met : instance.
+Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [instance gap]; exists 0, (- 2 / (2 + PI)), (- 2 / (2 + PI)), (2 + 8 / (2 + PI)); pose proof PI_RGT_0; conjuncts; first [ lra | intros; lia | rows_added first T1; rows_added second T2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f T1 T2]; orders; cbn [row nth pred]; written_out; ends_of_sums; parts; field; lra ]. Qed.
+End ex_3_5_c2_trajectories_true.
 
 Module ex_3_5_contiguous_each_with_its_own.
 Import GbtSurfaces.Section_3_5.ex_3_5_contiguous_each_with_its_own.

@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From Hyperbolic Require Part_Curves.
 Import Hyperbolic.Part_Curves.Definitions.
 Open Scope R_scope.
@@ -71,6 +71,12 @@ Proof. cbv beta zeta delta [statement h F s]; symbolic. Qed.
 Theorem met : instance.
 Proof. let of_exponentials := fun powers => (pose proof ln_lt_2; conjuncts; lazymatch goal with |- locally _ _ => apply filter_forall; let y := fresh in intro y; pose proof (exp_pos y); pose proof (exp_pos (- y)); lra | |- forall _, _ => intros; powers tt; numeric | |- _ => first [lia | powers tt; first [numeric | lra]] end) in let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [instance]; exists 2%Z, (fun _ => 0), (2 * ln 2); of_exponentials powers_of_two. Qed.
 End shape_d1.
+
+Module shape_d1_slip.
+Import Hyperbolic.Part_Curves.shape_d1_slip.
+Theorem refuted : ~ statement.
+Proof. let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [statement F h s]; intro no; assert (L : 0 < ln 2) by (pose proof ln_lt_2; lra); assert (C := no 2%Z (fun i => if Z.eqb i 1 then 1 else 0) (2 * ln 2) ltac:(lia) ltac:(lra) ltac:(intros; powers_of_two tt; numeric) ltac:(powers_of_two tt; numeric) ltac:(lia) ltac:(lia)); clear no; revert C; compute_goal; assert (N : ((exp (2 * ln 2 / 2) - exp (- (2 * ln 2 / 2))) / 2) ^ 2 <> 0) by (powers_of_two tt; numeric); derivatives; powers_of_two tt; intro C; lra. Qed.
+End shape_d1_slip.
 
 Module shape_slope.
 Import Hyperbolic.Part_Curves.shape_slope.

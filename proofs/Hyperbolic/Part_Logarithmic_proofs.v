@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From Hyperbolic Require Part_Logarithmic.
 Import Hyperbolic.Part_Logarithmic.Definitions.
 Open Scope R_scope.
@@ -9,6 +9,12 @@ Import Hyperbolic.Part_Logarithmic.spiral_angle.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement S_]; identity. Qed.
 End spiral_angle.
+
+Module spiral_angle_slip.
+Import Hyperbolic.Part_Logarithmic.spiral_angle_slip.
+Theorem refuted : ~ statement.
+Proof. cbv beta zeta delta [statement S_]; intro no; generalize (no 1 0); compute_goal; derivatives; rewrite ?Rmult_0_r, ?cos_0, ?sin_0, ?exp_0; intro C; lra. Qed.
+End spiral_angle_slip.
 
 Module spiral_regular.
 Import Hyperbolic.Part_Logarithmic.spiral_regular.

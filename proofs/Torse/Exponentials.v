@@ -20,6 +20,18 @@ Lemma exp_opp_zero : exp (- 0) = 1. Proof. rewrite Ropp_0. apply exp_0. Qed.
 Lemma exp_inverse a : exp a * exp (- a) = 1.
 Proof. rewrite <- exp_plus, <- exp_0. f_equal. ring. Qed.
 
+(* order, of hyperbolic sines and cosines too *)
+Lemma exp_at_most x y : x <= y -> exp x <= exp y.
+Proof. intro H. destruct (Rle_lt_or_eq_dec x y H) as [L|<-]; [left; apply exp_increasing, L | right; reflexivity]. Qed.
+Lemma sinh_at_most x y : x <= y -> (exp x - exp (- x)) / 2 <= (exp y - exp (- y)) / 2.
+Proof. intro H. pose proof (exp_at_most x y H). pose proof (exp_at_most (- y) (- x) ltac:(lra)). lra. Qed.
+Lemma sinh_nonnegative x : 0 <= x -> 0 <= (exp x - exp (- x)) / 2.
+Proof. intro H. pose proof (sinh_at_most 0 x H) as L. rewrite Ropp_0 in L. lra. Qed.
+Lemma sinh_positive x : 0 < x -> 0 < (exp x - exp (- x)) / 2.
+Proof. intro H. pose proof (exp_increasing (- x) x ltac:(lra)). lra. Qed.
+Lemma cosh_positive x : 0 < (exp x + exp (- x)) / 2.
+Proof. pose proof (exp_pos x). pose proof (exp_pos (- x)). lra. Qed.
+
 Lemma exp_sum a : 2 <= exp a + exp (- a).
 Proof.
   pose proof (exp_inverse a) as E. pose proof (exp_pos a). pose proof (exp_pos (- a)).

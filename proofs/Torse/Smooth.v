@@ -143,3 +143,18 @@ Ltac spread_derivatives := orders; repeat match goal with
       | fun x => @?u x / ?c => by_rate (rate_over c u n p)
       end
   end.
+
+(* points of ruled surfaces, along a directrix whose velocity is known *)
+Lemma rate_along f c c1 r r1 : ex_derive f 0 ->
+  Derive_n (fun t => c + 1 * t * c1 + f t * (r + 1 * t * r1)) 1 0 = c1 + Derive f 0 * r + f 0 * r1.
+Proof.
+  intro F. cbn [Derive_n]. apply is_derive_unique. auto_derive; [repeat split; exact F|].
+  change (fun x : R => f x) with f. ring.
+Qed.
+Lemma mixed_rate a b c d v :
+  Derive_n (fun s => Derive_n (fun t => a + 1 * t * b + (v + s) * (c + 1 * t * d)) 1 0) 1 0 = d.
+Proof.
+  cbn [Derive_n].
+  rewrite (Derive_ext _ (fun s => b + (v + s) * d)) by (intro s; apply is_derive_unique; auto_derive; [exact I | ring]).
+  apply is_derive_unique. auto_derive; [exact I | ring].
+Qed.

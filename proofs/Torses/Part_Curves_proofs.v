@@ -1,5 +1,5 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From Torses Require Part_Curves.
 Open Scope R_scope.
 
@@ -22,6 +22,14 @@ Proof. cbv beta zeta delta [statement k2]; combined. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance k2]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (11), (12), (13), (14); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), (0), (0), (0); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (2), (11), (1), (4); met) | (exists 7, 7, 2, 7, 7, 2, 7, 7, 2, (1), (1), (1), (1); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (1), (0), (0), (0); met)]. Qed.
 End curve_curvature.
+
+Module curve_torsion.
+Import Torses.Part_Curves.curve_torsion.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement tau]; intros a1 a2 a3 b1 b2 b3 c1 c2 c3 x y z f3 f2 f1 f0 u; match goal with |- context [vDerive 3 ?f 1 0] => replace (vDerive 3 f 1 0) with [f1 * c1; f1 * c2; f1 * c3] by (compute_goal; parts; derivatives; ring) end; match goal with |- context [vDerive 3 ?f 2 0] => replace (vDerive 3 f 2 0) with [f2 * c1 + f1 ^ 2 * b1; f2 * c2 + f1 ^ 2 * b2; f2 * c3 + f1 ^ 2 * b3] by (compute_goal; parts; derivatives; field) end; match goal with |- context [vDerive 3 ?f 3 0] => replace (vDerive 3 f 3 0) with [f3 * c1 + 3 * f1 * f2 * b1 + f1 ^ 3 * a1; f3 * c2 + 3 * f1 * f2 * b2 + f1 ^ 3 * a2; f3 * c3 + 3 * f1 * f2 * b3 + f1 ^ 3 * a3] by (compute_goal; parts; derivatives; field) end; compute_goal; intros _ F N D; match goal with |- ?a / ?b = ?c / ?d => replace a with (f1 ^ 6 * c) by ring; replace b with (f1 ^ 6 * d) by ring; let q := fresh in generalize dependent d; intros q ?; field; split; assumption end. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0; compute_goal; derivatives; repeat split; lra. Qed.
+End curve_torsion.
 
 Module curve_straight.
 Import Torses.Part_Curves.curve_straight.

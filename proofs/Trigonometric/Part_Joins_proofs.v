@@ -1,8 +1,16 @@
 (* Proofs: nothing here has to be read. *)
-From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Ends Hermite.
+From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From Trigonometric Require Part_Joins.
 Import Trigonometric.Part_Joins.Definitions.
 Open Scope R_scope.
+
+Module quadratic_join.
+Import Trigonometric.Part_Joins.quadratic_join.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement G F G_ a b c a_ b_ c_]; intros P R_ l l2 m m2 _ _ _ _; derivatives; rewrite ?sin_0, ?cos_0, ?sin_PI2, ?cos_PI2; intros A B N; apply (Rmult_eq_reg_l (1 + l2)); [ replace ((1 + l2) * (P 2%Z + (1 + m) / (1 + l2) * (P 2%Z - P 1%Z))) with ((1 + l2) * P 2%Z + (1 + m) * (P 2%Z - P 1%Z)) by (field; exact N); assert (E : R_ 0%Z = P 2%Z) by lra; rewrite E in B; lra | exact N ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance G F G_ a b c a_ b_ c_]; exists (fun _ => 0), (fun _ => 0), 0, 0, 0, 0; repeat split; try lra; derivatives; ring. Qed.
+End quadratic_join.
 
 Module quadratic_join_slip.
 Import Trigonometric.Part_Joins.quadratic_join_slip.

@@ -4,16 +4,17 @@
 //! the derivative along the solutions (`derivations/SEMANTICS.md`). So a statement with the coefficient of `p0` in a form
 //! with the unknown `A` is about every function `A_of_p0` whose values are solutions: it has the value `A` at the symbol's
 //! own value, and `forall p0, ...` the equations with `A_of_p0 p0` for `A`. The coefficient is
-//! `Derive_n (fun p0 => form with A_of_p0 p0) 1 p0`.
+//! `Derive_n (fun p0 => form with A_of_p0 p0) 1 p0`. Where the symbol is a member `Q k` of a family, it is a variable t and
+//! `update1 Q k t` stands for the family; where an unknown is a member `P 0`, `update1 P 0 (P_0_of_t t)` does.
 
 use crate::binder::Binder;
 use crate::code::{Code, Level};
 use crate::context::Context;
 use crate::defined::mentions;
 use crate::gap::Gap;
-use crate::unknowns::{Along, FUNCTION};
+use crate::unknowns::{Along, FUNCTION, Function};
 use std::sync::Arc;
-use torse_language::core::{Claim, Node, Set, Source, Statement, Term};
+use torse_language::core::{Claim, Set, Source, Statement, Term};
 use torse_language::syntax::{Connective, Relation};
 
 /// What a statement with such functions has besides.
@@ -30,29 +31,59 @@ impl Context<'_> {
     ///
     /// # Errors
     /// [`Gap`] for unknowns that are no plain numbers.
-    pub(crate) fn along(&mut self, symbol: &Arc<str>, unknowns: &[Term]) -> Result<Along, Gap> {
-        if let Some(known) = self.alongs().iter().find(|along| along.symbol == *symbol) {
+    pub(crate) fn along(&mut self, symbol: &Term, unknowns: &[Term]) -> Result<Along, Gap> {
+        let place = self.place(symbol)?;
+        let own = place.own();
+        if let Some(known) = self.alongs().iter().find(|along| along.own == own) {
             return Ok(known.clone());
         }
-        let name = self.symbol(symbol)?.to_owned();
-        let mut functions = vec![];
-        for unknown in unknowns {
-            let (Node::Symbol(declared) | Node::Vector(declared, None)) = &*unknown.node else {
-                return Err(Gap::Theory(
-                    "coefficients along equations for members or coordinates",
-                ));
-            };
-            let own = self.symbol(declared)?.to_owned();
-            functions.push((
-                Arc::clone(declared),
-                self.fresh(&format!("{own}_of_{name}")),
-            ));
-        }
-        let along = Along {
-            symbol: Arc::clone(symbol),
-            name,
-            functions,
+        let (family, is_member) = (Arc::clone(&place.declared), place.is_member());
+        let variable = match is_member {
+            true => self.fresh("t"),
+            false => place.name.clone(),
         };
+        let mut along = Along {
+            symbol: Arc::clone(&family),
+            own,
+            moved: vec![],
+            functions: vec![],
+            has_members: is_member,
+            variable,
+        };
+        if is_member {
+            let changed = place.with(&place.name, &Code::atom(&along.variable))?;
+            along.moved.push((Arc::clone(&family), changed.argument()));
+        }
+        for unknown in unknowns {
+            let place = self.place(unknown)?;
+            if place.declared == family {
+                return Err(Gap::Theory(
+                    "coefficients of a member along equations for others of its family",
+                ));
+            }
+            let like = match place.label() {
+                Some(label) => format!("{}_{label}_of_{}", place.name, along.variable),
+                None => format!("{}_of_{}", place.name, along.variable),
+            };
+            let name = self.fresh(&like);
+            let value = Code::apply(&name, &[Code::atom(&along.variable)]);
+            // Members of one family are replaced one after the other.
+            let known = along
+                .moved
+                .iter()
+                .position(|(own, _)| *own == place.declared);
+            let before = known.map(|known| along.moved.swap_remove(known).1);
+            let changed = place.with(&before.unwrap_or_else(|| place.name.clone()), &value)?;
+            along
+                .moved
+                .push((Arc::clone(&place.declared), changed.argument()));
+            along.has_members |= place.is_member();
+            along.functions.push(Function {
+                unknown: Arc::clone(&place.declared),
+                name,
+                own: place.own(),
+            });
+        }
         self.add_along(along.clone());
         Ok(along)
     }
@@ -65,22 +96,24 @@ impl Context<'_> {
 pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, Gap> {
     let mut all = Functions::default();
     for along in context.alongs().to_vec() {
-        for (unknown, function) in &along.functions {
+        for function in &along.functions {
             all.binders.push(Binder {
-                symbol: Arc::clone(unknown),
-                names: vec![function.clone()],
+                symbol: Arc::clone(&function.unknown),
+                names: vec![function.name.clone()],
                 rocq_type: FUNCTION.to_owned(),
                 together: None,
             });
-            let value = Code::apply(function, &[Code::atom(&along.name)]);
-            let here = Code::atom(context.symbol(unknown)?);
-            all.premises
-                .push(Code::infix(&value, "=", &here, Level::Relation));
+            let value = Code::apply(&function.name, std::slice::from_ref(&along.own));
+            let premise = Code::infix(&value, "=", &function.own, Level::Relation);
+            all.premises.push(premise);
         }
         // The symbol takes every value here, so its set is to be the line.
-        if !matches!(context.symbols.get(&along.symbol), Some(Set::Real(interval)) if interval.lower.is_none() && interval.upper.is_none())
-            && !matches!(context.symbols.get(&along.symbol), Some(Set::Vector(None)))
-        {
+        let is_line = match context.symbols.get(&along.symbol) {
+            Some(Set::Real(interval)) => interval.lower.is_none() && interval.upper.is_none(),
+            Some(Set::Vector(None) | Set::Family { .. }) => true,
+            _ => false,
+        };
+        if !is_line {
             return Err(Gap::Theory(
                 "coefficients of symbols of an interval along equations",
             ));
@@ -97,22 +130,21 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
             }
             let defined = crate::said::defined(context, [&hypothesis.statement])?;
             let moves = |text: &str| {
-                mentions(text, &along.name)
-                    || along.functions.iter().any(|(unknown, _)| {
-                        context
-                            .symbol(unknown)
-                            .is_ok_and(|name| mentions(text, name))
-                    })
+                let moving = along.moved.iter().map(|(declared, _)| declared);
+                moving.chain([&along.symbol]).any(|declared| {
+                    let name = context.symbol(declared);
+                    name.is_ok_and(|name| mentions(text, name))
+                })
             };
             if defined.iter().any(|premise| moves(premise.text())) {
                 return Err(Gap::Theory(
                     "equations that divide by what moves along them",
                 ));
             }
-            let before = context.moved(along.values());
+            let before = context.moved(along.moved.clone());
             let equations = crate::said::said(context, &hypothesis.statement, claim);
             context.moved(before);
-            let text = format!("forall {} : R, {}", along.name, equations?.text());
+            let text = format!("forall {} : R, {}", along.variable, equations?.text());
             all.premises.push(Code::new(text, Level::Open));
         }
     }

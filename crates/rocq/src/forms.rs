@@ -10,9 +10,9 @@ use crate::context::{Context, Used, Value};
 use crate::defined::{Premises, mentions};
 use crate::degree::is_linear;
 use crate::gap::Gap;
+use crate::place::declared;
 use crate::shape::Shape;
-use std::sync::Arc;
-use torse_language::core::{Node, Points, Set, Term};
+use torse_language::core::{Node, Set, Term};
 
 const NO_LIST: Gap = Gap::Construct("`coefficients` of what is no list");
 
@@ -36,7 +36,7 @@ impl Context<'_> {
     }
 
     fn coefficient(&mut self, form: &Term, symbol: &Term) -> Result<Code, Gap> {
-        let declared = target(symbol)?;
+        let declared = declared(symbol)?;
         if matches!(self.symbols.get(declared), Some(Set::Integer { .. })) {
             return Err(Gap::Construct("`coefficients` of integers"));
         }
@@ -44,21 +44,27 @@ impl Context<'_> {
             return Err(Gap::Construct("coefficients of unknowns of equations"));
         }
         if self.has_unknowns(form) {
-            return self.coefficient_along(form, declared);
+            return self.coefficient_along(form, symbol);
         }
         if !is_linear(form, declared) {
             self.unclear_forms(true);
         }
-        if let Node::Member(points, indices) = &*symbol.node {
-            return self.coefficient_of_member(form, points, indices);
+        let place = self.place(symbol)?;
+        if !place.is_member() {
+            let body = self.number(form)?;
+            return Ok(derivative(&place.name, &body, &place.own()));
         }
-        let name = self.symbol(declared)?.to_owned();
-        let body = self.number(form)?;
-        Ok(derivative(&name, &body, &Code::atom(&name)))
+        let variable = self.fresh("t");
+        let changed = place.with(&place.name, &Code::atom(&variable))?.argument();
+        let before = self.moved(vec![(place.declared.clone(), changed)]);
+        let body = self.number(form);
+        self.moved(before);
+        self.free(&variable);
+        Ok(derivative(&variable, &body?, &place.own()))
     }
 
     /// Along equations: the unknowns are functions of the symbol.
-    fn coefficient_along(&mut self, form: &Term, symbol: &Arc<str>) -> Result<Code, Gap> {
+    fn coefficient_along(&mut self, form: &Term, symbol: &Term) -> Result<Code, Gap> {
         // The functions of a statement are not arguments of its definitions.
         if self.is_in_definition() || !Used::of(form).variables.is_empty() {
             return Err(Gap::Theory(
@@ -67,44 +73,10 @@ impl Context<'_> {
         }
         let unknowns = self.unknowns().to_vec();
         let along = self.along(symbol, &unknowns)?;
-        let before = self.moved(along.values());
+        let before = self.moved(along.moved);
         let body = self.number(form);
         self.moved(before);
-        Ok(derivative(&along.name, &body?, &Code::atom(&along.name)))
-    }
-
-    /// By a member of a family: the family with another number in its place.
-    fn coefficient_of_member(
-        &mut self,
-        form: &Term,
-        points: &Arc<Points>,
-        indices: &[Term],
-    ) -> Result<Code, Gap> {
-        let update = match indices {
-            [_] => "update1",
-            [_, _] => "update2",
-            _ => {
-                return Err(Gap::Construct(
-                    "`coefficients` of members with many indices",
-                ));
-            }
-        };
-        if points.dimension.is_some_and(|dimension| dimension > 1) {
-            return Err(Gap::Construct("`coefficients` of members that are vectors"));
-        }
-        let codes = indices.iter().map(|index| self.index(index));
-        let mut codes = codes.collect::<Result<Vec<_>, _>>()?;
-        let name = self.symbol(&points.name)?.to_owned();
-        let own = Code::apply(&name, &codes);
-        let variable = self.fresh("t");
-        codes.insert(0, Code::atom(name));
-        codes.push(Code::atom(&variable));
-        let changed = Code::apply(update, &codes).argument();
-        let before = self.moved(vec![(Arc::clone(&points.name), changed)]);
-        let body = self.number(form);
-        self.moved(before);
-        self.free(&variable);
-        Ok(derivative(&variable, &body?, &own))
+        Ok(derivative(&along.variable, &body?, &along.own))
     }
 
     /// The premises of forms, which have to be defined whatever their symbols are.
@@ -118,7 +90,7 @@ impl Context<'_> {
         };
         let found = self.gathered(forms, premises)?;
         for symbol in items(symbols).ok_or(NO_LIST)? {
-            let name = self.symbol(target(symbol)?)?;
+            let name = self.symbol(declared(symbol)?)?;
             if found.iter().any(|premise| mentions(premise.text(), name)) {
                 return Err(Gap::Construct(
                     "forms that divide by what they are forms in",
@@ -133,15 +105,6 @@ impl Context<'_> {
 fn derivative(variable: &str, form: &Code, at: &Code) -> Code {
     let function = Code::new(format!("fun {variable} => {}", form.text()), Level::Open);
     Code::apply("Derive_n", &[function, Code::atom("1"), at.clone()])
-}
-
-/// The declared name of a symbol or a member.
-fn target(symbol: &Term) -> Result<&Arc<str>, Gap> {
-    match &*symbol.node {
-        Node::Symbol(name) | Node::Vector(name, None) => Ok(name),
-        Node::Member(points, _) => Ok(&points.name),
-        _ => Err(Gap::Construct("`coefficients` of what is no symbol")),
-    }
 }
 
 /// The terms of a list, through definitions.

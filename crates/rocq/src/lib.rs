@@ -35,6 +35,7 @@ pub mod library;
 pub mod merge;
 mod modules;
 pub mod name;
+mod place;
 pub mod point;
 pub mod proposition;
 pub mod said;

@@ -1,7 +1,7 @@
 //! The library that is written by hand.
 
 /// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
-pub const LIBRARY: [(&str, &str); 21] = [
+pub const LIBRARY: [(&str, &str); 24] = [
     ("Torse/Defs.v", include_str!("../../../proofs/Torse/Defs.v")),
     (
         "Torse/Series.v",
@@ -72,9 +72,21 @@ pub const LIBRARY: [(&str, &str); 21] = [
         "Torse/Smooth.v",
         include_str!("../../../proofs/Torse/Smooth.v"),
     ),
+    (
+        "Torse/Planes.v",
+        include_str!("../../../proofs/Torse/Planes.v"),
+    ),
     ("Torse/Ends.v", include_str!("../../../proofs/Torse/Ends.v")),
+    (
+        "Torse/Joins.v",
+        include_str!("../../../proofs/Torse/Joins.v"),
+    ),
     (
         "Torse/Hermite.v",
         include_str!("../../../proofs/Torse/Hermite.v"),
+    ),
+    (
+        "Torse/Positive.v",
+        include_str!("../../../proofs/Torse/Positive.v"),
     ),
 ];

@@ -111,12 +111,15 @@ pub fn solved_point(goal: &Goal, choice: Choice) -> Option<Vec<String>> {
         *values.get_mut(place)? = value_there;
     }
     for along in &goal.proposition.alongs {
-        for (unknown, function) in &along.functions {
-            let own = Some((&*along.symbol, along.name.as_str()));
+        if along.has_members {
+            return None;
+        }
+        for function in &along.functions {
+            let own = Some((&*along.symbol, along.variable.as_str()));
             let named = |name: &str, indices: &[&str]| number_of(own, name, indices);
-            let body = value(&goal.solved, unknown, &named)?;
-            let place = names.iter().position(|name| name == function)?;
-            *values.get_mut(place)? = format!("(fun {} => {body})", along.name);
+            let body = value(&goal.solved, &function.unknown, &named)?;
+            let place = names.iter().position(|name| *name == function.name)?;
+            *values.get_mut(place)? = format!("(fun {} => {body})", along.variable);
         }
     }
     Some(values)

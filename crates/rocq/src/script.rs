@@ -180,14 +180,17 @@ fn functions(goal: &Goal) -> Option<String> {
     for along in &goal.proposition.alongs {
         let mut equations = vec![];
         let mut closed = String::new();
-        for (unknown, function) in &along.functions {
-            let value = value(&goal.solved, unknown, &named)?;
-            equations.push(format!("{function} {} = {value}", along.name));
-            closed.push_str(&format!("function {function}; "));
+        if along.has_members {
+            return None;
+        }
+        for function in &along.functions {
+            let value = value(&goal.solved, &function.unknown, &named)?;
+            equations.push(format!("{} {} = {value}", function.name, along.variable));
+            closed.push_str(&format!("function {}; ", function.name));
         }
         text.push_str(&format!(
             "computed; intros; along (forall {} : R, {}); {closed}",
-            along.name,
+            along.variable,
             equations.join(" /\\ ")
         ));
     }

@@ -11,59 +11,61 @@ use torse_rocq::solutions::Solved;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
 
+/// Equations for members of a family, whose right sides are members of another.
+const MEMBERS: &str =
+    "given = ['P[0] == Q[m-1]', 'P[1] - P[0] == Q[0]']\nsolve_for = ['P[0]', 'P[1]']\n";
 /// Two equations for a and b, whose solution is a = (x + y)/2, b = (x - y)/2.
 const EQUATIONS: &str = "given = ['a + b == x', 'a - b == y']\nsolve_for = ['a', 'b']\n";
 
 /// A true statement under the equations, or without any, and a false one that differs from it by one edit.
-const PAIRS: [(&str, &str, bool); 8] = [
-    ("a == (x + y)/2", "a == (x - y)/2", true),
+const PAIRS: [(&str, &str, &str); 8] = [
+    ("a == (x + y)/2", "a == (x - y)/2", EQUATIONS),
     (
         "coefficients([a + 3*b], [x]) == [[2]]",
         "coefficients([a + 3*b], [x]) == [[3]]",
-        true,
+        EQUATIONS,
     ),
     (
         "coefficients([a, b], [x, y]) == [[1/2, 1/2], [1/2, -1/2]]",
         "coefficients([a, b], [x, y]) == [[1/2, 1/2], [1/2, 1/2]]",
-        true,
+        EQUATIONS,
     ),
     // A symbol that stands beside the unknowns moves too.
     (
         "coefficients([a*k + x*k], [x])[1, 1] == 3/2*k",
         "coefficients([a*k + x*k], [x])[1, 1] == 1/2*k",
-        true,
+        EQUATIONS,
     ),
     // No unknown occurs: the derivative as it stands.
     (
         "coefficients([3*x - y*k], [y])[1, 1] == -k",
         "coefficients([3*x - y*k], [y])[1, 1] == k",
-        true,
+        EQUATIONS,
     ),
     (
         "coefficients([3*P[0] - k*P[2]], [P[2], P[1]]) == [[-k, 0]]",
         "coefficients([3*P[0] - k*P[2]], [P[2], P[1]]) == [[-k, 3]]",
-        false,
+        "",
     ),
     (
         "coefficients([at(sum(i, 0, m, B[i,m](x)*Q[i]), x, 0)], [Q[0]])[1, 1] == 1",
         "coefficients([at(sum(i, 0, m, B[i,m](x)*Q[i]), x, 0)], [Q[1]])[1, 1] == 1",
-        false,
+        "",
     ),
     (
         "coefficients([T[1,0] - T[0,1]], [T[1,0]]) == [[1]]",
         "coefficients([T[1,0] - T[0,1]], [T[0,1]]) == [[1]]",
-        false,
+        "",
     ),
 ];
 
 /// The claims with these statements.
-fn claims(statements: &[(&str, bool)]) -> Vec<Claim> {
+fn claims(statements: &[(&str, &str)]) -> Vec<Claim> {
     let mut text = "[symbols]\nx = {}\ny = {}\nk = {}\na = {}\nb = {}\nm = { integer = '>= 2' }\n\
                     P = { family = 'any', indices = ['0..2'] }\nQ = { family = 'any', indices = ['0..m'] }\nT = { family = 'any', indices = ['0..1', '0..1'] }\n\
                     [basis.B]\nvariable = 'x'\ndegree = 0\nseeds = ['1']\nstep = ['1 - x', 'x']\n"
         .to_owned();
     for (place, (states, given)) in statements.iter().enumerate() {
-        let given = if *given { EQUATIONS } else { "" };
         text.push_str(&format!(
             "[[claim]]\nid = 'p/c{place}'\nat = 'Sect. 1'\nkind = 'identity'\nprinted = 'as stated'\n{given}states = '{states}'\n"
         ));
@@ -107,7 +109,7 @@ fn folder(claims: &[Claim], verdict: Verdict) -> Folder {
 #[test]
 fn an_unknown_is_a_function_of_the_symbol_whose_coefficient_is_asked_for() {
     let folder = folder(
-        &claims(&[("coefficients([a + 3*b], [x]) == [[2]]", true)]),
+        &claims(&[("coefficients([a + 3*b], [x]) == [[2]]", EQUATIONS)]),
         Verdict::Holds,
     );
     let text = &folder.files["P/Section_1.v"];
@@ -122,7 +124,7 @@ fn an_unknown_is_a_function_of_the_symbol_whose_coefficient_is_asked_for() {
 #[test]
 fn a_form_without_unknowns_is_differentiated_as_it_stands() {
     let folder = folder(
-        &claims(&[("coefficients([3*x - y*k], [y])[1, 1] == -k", true)]),
+        &claims(&[("coefficients([3*x - y*k], [y])[1, 1] == -k", EQUATIONS)]),
         Verdict::Holds,
     );
     let text = &folder.files["P/Section_1.v"];
@@ -134,12 +136,38 @@ fn a_form_without_unknowns_is_differentiated_as_it_stands() {
 #[test]
 fn a_member_is_replaced_in_its_family() {
     let folder = folder(
-        &claims(&[("coefficients([3*P[0] - P[2]], [P[2]])[1, 1] == -1", false)]),
+        &claims(&[("coefficients([3*P[0] - P[2]], [P[2]])[1, 1] == -1", "")]),
         Verdict::Holds,
     );
     let text = &folder.files["P/Section_1.v"];
     let form = "Derive_n (fun t => 3 * (update1 P 2%Z t) 0%Z - (update1 P 2%Z t) 2%Z) 1 (P 2%Z)";
     assert!(text.contains(form), "{text}");
+}
+
+#[test]
+fn members_move_along_equations_for_members_of_another_family() {
+    let states = "coefficients([P[1] - Q[0]], [Q[m-1]]) == [[1]]";
+    let folder = folder(&claims(&[(states, MEMBERS)]), Verdict::Holds);
+    let text = &folder.files["P/Section_1.v"];
+    let moved = "(update1 (update1 P 0%Z (P_0_of_t t)) 1%Z (P_1_of_t t))";
+    let parts = [
+        "(P_0_of_t : R -> R) (P_1_of_t : R -> R)".to_owned(),
+        "P_0_of_t (Q (m - 1)%Z) = P 0%Z ->\n  P_1_of_t (Q (m - 1)%Z) = P 1%Z ->".to_owned(),
+        format!("(forall t : R, {moved} 0%Z = (update1 Q (m - 1)%Z t) (m - 1)%Z)"),
+        format!("(forall t : R, {moved} 1%Z - {moved} 0%Z = (update1 Q (m - 1)%Z t) 0%Z)"),
+        format!(
+            "[[Derive_n (fun t => {moved} 1%Z - (update1 Q (m - 1)%Z t) 0%Z) 1 (Q (m - 1)%Z)]] = [[1]]"
+        ),
+    ];
+    for part in parts {
+        assert!(text.contains(&part), "{part}\n{text}");
+    }
+    // Whether two members of one family are the same is not known where an index is a symbol.
+    let other = MEMBERS.replace("P[0]", "Q[0]");
+    let folder = self::folder(&claims(&[(states, &other)]), Verdict::Holds);
+    assert_eq!(folder.theorems.len(), 0);
+    let reason = &folder.missing[0].reason;
+    assert!(reason.contains("for others of its family"), "{reason}");
 }
 
 #[test]
@@ -150,7 +178,7 @@ fn what_is_not_plainly_linear_is_not_refuted_or_denied() {
         ("not coefficients([y*sin(x)], [x]) == 0", Verdict::Holds),
     ];
     for (states, verdict) in refused {
-        let folder = folder(&claims(&[(states, false)]), verdict);
+        let folder = folder(&claims(&[(states, "")]), verdict);
         assert_eq!(folder.theorems.len(), 0, "{states}");
         assert!(
             folder.missing[0].reason.contains("not plainly linear"),
@@ -159,14 +187,14 @@ fn what_is_not_plainly_linear_is_not_refuted_or_denied() {
         );
     }
     let plain = "coefficients([(x*k - 3)/y + 2*x], [x]) == [[k]]";
-    let folder = folder(&claims(&[(plain, false)]), Verdict::False);
+    let folder = folder(&claims(&[(plain, "")]), Verdict::False);
     assert_eq!(folder.theorems.len(), 1, "{:?}", folder.missing);
 }
 
 #[test]
 fn what_moves_along_equations_has_to_be_said_for_every_value() {
     let along_unknown = folder(
-        &claims(&[("coefficients([x + b], [a]) == [[0]]", true)]),
+        &claims(&[("coefficients([x + b], [a]) == [[0]]", EQUATIONS)]),
         Verdict::Holds,
     );
     assert!(
@@ -181,7 +209,7 @@ fn what_moves_along_equations_has_to_be_said_for_every_value() {
 #[test]
 fn true_coefficients_are_accepted() {
     let Some(coqc) = coqc() else { return };
-    let statements: Vec<(&str, bool)> = PAIRS
+    let statements: Vec<(&str, &str)> = PAIRS
         .iter()
         .map(|(good, _, given)| (*good, *given))
         .collect();
@@ -193,7 +221,7 @@ fn true_coefficients_are_accepted() {
 #[test]
 fn false_coefficients_are_rejected_with_the_scripts_of_the_true_ones() {
     let Some(coqc) = coqc() else { return };
-    let statements: Vec<(&str, bool)> =
+    let statements: Vec<(&str, &str)> =
         PAIRS.iter().map(|(_, bad, given)| (*bad, *given)).collect();
     let folder = folder(&claims(&statements), Verdict::Holds);
     assert_eq!(folder.theorems.len(), PAIRS.len(), "{:?}", folder.missing);
@@ -213,7 +241,7 @@ fn false_coefficients_are_rejected_with_the_scripts_of_the_true_ones() {
 #[test]
 fn wrong_values_of_unknowns_prove_nothing() {
     let Some(coqc) = coqc() else { return };
-    let claims = claims(&[("coefficients([a + 3*b], [x]) == [[4]]", true)]);
+    let claims = claims(&[("coefficients([a + 3*b], [x]) == [[4]]", EQUATIONS)]);
     let wrong = Solved {
         unknown: "b".to_owned(),
         above: "3*x - y".to_owned(),
