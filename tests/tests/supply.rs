@@ -99,7 +99,7 @@ fn every_package_comes_from_the_registry_or_from_here() {
     assert_eq!(wrong.map(name).collect::<Vec<_>>(), [""; 0]);
 }
 
-/// The packages of a build with their features, without those of this repository.
+/// The packages of a build with their features.
 fn features(options: &[&str]) -> BTreeSet<String> {
     let listed = Command::new(env!("CARGO"))
         .current_dir(ROOT)
@@ -113,8 +113,7 @@ fn features(options: &[&str]) -> BTreeSet<String> {
     let listed = String::from_utf8(listed.stdout).unwrap();
     // What is listed a second time is marked.
     let listed = listed.lines().map(|line| line.trim_end_matches(" (*)"));
-    let foreign = listed.filter(|line| !line.contains("(/"));
-    foreign.map(str::to_owned).collect()
+    listed.map(str::to_owned).collect()
 }
 
 #[test]
