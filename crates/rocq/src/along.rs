@@ -27,7 +27,7 @@ pub struct Functions {
 }
 
 impl Context<'_> {
-    /// The unknowns as functions of this symbol, named where it is met first.
+    /// The unknowns as functions of this symbol, of whose name or family none of them is, named where it is met first.
     ///
     /// # Errors
     /// [`Gap`] for unknowns that are no plain numbers.
@@ -56,11 +56,6 @@ impl Context<'_> {
         }
         for unknown in unknowns {
             let place = self.place(unknown)?;
-            if place.declared == family {
-                return Err(Gap::Theory(
-                    "coefficients of a member along equations for others of its family",
-                ));
-            }
             let like = match place.label() {
                 Some(label) => format!("{}_{label}_of_{}", place.name, along.variable),
                 None => format!("{}_of_{}", place.name, along.variable),
