@@ -4,6 +4,7 @@
 //! prime satisfies r^2 = p, and sine and cosine of one angle s^2 + c^2 = 1.
 
 use serde::{Serialize, Serializer};
+use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
 
@@ -26,7 +27,9 @@ pub struct Angle {
 }
 
 /// A symbol of a polynomial.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+///
+/// Symbols are ordered by kind, then by name, then by angle.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Symbol {
     /// A declared number, a coordinate `v[1]`, or a member of a family, `P[0,1]`; the coordinate of a point of a family
     /// stands behind its indices, `P[0,1,2]`.
@@ -50,6 +53,18 @@ impl Symbol {
         Self::Named(Arc::from(name))
     }
 
+    /// The place of its kind in the order.
+    fn kind(&self) -> u8 {
+        match self {
+            Self::Named(_) => 0,
+            Self::Root(_) => 1,
+            Self::Pi => 2,
+            Self::Sine(..) => 3,
+            Self::Cosine(..) => 4,
+            Self::Exponential(_) => 5,
+        }
+    }
+
     /// Whether the symbol is a number that is known.
     #[must_use]
     pub fn is_number(&self) -> bool {
@@ -63,6 +78,32 @@ impl Symbol {
             Self::Named(name) | Self::Sine(name, _) | Self::Cosine(name, _) => Some(name),
             Self::Root(_) | Self::Pi | Self::Exponential(_) => None,
         }
+    }
+}
+
+impl Ord for Symbol {
+    fn cmp(&self, other: &Self) -> Ordering {
+        // Copies of a symbol share its name: most names that are equal need not be read.
+        let names = |a: &Arc<str>, b: &Arc<str>| match Arc::ptr_eq(a, b) {
+            true => Ordering::Equal,
+            false => a.cmp(b),
+        };
+        match (self, other) {
+            (Self::Named(a), Self::Named(b)) | (Self::Exponential(a), Self::Exponential(b)) => {
+                names(a, b)
+            }
+            (Self::Sine(a, x), Self::Sine(b, y)) | (Self::Cosine(a, x), Self::Cosine(b, y)) => {
+                names(a, b).then_with(|| x.cmp(y))
+            }
+            (Self::Root(p), Self::Root(q)) => p.cmp(q),
+            _ => self.kind().cmp(&other.kind()),
+        }
+    }
+}
+
+impl PartialOrd for Symbol {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
     }
 }
 

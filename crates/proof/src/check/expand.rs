@@ -32,6 +32,8 @@ pub struct Expander<'a> {
     /// equations have their values, and no symbol has one by an assumption.
     pub sees_rates: &'a dyn Fn() -> bool,
     opened: RefCell<BTreeMap<usize, Value>>,
+    /// Derivatives of formulas in one variable, by formula and order.
+    rates: RefCell<BTreeMap<(usize, i64), Value>>,
     rows: RefCell<Vec<Row>>,
 }
 
@@ -97,6 +99,7 @@ impl<'a> Expander<'a> {
             divisors: RefCell::default(),
             sees_rates: &|| true,
             opened: RefCell::default(),
+            rates: RefCell::default(),
             rows: RefCell::default(),
         }
     }
@@ -239,12 +242,12 @@ impl<'a> Expander<'a> {
                 variable,
                 order,
                 body,
+                closed,
                 at,
-                ..
             } => {
                 let order = self.integer(order, "the order of a derivative", scope)?;
                 let at = self.number(at, scope)?;
-                self.derivative(variable.number(), order, body, &at, scope)
+                self.derivative(variable.number(), order, (body, *closed), &at, scope)
             }
             Node::Apply(function, arguments) => {
                 let apply = || self.apply(*function, arguments, scope);
@@ -478,7 +481,7 @@ impl<'a> Expander<'a> {
         &self,
         variable: u32,
         order: i64,
-        body: &Term,
+        (body, closed): (&Term, bool),
         at: &Quotient,
         scope: &Scope<'_>,
     ) -> Result<Value, Beyond> {
@@ -490,12 +493,34 @@ impl<'a> Expander<'a> {
         }
         // No text can write the sign.
         let own = Symbol::named(&format!("\u{2202}{variable}"));
-        let symbol = Value::Number(Polynomial::symbol(own.clone()).into());
-        let mut value = self.term(body, &scope.with(variable, &symbol))?;
-        for _ in 0..order {
-            value = value.each(&|x| x.derivative(&own, self.work))?;
-        }
+        let rate = || {
+            let symbol = Value::Number(Polynomial::symbol(own.clone()).into());
+            let value = self.term(body, &scope.with(variable, &symbol))?;
+            (0..order).try_fold(value, |value, _| {
+                value.each(&|x| x.derivative(&own, self.work))
+            })
+        };
+        let rate = match closed {
+            true => self.known_rate(body, order, rate)?,
+            false => rate()?,
+        };
         let put = |symbol: &Symbol| (*symbol == own).then(|| at.clone());
-        value.each(&|x| x.replaced(&put, self.work))
+        rate.each(&|x| x.replaced(&put, self.work))
+    }
+
+    /// The derivative of a body without other variables, which is differentiated when it is met first.
+    fn known_rate(
+        &self,
+        body: &Term,
+        order: i64,
+        rate: impl FnOnce() -> Result<Value, Beyond>,
+    ) -> Result<Value, Beyond> {
+        let key = (Arc::as_ptr(&body.node).addr(), order);
+        if let Some(known) = self.rates.borrow().get(&key) {
+            return Ok(known.clone());
+        }
+        let value = rate()?;
+        self.rates.borrow_mut().insert(key, value.clone());
+        Ok(value)
     }
 }

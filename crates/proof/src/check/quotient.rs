@@ -2,11 +2,11 @@
 
 use super::gap::{Beyond, Work};
 use super::turn;
-use crate::polynomial::Polynomial;
+use crate::polynomial::{Monomial, Polynomial};
 use crate::ratio::Ratio;
 use crate::symbol::{Symbol, Unit};
 use num_traits::Zero;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use torse_numbers::Rational;
 use torse_numbers::rational::{integer, ratio};
 
@@ -174,38 +174,17 @@ impl Quotient {
         value: &dyn Fn(&Symbol) -> Option<Self>,
         work: &Work,
     ) -> Result<Self, Beyond> {
-        let touched = |p: &Polynomial| {
-            let name = |s: &Symbol| s.variable().and_then(|name| value(&Symbol::named(name)));
-            p.symbols().any(|s| name(s).is_some())
-        };
-        let of = |p: &Polynomial| -> Result<Self, Beyond> {
-            if !touched(p) {
-                return Ok(p.clone().into());
-            }
-            let mut sum = Self::default();
-            for (monomial, coefficient) in p.terms() {
-                let mut term = Self::number(coefficient.clone());
-                for (symbol, exponent) in monomial {
-                    let factor = replaced(symbol, value, work)?;
-                    term = term.times(&factor.power(*exponent, work)?, work)?;
-                }
-                sum.add(&term, work)?;
-            }
-            Ok(sum)
-        };
-        let mut result = of(&self.above)?;
+        let mut result =
+            replaced(&self.above, value, work)?.unwrap_or_else(|| Self::from(self.above.clone()));
         for (factor, exponent) in &self.below {
-            match touched(factor) {
-                false => {
-                    let one = Polynomial::one();
-                    let below = BTreeMap::from([(factor.clone(), *exponent)]);
-                    result = result.times(&Self { above: one, below }, work)?;
-                }
-                true => {
-                    let inverse = of(factor)?.inverse(work)?;
-                    result = result.times(&inverse.power(*exponent, work)?, work)?;
-                }
-            }
+            let inverse = match replaced(factor, value, work)? {
+                None => Self {
+                    above: Polynomial::one(),
+                    below: BTreeMap::from([(factor.clone(), *exponent)]),
+                },
+                Some(new) => new.inverse(work)?.power(*exponent, work)?,
+            };
+            result = result.times(&inverse, work)?;
         }
         Ok(result)
     }
@@ -250,24 +229,71 @@ impl Quotient {
     }
 }
 
-/// A symbol with its variable replaced.
+/// A polynomial with symbols replaced; nothing if none of its symbols has a new value.
 fn replaced(
+    p: &Polynomial,
+    value: &dyn Fn(&Symbol) -> Option<Quotient>,
+    work: &Work,
+) -> Result<Option<Quotient>, Beyond> {
+    let symbols: BTreeSet<&Symbol> = p.symbols().collect();
+    let mut powers: BTreeMap<&Symbol, Vec<Quotient>> = BTreeMap::new();
+    for symbol in symbols {
+        if let Some(new) = image(symbol, value, work)? {
+            powers.insert(symbol, vec![new]);
+        }
+    }
+    if powers.is_empty() {
+        return Ok(None);
+    }
+    let mut sum = Quotient::default();
+    for (monomial, coefficient) in p.terms() {
+        let (moved, fixed): (Monomial, Monomial) =
+            (monomial.iter().cloned()).partition(|(symbol, _)| powers.contains_key(symbol));
+        let mut above = Polynomial::zero();
+        above.enter(fixed, coefficient.clone());
+        let mut term = Quotient::from(above);
+        for (symbol, exponent) in &moved {
+            if let Some(known) = powers.get_mut(symbol) {
+                term = term.times(power(known, *exponent, work)?, work)?;
+            }
+        }
+        sum.add(&term, work)?;
+    }
+    Ok(Some(sum))
+}
+
+/// The power of this exponent, from the first ones; those that were not known are noted. The first one is known.
+fn power<'p>(
+    known: &'p mut Vec<Quotient>,
+    exponent: u32,
+    work: &Work,
+) -> Result<&'p Quotient, Beyond> {
+    let place = usize::try_from(exponent).map_err(|_| Beyond::Large)?;
+    while known.len() < place
+        && let (Some(first), Some(last)) = (known.first(), known.last())
+    {
+        known.push(last.times(first, work)?);
+    }
+    known.get(place.saturating_sub(1)).ok_or(Beyond::Large)
+}
+
+/// What a symbol becomes; nothing where its variable has no new value.
+fn image(
     symbol: &Symbol,
     value: &dyn Fn(&Symbol) -> Option<Quotient>,
     work: &Work,
-) -> Result<Quotient, Beyond> {
+) -> Result<Option<Quotient>, Beyond> {
     let (Symbol::Sine(name, angle) | Symbol::Cosine(name, angle)) = symbol else {
-        let own = || Polynomial::symbol(symbol.clone()).into();
-        return Ok(value(symbol).unwrap_or_else(own));
+        return Ok(value(symbol));
     };
     let Some(new) = value(&Symbol::Named(name.clone())) else {
-        return Ok(Polynomial::symbol(symbol.clone()).into());
+        return Ok(None);
     };
     let (sine, cosine) = new.times(&rate(*angle), work)?.sine_cosine(work)?;
-    Ok(match symbol {
+    Ok(Some(match symbol {
         Symbol::Sine(..) => sine,
         _ => cosine,
-    })
+    }))
 }
 
 /// What the variable of an angle is multiplied with.
@@ -288,16 +314,15 @@ fn derivative(p: &Polynomial, by: &Symbol) -> Polynomial {
     for (monomial, coefficient) in p.terms() {
         for (place, (symbol, exponent)) in monomial.iter().enumerate() {
             let inner = match symbol {
-                own if own == by => Polynomial::one(),
+                own if own == by => None,
                 Symbol::Sine(name, angle) if by.variable() == Some(&**name) => {
                     let cosine = Symbol::Cosine(name.clone(), *angle);
-                    Polynomial::symbol(cosine).times(&rate(*angle).above)
+                    Some(Polynomial::symbol(cosine).times(&rate(*angle).above))
                 }
                 Symbol::Cosine(name, angle) if by.variable() == Some(&**name) => {
                     let sine = Symbol::Sine(name.clone(), *angle);
-                    Polynomial::symbol(sine)
-                        .negated()
-                        .times(&rate(*angle).above)
+                    let negative = Polynomial::symbol(sine).negated();
+                    Some(negative.times(&rate(*angle).above))
                 }
                 _ => continue,
             };
@@ -312,9 +337,15 @@ fn derivative(p: &Polynomial, by: &Symbol) -> Polynomial {
                     }
                 }
             }
-            let mut term = Polynomial::zero();
-            term.enter(rest, coefficient * integer(i64::from(*exponent)));
-            sum.add(&term.times(&inner));
+            let coefficient = coefficient * integer(i64::from(*exponent));
+            match inner {
+                None => sum.enter(rest, coefficient),
+                Some(inner) => {
+                    let mut term = Polynomial::zero();
+                    term.enter(rest, coefficient);
+                    sum.add(&term.times(&inner));
+                }
+            }
         }
     }
     sum

@@ -2,6 +2,7 @@
 
 use super::gap::{Beyond, Work};
 use super::quotient::Quotient;
+use std::collections::{BTreeMap, BTreeSet};
 
 const SHAPE: Beyond = Beyond::Construct("values of different shapes");
 
@@ -172,25 +173,32 @@ pub fn minor<T: Clone>(rows: &[Vec<T>], row: usize, column: usize) -> Vec<Vec<T>
     kept.map(|(_, list)| without(list)).collect()
 }
 
-/// The determinant, by its first row.
+/// The determinant: the minors of the first rows by the columns they stand in, one row more at a time.
 pub fn determinant(rows: &[Vec<Quotient>], work: &Work) -> Result<Quotient, Beyond> {
-    let Some(first) = rows.first() else {
-        return Ok(Quotient::number(torse_numbers::rational::integer(1)));
-    };
-    if first.len() != rows.len() {
-        return Err(SHAPE);
-    }
-    let mut sum = Quotient::default();
-    for (column, entry) in first.iter().enumerate() {
-        if entry.above.is_zero() {
-            continue;
+    let one = Quotient::number(torse_numbers::rational::integer(1));
+    let mut minors: BTreeMap<BTreeSet<usize>, Quotient> = [(BTreeSet::new(), one)].into();
+    for row in rows {
+        if row.len() != rows.len() {
+            return Err(SHAPE);
         }
-        let part = entry.times(&determinant(&minor(rows, 0, column), work)?, work)?;
-        let part = match column % 2 {
-            0 => part,
-            _ => part.negated(),
-        };
-        sum = sum.plus(&part, work)?;
+        let mut larger: BTreeMap<BTreeSet<usize>, Quotient> = BTreeMap::new();
+        for (columns, minor) in &minors {
+            let new = row.iter().enumerate();
+            let new = new.filter(|(c, entry)| !entry.above.is_zero() && !columns.contains(c));
+            for (column, entry) in new {
+                // The sign of moving the column to its place.
+                let behind = columns.range(column..).count();
+                let part = entry.times(minor, work)?;
+                let part = match behind % 2 {
+                    0 => part,
+                    _ => part.negated(),
+                };
+                let all = columns.iter().copied().chain([column]).collect();
+                let sum = larger.entry(all).or_default();
+                *sum = sum.plus(&part, work)?;
+            }
+        }
+        minors = larger;
     }
-    Ok(sum)
+    Ok(minors.into_values().next().unwrap_or_default())
 }
