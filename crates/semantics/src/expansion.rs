@@ -21,12 +21,14 @@ pub struct Expanded<N> {
     pub gaps: Vec<Slope<N>>,
     /// Numbers that cannot be moved a little.
     pub discrete: BTreeSet<Name>,
+    /// Whether two numbers that move, or formulas in them, are multiplied somewhere.
+    pub multiplied: bool,
 }
 
 impl<N> Expanded<N> {
-    /// Whether every number that occurs does so linearly.
+    /// Whether the entries are linear in all numbers that move, together: one step finds where they are zero.
     #[must_use]
     pub fn is_linear(&self) -> bool {
-        self.gaps.iter().all(|gap| gap.curved.is_empty())
+        !self.multiplied && self.gaps.iter().all(|gap| gap.curved.is_empty())
     }
 }

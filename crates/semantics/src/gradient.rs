@@ -6,7 +6,7 @@
 use crate::arithmetic::Arithmetic;
 use crate::gap::{Gap, Work};
 use crate::name::Name;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -84,6 +84,8 @@ pub struct Gradients<A> {
     names: RefCell<Vec<Name>>,
     /// Numbers that an index, a degree or an exponent depends on: they have no rates.
     discrete: RefCell<BTreeSet<Variable>>,
+    /// Whether two values that change were multiplied.
+    multiplied: Cell<bool>,
 }
 
 impl<A: Arithmetic> Gradients<A> {
@@ -93,6 +95,7 @@ impl<A: Arithmetic> Gradients<A> {
             base,
             names: RefCell::default(),
             discrete: RefCell::default(),
+            multiplied: Cell::default(),
         }
     }
 
@@ -135,6 +138,11 @@ impl<A: Arithmetic> Gradients<A> {
             .iter()
             .filter_map(|variable| self.named(*variable))
             .collect()
+    }
+
+    /// Whether two values that change were multiplied: numbers that occur linearly do not do so together then.
+    pub fn multiplied(&self) -> bool {
+        self.multiplied.get()
     }
 
     /// Numbers that an index, a degree or an exponent depended on.
@@ -303,6 +311,7 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
             (None, Some(change)) => return self.multiple(value, &a.value, change),
             (None, None) => return Ok(Gradient::constant(value)),
         }
+        self.multiplied.set(true);
         // What occurs on both sides does not occur linearly in the product.
         let (mut shared, right) = (a.variables(), b.variables());
         shared.retain(|variable| right.binary_search(variable).is_ok());

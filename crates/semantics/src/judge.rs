@@ -234,6 +234,13 @@ fn agrees(
     Ok(Judgement::of(all))
 }
 
+/// Whether no printed number has decimals: each says exactly what it is.
+pub(crate) fn are_integers(printed: &[Printed]) -> bool {
+    printed
+        .iter()
+        .all(|printed| printed.decimals.unwrap_or(0) == 0)
+}
+
 fn agrees_with(
     value: &Real,
     printed: &Printed,

@@ -47,10 +47,10 @@ pub(crate) fn expanded<A: Arithmetic>(
         curved: gradients.curved(gap),
     };
     let gaps = differences(terms, &gradients, &values)?;
-    let discrete = gradients.discrete();
     Ok(Expanded {
         gaps: gaps.iter().map(slope).collect(),
-        discrete,
+        discrete: gradients.discrete(),
+        multiplied: gradients.multiplied(),
     })
 }
 

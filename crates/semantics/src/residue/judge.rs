@@ -5,13 +5,14 @@
 
 use super::point::Point;
 use super::{Residue, Residues};
+use crate::arithmetic::Arithmetic;
 use crate::evaluate::Evaluator;
 use crate::gap::{Gap, Work};
-use crate::judge::{self, joined};
+use crate::judge::{self, are_integers, joined};
 use crate::judgement::Judgement;
 use crate::name::Name;
 use std::collections::BTreeMap;
-use torse_language::core::{Claim, Statement, Term};
+use torse_language::core::{Claim, Printed, Statement, Term};
 use torse_language::syntax::Relation;
 
 /// A point modulo the prime at which statements of a claim are judged.
@@ -23,7 +24,7 @@ pub(crate) struct Judge<'p> {
     pub work: &'p Work,
 }
 
-/// Whether some part of a statement is an equation: other statements gain nothing by residues.
+/// Whether some part of a statement is an equation, or says what integers are: other statements gain nothing by residues.
 pub(crate) fn has_equation(statement: &Statement) -> bool {
     let mut pending = vec![statement];
     while let Some(statement) = pending.pop() {
@@ -33,6 +34,7 @@ pub(crate) fn has_equation(statement: &Statement) -> bool {
                 relation: Relation::Equal,
                 ..
             } => return true,
+            Statement::Agrees { printed, .. } if are_integers(printed) => return true,
             _ => {}
         }
     }
@@ -62,6 +64,10 @@ impl Judge<'_> {
             } => equal(left, right, &at).map_or_else(Judgement::from, |equal| {
                 Judgement::of(Some(equal == (*relation == Relation::Equal)))
             }),
+            Statement::Agrees { value, printed, .. } if are_integers(printed) => {
+                agrees(value, printed, &at)
+                    .map_or_else(Judgement::from, |all| Judgement::of(Some(all)))
+            }
             _ => self.exactly(part, solved),
         })
     }
@@ -82,6 +88,35 @@ impl Judge<'_> {
     }
 }
 
+/// Whether every entry is its printed integer.
+fn agrees(
+    value: &Term,
+    printed: &[Printed],
+    at: &Evaluator<'_, Residues<'_>>,
+) -> Result<bool, Gap> {
+    let value = at.value(value)?;
+    let numbers = value.numbers();
+    if numbers.len() != printed.len() {
+        return Err(Gap::shape("the printed numbers to the value"));
+    }
+    let mut all = true;
+    for (number, printed) in numbers.into_iter().zip(printed) {
+        let number = number
+            .as_number()
+            .ok_or_else(|| Gap::shape("an infinitesimal"))?;
+        all &= same(number, &at.arithmetic.rational(&printed.value))?;
+    }
+    Ok(all)
+}
+
+/// Whether two residues are the same.
+fn same(x: &Residue, y: &Residue) -> Result<bool, Gap> {
+    match (x, y) {
+        (Residue::Class(x), Residue::Class(y)) => Ok(x == y),
+        _ => Err(super::missing()),
+    }
+}
+
 fn equal(left: &Term, right: &Term, at: &Evaluator<'_, Residues<'_>>) -> Result<bool, Gap> {
     let pairs = at.value(left)?.pairs(&at.value(right)?, at.arithmetic)?;
     let mut all = true;
@@ -89,10 +124,7 @@ fn equal(left: &Term, right: &Term, at: &Evaluator<'_, Residues<'_>>) -> Result<
         let (Some(x), Some(y)) = (x.as_number(), y.as_number()) else {
             return Err(Gap::shape("an infinitesimal to a comparison"));
         };
-        let (Residue::Class(x), Residue::Class(y)) = (x, y) else {
-            return Err(super::missing());
-        };
-        all &= x == y;
+        all &= same(x, y)?;
     }
     Ok(all)
 }

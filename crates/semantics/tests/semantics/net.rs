@@ -1,6 +1,6 @@
 //! The net: statements that are true stand, statements that are false are caught.
 
-use crate::support::{claim, is_caught, is_empty, netted, stands};
+use crate::support::{claim, is_caught, is_empty, is_never_denied, netted, stands};
 use torse_semantics::{Beyond, Judgement, Outside, Witness, beyond, check_witness};
 
 #[test]
@@ -277,6 +277,14 @@ fn equations_under_linear_systems_stand_and_their_slips_are_caught() {
         "given = ['r == x + 1']\nsolve_for = ['r']",
         "r >= 1 and r == x + 1",
     );
+}
+
+#[test]
+fn a_product_of_two_unknowns_is_not_solved_by_one_step() {
+    // At every solution s is 1/2; where one step of Newton's method ends, it is not.
+    let product = "given = ['r*s == 1', 'r*s + r == 3']\nsolve_for = ['r', 's']";
+    is_never_denied(product, "not (2*s == 1)");
+    stands(product, "2*s == 1");
 }
 
 #[test]

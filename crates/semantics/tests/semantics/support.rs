@@ -148,6 +148,13 @@ pub fn stands(fields: &str, states: &str) {
     assert!(enough, "{states} with {fields}: {tally:?}");
 }
 
+/// A denial that no point of the domain shows to be true.
+#[track_caller]
+pub fn is_never_denied(fields: &str, states: &str) {
+    let tally = netted(&claim(fields, states));
+    assert_eq!(tally.holding, 0, "{states} with {fields}: {tally:?}");
+}
+
 /// A claim whose domain has no point that is found.
 #[track_caller]
 pub fn is_empty(fields: &str, states: &str) {
