@@ -32,7 +32,8 @@ use torse_proof::proof::ground::{Determined, Determining, Elimination, Rooted};
 /// Divisors of more terms than this are not examined for their sign.
 const MAX_EXAMINED: usize = 40;
 
-/// The domain of a claim, with all hypotheses in force.
+/// The domain of a claim, with all hypotheses in force. A copy knows what was evaluated so far.
+#[derive(Clone)]
 pub struct Ground<'a> {
     /// The evaluator: eliminated symbols have their values.
     pub evaluator: Evaluator<'a>,

@@ -13,6 +13,7 @@ use crate::decide::value::{Proof, plain};
 use crate::decide::{self, Decision, conditions, equality, exponential, instances, sign, witness};
 use crate::evaluate::value::{Statement, Value};
 use crate::roots;
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
@@ -86,6 +87,8 @@ struct Parts<'a> {
 struct Decider<'a> {
     claim: core::Claim,
     elaborator: Rc<Elaborator<'a>>,
+    /// The domain with no integer fixed and roots as symbols, once it was made: every part of a statement starts from it.
+    ground: OnceCell<Ground<'a>>,
 }
 
 impl<'a> Parts<'a> {
@@ -93,6 +96,7 @@ impl<'a> Parts<'a> {
         let decider = |claim| Decider {
             claim,
             elaborator: Rc::clone(elaborator),
+            ground: OnceCell::new(),
         };
         Self {
             deciders: claims.into_iter().map(decider).collect(),
@@ -289,7 +293,7 @@ fn conjoined(
     })
 }
 
-impl Decider<'_> {
+impl<'a> Decider<'a> {
     /// Whether no eliminated symbol brought in a divisor.
     fn brings_no_divisors(&self) -> bool {
         let ground = self.ground(&Instance::new());
@@ -336,11 +340,18 @@ impl Decider<'_> {
         instances::assignments(&integers, declarations)
     }
 
-    fn ground(&self, instance: &Instance) -> Result<Ground<'_>, Fault> {
-        self.ground_where(instance, RootsAre::Symbols)
+    fn ground(&self, instance: &Instance) -> Result<Ground<'a>, Fault> {
+        if !instance.is_empty() {
+            return self.ground_where(instance, RootsAre::Symbols);
+        }
+        if let Some(known) = self.ground.get() {
+            return Ok(known.clone());
+        }
+        let made = self.ground_where(instance, RootsAre::Symbols)?;
+        Ok(self.ground.get_or_init(|| made).clone())
     }
 
-    fn ground_where(&self, instance: &Instance, roots: RootsAre) -> Result<Ground<'_>, Fault> {
+    fn ground_where(&self, instance: &Instance, roots: RootsAre) -> Result<Ground<'a>, Fault> {
         let fixed = instances::fixed(instance);
         Ground::with_roots(&self.claim, Rc::clone(&self.elaborator), &fixed, roots)
     }

@@ -23,7 +23,7 @@ type Remembered = (Vec<Fraction>, Value);
 type Part = (Value, u64);
 
 /// Free variables by the address of a term, values by that and by whether it stands in an angle.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Memory {
     /// The free variables of what has none.
     none: Rc<BTreeSet<u32>>,

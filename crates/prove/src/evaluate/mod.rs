@@ -51,6 +51,7 @@ type Degree = (Arc<str>, usize, bool);
 type Row = (Vec<Fraction>, Rc<[Fraction]>);
 
 /// Evaluates formulas under declarations, with some symbols fixed and some unknowns solved for.
+#[derive(Clone)]
 pub struct Evaluator<'a> {
     /// What names mean.
     pub declarations: &'a Declarations,
