@@ -9,14 +9,16 @@ mod alternatives;
 pub mod case;
 pub mod combination;
 pub mod decide;
+mod decider;
 pub mod evaluate;
 pub mod evidence;
 pub mod formula;
 pub mod ideal;
+mod parts;
 pub mod roots;
 pub mod sample;
 pub mod sought;
 pub mod statement;
 
 pub use evidence::{Evidence, Witness};
-pub use statement::decide_statement;
+pub use statement::{decide_statement, with_prepared};

@@ -5,35 +5,33 @@
 //! symbolically, or, where a symbolic degree cannot be carried, at small values of the integers.
 
 use crate::alternatives;
-use crate::case::{Ground, RootsAre, Solving, written};
-use crate::combination::multipliers;
-use crate::decide::contradiction::contradiction;
-use crate::decide::domain::Domain;
-use crate::decide::value::{Proof, plain};
-use crate::decide::{self, Decision, conditions, equality, exponential, instances, sign, witness};
-use crate::evaluate::value::{Statement, Value};
-use crate::roots;
-use std::cell::OnceCell;
-use std::collections::BTreeMap;
+use crate::decide::value::plain;
+use crate::decide::{self, Decision};
+use crate::parts::Parts;
 use std::rc::Rc;
-use torse_algebra::planted::{Planted, planted};
-use torse_algebra::{Fraction, Polynomial};
 use torse_language::core::{self, Elaborator};
-use torse_language::derivation::declarations::{Declarations, SymbolKind};
+use torse_language::derivation::declarations::Declarations;
 use torse_language::derivation::{Claim, Origin, Written};
-use torse_language::fault::{Fault, Problem};
-use torse_language::syntax::{Connective, Relation};
-use torse_proof::Refuted;
-use torse_proof::identity::{Combination, Equations, Vanishing};
-use torse_proof::proof::Emptiness;
-use torse_proof::proof::ground::Sharpness;
-use torse_proof::sign::Sign;
+use torse_language::fault::Fault;
+use torse_language::syntax::{Connective, Expr, Node};
 
 /// Decides a statement on the domain of a claim: the claim's own, or another one in its place.
 ///
 /// # Errors
 /// [`Fault`] when a formula makes no sense.
 pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, Fault> {
+    with_prepared(claim, statement, |prepared| prepared.decide(&mut |_| {}))
+}
+
+/// Makes a statement ready on the domain of a claim, and does something with it.
+///
+/// # Errors
+/// [`Fault`] when a formula makes no sense, and that of what is done.
+pub fn with_prepared<T>(
+    claim: &Claim,
+    statement: &Written,
+    then: impl FnOnce(&Prepared<'_>) -> Result<T, Fault>,
+) -> Result<T, Fault> {
     let elaborator = Rc::new(Elaborator::new(&claim.declarations));
     let core = core::Claim::elaborated(&elaborator, claim, statement)?;
     let rooted = core
@@ -59,689 +57,112 @@ pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, 
             (rooted, elaborator)
         }
     };
-    let parts = Parts::of(alternatives::parts(&core), &elaborator, &statement.origin);
-    let decision = parts.decide(&core.statement);
-    let decision = decision.map_err(|fault| fault.within(&statement.origin))?;
-    Ok(match decision {
-        // The hypotheses may have points all the same, and the statement no value at any of them.
-        Decision::Vacuous(emptiness) if declarations.is_some() => Decision::Open {
-            reason: emptiness.map(&plain).reason(),
-            tried: vec!["a point at which all roots are defined".to_owned()],
-        },
-        decision => decision,
+    then(&Prepared {
+        parts: Parts::of(alternatives::parts(&core), &elaborator, &statement.origin),
+        statement: core.statement,
+        written: &statement.expr,
+        origin: &statement.origin,
+        has_roots: declarations.is_some(),
     })
 }
 
-/// The values of some integers.
-type Instance = BTreeMap<String, i64>;
-
-/// The domain of a claim, cut into parts without alternatives.
-struct Parts<'a> {
-    deciders: Vec<Decider<'a>>,
-    elaborator: Rc<Elaborator<'a>>,
-    /// Where the statement is written.
+/// A statement that is ready to be decided: its domain is made once for all of its parts.
+pub struct Prepared<'a> {
+    parts: Parts<'a>,
+    statement: core::Statement,
+    written: &'a Expr,
     origin: &'a Origin,
+    /// Whether it has roots of formulas: symbols stand for them.
+    has_roots: bool,
 }
 
-/// A claim whose hypotheses are comparisons.
-struct Decider<'a> {
-    claim: core::Claim,
-    elaborator: Rc<Elaborator<'a>>,
-    /// The domain with no integer fixed and roots as symbols, once it was made: every part of a statement starts from it.
-    ground: OnceCell<Ground<'a>>,
-}
-
-impl<'a> Parts<'a> {
-    fn of(claims: Vec<core::Claim>, elaborator: &Rc<Elaborator<'a>>, origin: &'a Origin) -> Self {
-        let decider = |claim| Decider {
-            claim,
-            elaborator: Rc::clone(elaborator),
-            ground: OnceCell::new(),
-        };
-        Self {
-            deciders: claims.into_iter().map(decider).collect(),
-            elaborator: Rc::clone(elaborator),
-            origin,
-        }
+impl Prepared<'_> {
+    /// Decides it. What is found of the statements that a written conjunction joins is told in their order, as far as they are
+    /// looked at: the first that is refuted ends it.
+    ///
+    /// # Errors
+    /// [`Fault`] when a formula makes no sense.
+    pub fn decide(&self, tell: &mut dyn FnMut(&Decision)) -> Result<Decision, Fault> {
+        self.joined(self.written, &self.statement, tell)
+            .map(|decision| self.seen(decision))
+            .map_err(|fault| fault.within(self.origin))
     }
 
-    fn decide(&self, statement: &core::Statement) -> Result<Decision, Fault> {
-        match statement {
-            core::Statement::Join(Connective::And, a, b) => {
-                let first = self.decide(a)?;
-                if first.is_refuted() {
-                    return Ok(first);
-                }
-                Ok(decide::both(first, self.decide(b)?))
-            }
-            core::Statement::Not(inner) => {
-                let decided = self.everywhere_defined(self.decide(inner)?);
-                let anywhere = || self.deciders.iter().find_map(|part| part.anywhere(inner));
-                Ok(decide::negated(decided, anywhere))
-            }
-            core::Statement::Join(Connective::Implies, premise, conclusion) => {
-                match self.under(&[premise], true, conclusion)? {
-                    Some(Decision::Proven(proof)) => {
-                        Ok(Decision::Proven(Proof::Conclusion(Box::new(proof))))
-                    }
-                    Some(decision) => Ok(decision),
-                    None => self.everywhere(statement),
-                }
-            }
-            core::Statement::Join(Connective::Or, ..) => match alternatives::clauses(statement) {
-                Some(clauses) => {
-                    let clauses = clauses.iter().map(|clause| self.alternative(clause));
-                    conjoined(clauses, Proof::Clauses)
-                }
-                None => self.everywhere(statement),
-            },
-            other => self.everywhere(other),
-        }
+    /// Decides the statement of this number, from 0, of those that a written conjunction joins; nothing if there are not so
+    /// many.
+    ///
+    /// # Errors
+    /// [`Fault`] when a formula makes no sense.
+    pub fn decide_part(&self, number: usize) -> Result<Option<Decision>, Fault> {
+        let mut all = vec![];
+        conjuncts(self.written, &self.statement, &mut all);
+        let part = all.get(number);
+        let decision = part.map(|part| self.parts.decide(part)).transpose();
+        decision
+            .map(|decision| decision.map(|decision| self.seen(decision)))
+            .map_err(|fault| fault.within(self.origin))
     }
 
-    /// A proof without the conditions that only say where its own terms are defined: those that no eliminated symbol
-    /// brought in.
-    fn everywhere_defined(&self, decision: Decision) -> Decision {
-        match decision {
-            Decision::Proven(proof)
-                if !proof.conditions().is_empty()
-                    && self.deciders.iter().all(Decider::brings_no_divisors) =>
-            {
-                Decision::Proven(Proof::Defined(Box::new(proof)))
-            }
-            other => other,
-        }
-    }
-
-    /// Alternatives: proved if one is, or one is where all others fail. A denial among them is true or false of the whole
-    /// domain: a false one is no alternative.
-    fn alternative(&self, literals: &[&core::Statement]) -> Result<Decision, Fault> {
-        let (mut left, mut decisions, mut false_denial) = (vec![], vec![], None);
-        for (place, literal) in literals.iter().enumerate() {
-            match self.decide(literal)? {
-                Decision::Proven(proof) if proof.conditions().is_empty() => {
-                    return Ok(Decision::Proven(decide::alternative(place, false, proof)));
-                }
-                refuted @ Decision::Refuted(_) if denies(literal) => {
-                    false_denial = Some(refuted);
-                }
-                decision => {
-                    left.push((place, *literal));
-                    decisions.push((place, decision));
-                }
-            }
-        }
-        if left.len() <= 1 {
-            match (decisions.pop(), false_denial) {
-                (Some((place, Decision::Proven(proof))), _) => {
-                    return Ok(Decision::Proven(decide::alternative(place, false, proof)));
-                }
-                (Some((_, decision)), _) | (None, Some(decision)) => return Ok(decision),
-                (None, None) => {}
-            }
-        }
-        for (number, (place, conclusion)) in left.iter().enumerate().rev() {
-            let others = left
-                .iter()
-                .enumerate()
-                .filter(|(other, _)| *other != number);
-            let others: Vec<&core::Statement> = others.map(|(_, (_, literal))| *literal).collect();
-            match self.under(&others, false, conclusion)? {
-                Some(Decision::Proven(proof)) if proof.conditions().is_empty() => {
-                    return Ok(Decision::Proven(decide::alternative(*place, true, proof)));
-                }
-                Some(refuted @ Decision::Refuted(_)) => return Ok(refuted),
-                _ => {}
-            }
-        }
-        Ok(Decision::Open {
-            reason: "no alternative is proved on the whole domain".to_owned(),
-            tried: vec!["each alternative on its own, and where the others fail".to_owned()],
-        })
-    }
-
-    /// A statement that is decided as it is, on every part.
-    fn everywhere(&self, statement: &core::Statement) -> Result<Decision, Fault> {
-        conjoined(
-            self.deciders.iter().map(|part| part.single(statement)),
-            Proof::Parts,
-        )
-    }
-
-    /// The conclusion where all premises are true, or all are false: at every other point the statement is true. `None` if
-    /// a premise cannot be assumed, or one of them denies something of the whole domain.
-    fn under(
+    fn joined(
         &self,
-        premises: &[&core::Statement],
-        truth: bool,
-        conclusion: &core::Statement,
-    ) -> Result<Option<Decision>, Fault> {
-        if premises.iter().any(|p| denies(p)) || denies(conclusion) {
-            return Ok(None);
-        }
-        let mut there = vec![];
-        for part in &self.deciders {
-            let Some(claims) = alternatives::under(&part.claim, premises, truth, self.origin)
-            else {
-                return Ok(None);
-            };
-            there.extend(claims);
-        }
-        let there = Parts::of(there, &self.elaborator, self.origin);
-        Ok(Some(match there.decide(conclusion) {
-            // No point, or none at which the premises are so: the second is a proof.
-            Ok(Decision::Vacuous(emptiness)) => match self.everywhere(conclusion)? {
-                vacuous @ Decision::Vacuous(_) => vacuous,
-                _ => Decision::Proven(Proof::Nowhere(emptiness)),
-            },
-            Ok(decision) => decision,
-            Err(fault) if fault.is_limit() => Decision::Open {
-                reason: fault.problem.to_string(),
-                tried: vec![],
-            },
-            Err(fault) => return Err(fault),
-        }))
-    }
-}
-
-/// Whether something is denied of the whole domain.
-fn denies(statement: &core::Statement) -> bool {
-    match statement {
-        core::Statement::Not(_) => true,
-        core::Statement::Join(_, a, b) => denies(a) || denies(b),
-        _ => false,
-    }
-}
-
-/// The decision from those on all parts of a domain, or of all parts of a statement. A part without points says nothing.
-fn conjoined(
-    parts: impl Iterator<Item = Result<Decision, Fault>>,
-    joined: impl FnOnce(Vec<Proof>) -> Proof,
-) -> Result<Decision, Fault> {
-    let (mut proofs, mut open, mut empty) = (vec![], None, None);
-    let mut proven = false;
-    for part in parts {
-        match part? {
-            refuted @ Decision::Refuted(_) => return Ok(refuted),
-            Decision::Proven(proof) => {
-                proven = true;
-                proofs.push(proof);
-            }
-            Decision::Vacuous(emptiness) => {
-                proofs.push(Proof::Nowhere(emptiness.clone()));
-                empty = Some(emptiness);
-            }
-            undecided @ Decision::Open { .. } => {
-                open.get_or_insert(undecided);
-            }
-        }
-    }
-    Ok(match (open, proven, empty) {
-        (Some(open), _, _) => open,
-        (None, true, _) => Decision::Proven(match proofs.pop() {
-            Some(only) if proofs.is_empty() => only,
-            last => {
-                proofs.extend(last);
-                joined(proofs)
-            }
-        }),
-        (None, false, Some(emptiness)) => Decision::Vacuous(emptiness),
-        (None, false, None) => Decision::Open {
-            reason: "no part of the domain".to_owned(),
-            tried: vec![],
-        },
-    })
-}
-
-impl<'a> Decider<'a> {
-    /// Whether no eliminated symbol brought in a divisor.
-    fn brings_no_divisors(&self) -> bool {
-        let ground = self.ground(&Instance::new());
-        ground.is_ok_and(|g| {
-            let mut solved = g.domain.solved.iter();
-            g.domain.pivots.is_empty() && solved.all(|(_, v)| v.conditions().is_empty())
-        })
-    }
-
-    /// A point of the domain at which both sides of the first comparison are defined.
-    fn anywhere(&self, statement: &core::Statement) -> Option<Refuted<Polynomial>> {
-        let at = |instance: &Instance| {
-            let ground = self.ground(instance).ok()?;
-            let value = ground.evaluator.truth(statement).ok()?;
-            let mut point = decide::sampled(&value, &ground.domain)?;
-            let own = point.counterexample_mut();
-            witness::complete(own, &self.claim, instance, &ground.domain);
-            Some(match instance.is_empty() {
-                true => point,
-                false => Refuted::Instance {
-                    integers: instance.clone(),
-                    refuted: Box::new(point),
-                },
-            })
-        };
-        at(&Instance::new()).or_else(|| {
-            let (assignments, _) = self.instances();
-            assignments.iter().take(8).find_map(at)
-        })
-    }
-
-    /// Small values of the integers of the claim, and whether they are all there are.
-    fn instances(&self) -> (Vec<Instance>, bool) {
-        let declarations = self.elaborator.declarations();
-        let integers = instances::ordered(
-            self.claim
-                .symbols
-                .iter()
-                .filter(|(_, set)| matches!(set, SymbolKind::Integer { .. }))
-                .map(|(name, _)| name.to_string())
-                .collect(),
-            declarations,
-        );
-        instances::assignments(&integers, declarations)
-    }
-
-    fn ground(&self, instance: &Instance) -> Result<Ground<'a>, Fault> {
-        if !instance.is_empty() {
-            return self.ground_where(instance, RootsAre::Symbols);
-        }
-        if let Some(known) = self.ground.get() {
-            return Ok(known.clone());
-        }
-        let made = self.ground_where(instance, RootsAre::Symbols)?;
-        Ok(self.ground.get_or_init(|| made).clone())
-    }
-
-    fn ground_where(&self, instance: &Instance, roots: RootsAre) -> Result<Ground<'a>, Fault> {
-        let fixed = instances::fixed(instance);
-        Ground::with_roots(&self.claim, Rc::clone(&self.elaborator), &fixed, roots)
-    }
-
-    /// A statement that is no conjunction and no negation.
-    fn single(&self, statement: &core::Statement) -> Result<Decision, Fault> {
-        let (reason, tried) = match self.symbolic(statement, &Instance::new()) {
-            Ok(Decision::Open { reason, tried }) => (reason, tried),
-            Ok(decision) => return Ok(decision),
-            Err(fault) if fault.is_limit() => (fault.problem.to_string(), vec![]),
-            Err(fault) => return Err(fault),
-        };
-        if let Some(decision) = self.by_finite_ranges(statement)? {
-            return Ok(decision);
-        }
-        let (assignments, complete) = self.instances();
-        if assignments.iter().all(Instance::is_empty) {
-            return Ok(Decision::Open { reason, tried });
-        }
-        let mut decided = vec![];
-        let far = instances::far(&assignments, self.elaborator.declarations());
-        for (number, assignment) in assignments.iter().chain(&far).enumerate() {
-            // Greater integers are for statements that say nothing about small ones.
-            let silent = |(_, d): &(Instance, Decision)| matches!(d, Decision::Vacuous(_));
-            if number >= assignments.len() && (complete || !decided.iter().all(silent)) {
-                break;
-            }
-            let decision = match self.symbolic(statement, assignment) {
-                Ok(decision) => decision,
-                // Some term is defined at no point of the instance, so the statement says nothing there.
-                Err(fault) if undefined(&fault) => {
-                    Decision::Vacuous(Emptiness::Undefined(fault.problem.to_string()))
-                }
-                Err(fault) if fault.is_limit() => Decision::Open {
-                    reason: fault.problem.to_string(),
-                    tried: vec![],
-                },
-                Err(fault) => return Err(fault),
-            };
-            let ends = matches!(decision, Decision::Refuted(_) | Decision::Open { .. });
-            decided.push((assignment.clone(), decision));
-            if ends {
-                break;
-            }
-        }
-        Ok(instances::combined(decided, complete, &reason))
-    }
-
-    /// A proof by cases over the integers with short ranges of numbers, the others kept symbolic; or a refutation.
-    fn by_finite_ranges(&self, statement: &core::Statement) -> Result<Option<Decision>, Fault> {
-        let finite = |set: &SymbolKind| {
-            matches!(set, SymbolKind::Integer { least: Some(a), most: Some(b) }
-                if a.as_number().is_some() && b.as_number().is_some())
-        };
-        let chosen: Vec<String> = self
-            .claim
-            .symbols
-            .iter()
-            .filter(|(_, set)| finite(set))
-            .map(|(name, _)| name.to_string())
-            .collect();
-        let (assignments, complete) =
-            instances::assignments(&chosen, self.elaborator.declarations());
-        if chosen.is_empty() || !complete {
-            return Ok(None);
-        }
-        let mut decided = vec![];
-        for assignment in assignments {
-            match self.symbolic(statement, &assignment) {
-                Ok(Decision::Open { .. }) => return Ok(None),
-                Ok(decision) => decided.push((assignment, decision)),
-                Err(fault) if undefined(&fault) => {
-                    let why = Emptiness::Undefined(fault.problem.to_string());
-                    decided.push((assignment, Decision::Vacuous(why)));
-                }
-                Err(fault) if fault.is_limit() => return Ok(None),
-                Err(fault) => return Err(fault),
-            }
-        }
-        Ok(Some(instances::combined(decided, true, "")))
-    }
-
-    /// An equation as a combination of the given ones, without solving these, if it is one, with the conditions that it
-    /// leaves.
-    fn unsolved(
-        &self,
+        written: &Expr,
         statement: &core::Statement,
-        instance: &Instance,
-        by: Vanishing,
-    ) -> Option<(Ground<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
-        let core::Statement::Compare {
-            relation: Relation::Equal,
-            left,
-            right,
-        } = statement
-        else {
-            return None;
-        };
-        // Coefficients are those of what the solutions make of a form.
-        let reads_solutions = |term: &core::Term| term.applies(core::BuiltIn::Coefficients);
-        if self.claim.unknowns.is_empty() || reads_solutions(left) || reads_solutions(right) {
-            return None;
-        }
-        let fixed = instances::fixed(instance);
-        let elaborator = Rc::clone(&self.elaborator);
-        let ground = Ground::assumed(&self.claim, elaborator, &fixed, Solving::Always).ok()?;
-        let (forms, unknowns) = (
-            ground.given(&self.claim).ok()?,
-            ground.unknowns(&self.claim).ok()?,
-        );
-        let Ok(Statement::Compare { left, right, .. }) = ground.evaluator.truth(statement) else {
-            return None;
-        };
-        let pairs = left.entries().into_iter().zip(right.entries());
-        let differences: Option<Vec<Fraction>> = pairs
-            .map(|(x, y)| x.minus(y).as_fraction().cloned())
-            .collect();
-        let differences = differences?;
-        let multipliers = multipliers(&differences, &forms, &unknowns)?;
-        let sides = left.entries().into_iter().chain(right.entries());
-        let divisors = sides.flat_map(|side| side.conditions());
-        let of = |all: &[Fraction]| -> Vec<Polynomial> {
-            all.iter().flat_map(|f| f.conditions().to_vec()).collect()
-        };
-        let conditions: Vec<Polynomial> =
-            divisors.chain(of(&differences)).chain(of(&forms)).collect();
-        let open = open_conditions(unrooted(&conditions, &ground), &ground);
-        let combination = Combination {
-            of: Equations::Given,
-            equations: forms.iter().map(|f| f.numerator().clone()).collect(),
-            multipliers,
-            divisors: decide::witness::nonconstant(conditions),
-            by,
-        };
-        Some((ground, combination, open))
-    }
-
-    /// An equation as a combination of the assumed ones as they stand, where solving these would divide by what may vanish,
-    /// if it is one, with the conditions that it leaves.
-    fn uneliminated(
-        &self,
-        statement: &core::Statement,
-        instance: &Instance,
-    ) -> Option<(Ground<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
-        if !self.claim.unknowns.is_empty() {
-            return None;
-        }
-        let fixed = instances::fixed(instance);
-        let elaborator = Rc::clone(&self.elaborator);
-        let ground = Ground::assumed(&self.claim, elaborator, &fixed, Solving::Safely).ok()?;
-        let Ok(Statement::Compare {
-            relation: Relation::Equal,
-            left,
-            right,
-        }) = ground.evaluator.truth(statement)
-        else {
-            return None;
-        };
-        let (domain, evaluator) = (&ground.domain, &ground.evaluator);
-        let combination = equality::follows(&left, &right, domain, evaluator)
-            .or_else(|| equality::follows_from_several(&left, &right, domain, evaluator))?;
-        let open = open_conditions(unrooted(&combination.divisors, &ground), &ground);
-        Some((ground, combination, open))
-    }
-
-    /// The decision with some integers fixed. Where roots are left that settle nothing as symbols, what they are the roots of
-    /// is written by them.
-    fn symbolic(
-        &self,
-        statement: &core::Statement,
-        instance: &Instance,
+        tell: &mut dyn FnMut(&Decision),
     ) -> Result<Decision, Fault> {
-        let ground = self.ground(instance)?;
-        let rooted = !ground.domain.roots.is_empty();
-        let decision = self.on_ground(statement, instance, ground)?;
-        if rooted && matches!(decision, Decision::Open { .. }) {
-            let ground = self.ground_where(instance, RootsAre::Solved);
-            let again = ground.and_then(|ground| self.on_ground(statement, instance, ground));
-            if let Ok(decided @ (Decision::Proven(_) | Decision::Refuted(_))) = again {
-                return Ok(decided);
+        if let Some(((first, a), (second, b))) = halves(written, statement) {
+            let decision = self.joined(first, a, tell)?;
+            if decision.is_refuted() {
+                return Ok(decision);
             }
+            return Ok(decide::both(decision, self.joined(second, b, tell)?));
+        }
+        let decision = self.parts.decide(statement)?;
+        match &decision {
+            Decision::Vacuous(emptiness) => {
+                tell(&self.seen(Decision::Vacuous(emptiness.clone())));
+            }
+            other => tell(other),
         }
         Ok(decision)
     }
 
-    fn on_ground(
-        &self,
-        statement: &core::Statement,
-        instance: &Instance,
-        mut ground: Ground<'_>,
-    ) -> Result<Decision, Fault> {
-        let names: Vec<String> = self
-            .claim
-            .symbols
-            .keys()
-            .map(ToString::to_string)
-            .filter(|name| !instance.contains_key(name))
-            .collect();
-        if let Some(emptiness) = contradiction(&ground.domain, &names) {
-            // Where a divisor of the elimination vanishes, the constraints may say something else.
-            return Ok(match ground.domain.pivots.is_empty() {
-                true => Decision::Vacuous(emptiness),
-                false => Decision::Open {
-                    reason: emptiness.map(&plain).reason(),
-                    tried: vec![],
-                },
-            });
+    /// The hypotheses may have points where symbols stand for roots, and the statement no value at any of them.
+    fn seen(&self, decision: Decision) -> Decision {
+        match decision {
+            Decision::Vacuous(emptiness) if self.has_roots => Decision::Open {
+                reason: emptiness.map(&plain).reason(),
+                tried: vec!["a point at which all roots are defined".to_owned()],
+            },
+            decision => decision,
         }
-        let value = ground.evaluator.truth(statement)?;
-        ground
-            .domain
-            .order_exponentials(&exponential::symbols_of(&value));
-        let mut decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
-        if decision.is_refuted() {
-            // A point at which some other part of the claim is undefined refutes nothing.
-            match ground.evaluator.truth(&self.claim.statement) {
-                Ok(whole) => {
-                    let divisors = divisors(&whole);
-                    if !divisors.is_empty() {
-                        ground.domain.divisors = divisors;
-                        decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
-                    }
-                }
-                Err(fault) if undefined(&fault) => return Err(fault),
-                Err(fault) => {
-                    return Ok(Decision::Open {
-                        reason: fault.problem.to_string(),
-                        tried: vec![],
-                    });
-                }
-            }
-        }
-        let proof = match decision {
-            Decision::Proven(proof) => proof,
-            Decision::Refuted(mut refutation) => {
-                let point = refutation.refuted.counterexample_mut();
-                witness::complete(point, &self.claim, instance, &ground.domain);
-                return Ok(Decision::Refuted(refutation));
-            }
-            other => return Ok(other),
-        };
-        let mut met: Vec<Polynomial> = proof.conditions().into_iter().cloned().collect();
-        if !is_equality(&value) {
-            met.extend(ground.domain.pivots.iter().cloned());
-        }
-        let met = unrooted(&met, &ground);
-        let conditions = open_conditions(met.clone(), &ground);
-        if !conditions.is_empty()
-            && let Some((unsolved, combination, weaker)) =
-                self.unsolved(statement, instance, equality::vanishing(&ground.evaluator))
-            && weaker
-                .iter()
-                .all(|condition| conditions.contains(condition))
-            && weaker.len() < conditions.len()
-        {
-            let nonzero = nonzero(met, &weaker, &unsolved.domain);
-            let combination = Proof::Combination(combination);
-            return Ok(proved(unsolved, combination, (weaker, nonzero), vec![]));
-        }
-        if !conditions.is_empty()
-            && !ground.eliminated.is_empty()
-            && let Some((kept, combination, weaker)) = self.uneliminated(statement, instance)
-            && weaker
-                .iter()
-                .all(|condition| conditions.contains(condition))
-            && weaker.len() < conditions.len()
-        {
-            let met = unrooted(&combination.divisors, &kept);
-            let nonzero = nonzero(met, &weaker, &kept.domain);
-            let combination = Proof::Combination(combination);
-            return Ok(proved(kept, combination, (weaker, nonzero), vec![]));
-        }
-        let ranges = decide::ranges(&value, &ground.domain, &ground.evaluator)?;
-        let nonzero = nonzero(met, &conditions, &ground.domain);
-        Ok(proved(ground, proof, (conditions, nonzero), ranges))
+    }
+}
+
+/// A statement, and how it is written.
+type Both<'s> = (&'s Expr, &'s core::Statement);
+
+/// The two statements that a written conjunction joins.
+fn halves<'s>(written: &'s Expr, statement: &'s core::Statement) -> Option<(Both<'s>, Both<'s>)> {
+    match (&written.node, statement) {
+        (
+            Node::Join(Connective::And, first, second),
+            core::Statement::Join(Connective::And, a, b),
+        ) => Some(((first, a), (second, b))),
+        _ => None,
     }
 }
 
-/// A proof on its ground.
-fn proved(
-    ground: Ground<'_>,
-    proof: Proof,
-    (conditions, (nonzero, seen)): (Vec<Polynomial>, Nonzero),
-    ranges: Vec<Sharpness<Polynomial>>,
-) -> Decision {
-    Decision::Proven(Proof::On(Box::new(torse_proof::proof::ground::Ground {
-        constraints: written(&ground.domain.constraints),
-        eliminated: ground.eliminated,
-        proof,
-        conditions,
-        nonzero,
-        seen,
-        ranges,
-    })))
-}
-
-/// What never vanishes: on the declared sets by a sign, whatever else is assumed, so that eliminations may rest on it; or as
-/// far as was seen under all assumptions.
-type Nonzero = (Vec<Sign<Polynomial>>, Vec<Polynomial>);
-
-/// Those of the factors of divisors that were met, and are no conditions.
-fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
-    // Roots were taken for positive where their radicands are.
-    met.extend(domain.positive_radicands.iter().cloned());
-    for root in &domain.roots {
-        if domain.assumes_nonzero(&Polynomial::symbol(root.symbol.clone())) {
-            met.push(root.radicand.numerator().clone());
+/// The statements that a written conjunction joins, in order.
+fn conjuncts<'s>(
+    written: &'s Expr,
+    statement: &'s core::Statement,
+    all: &mut Vec<&'s core::Statement>,
+) {
+    match halves(written, statement) {
+        Some(((first, a), (second, b))) => {
+            conjuncts(first, a, all);
+            conjuncts(second, b, all);
         }
+        None => all.push(statement),
     }
-    let met = conditions::separated(&met);
-    let declared = Domain::new(domain.declarations);
-    let (mut signs, mut seen) = (vec![], vec![]);
-    for divisor in met {
-        if conditions.contains(&divisor) {
-            continue;
-        }
-        match sign::positive(&divisor, &declared) {
-            Some(sign) => signs.push(sign),
-            None if domain.assumes_nonzero(&divisor) || sign::never_zero(&divisor, domain) => {
-                seen.push(divisor);
-            }
-            None => {}
-        }
-    }
-    (signs, seen)
-}
-
-/// Whether a fault says that a term is defined nowhere.
-fn undefined(fault: &Fault) -> bool {
-    matches!(
-        *fault.problem,
-        Problem::IndexOutside { .. } | Problem::ZeroDivisor { .. }
-    )
-}
-
-fn is_equality(statement: &Statement) -> bool {
-    matches!(
-        statement,
-        Statement::Compare {
-            relation: Relation::Equal,
-            ..
-        }
-    )
-}
-
-/// Everything that the terms of a statement were divided by.
-fn divisors(statement: &Statement) -> Vec<Polynomial> {
-    let of = |value: &Value| -> Vec<Polynomial> {
-        let entries = value.entries().into_iter();
-        entries.flat_map(|q| q.conditions()).collect()
-    };
-    let mut all = match statement {
-        Statement::Compare { left, right, .. } => [of(left), of(right)].concat(),
-        Statement::Agrees { values, .. } => {
-            let recorded = values.iter().flat_map(Fraction::conditions);
-            recorded.cloned().collect()
-        }
-        Statement::Family { .. } => vec![],
-        Statement::Join(_, a, b) => [divisors(a), divisors(b)].concat(),
-        Statement::Not(inner) => divisors(inner),
-    };
-    all.sort();
-    all.dedup();
-    all
-}
-
-/// Whether a condition is a factor of a divisor.
-fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
-    condition == divisor
-        || condition.len() < divisor.len() && divisor.exact_quotient(condition).is_some()
-}
-
-/// The divisors, factor by factor, with radicands for roots, which vanish where these do.
-fn unrooted(divisors: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
-    let roots = &ground.domain.roots;
-    let plain: Vec<Polynomial> = divisors.iter().map(|p| roots::unrooted(p, roots)).collect();
-    conditions::separated(&plain)
-}
-
-/// The conditions, factor by factor, that neither the hypotheses state nor the domain implies.
-fn open_conditions(mut conditions: Vec<Polynomial>, ground: &Ground<'_>) -> Vec<Polynomial> {
-    let domain = &ground.domain;
-    let by_declaration = |p: &Polynomial| {
-        let declared = Domain::new(domain.declarations);
-        sign::never_zero(p, &declared.with_ordered_exponentials(p.symbols()))
-    };
-    let settled = |p: &Polynomial| match domain.unsettled.iter().any(|u| divides(p, u)) {
-        true => by_declaration(p),
-        false => domain.assumes_nonzero(p) || sign::never_zero(p, domain),
-    };
-    conditions.retain(|p| !planted(Planted::ConditionDropped) && !settled(p));
-    conditions
 }

@@ -5,29 +5,36 @@ use torse_language::derivation::{Claim, Written};
 use torse_language::notation;
 use torse_language::syntax::{Connective, Expr, Node};
 use torse_prove::decide::Decision;
-use torse_prove::decide_statement;
 use torse_prove::evidence::Evidence;
+use torse_prove::with_prepared;
 
-/// What is true of each part, a line each; nothing for what is no conjunction. Each part may take so much work.
+/// What is true of each part, a line each; nothing for what is no conjunction. What the first parts are is known; each
+/// further one may take so much work.
 #[must_use]
-pub fn part_by_part(claim: &Claim, statement: &Written, budget: u64) -> Vec<String> {
+pub fn part_by_part(
+    claim: &Claim,
+    statement: &Written,
+    mut known: Vec<String>,
+    budget: u64,
+) -> Vec<String> {
     let parts = conjuncts(&statement.expr);
     if parts.len() < 2 {
         return vec![];
     }
-    let told = |part: &&Expr| {
-        let written = Written {
-            expr: (*part).clone(),
-            origin: statement.origin.clone(),
-        };
-        let decided = work::within(budget, || decide_statement(claim, &written));
-        let verdict = match decided {
-            Ok(Ok(decision)) => word(&decision),
-            _ => "is not decided".to_owned(),
-        };
-        format!("the part `{}` {verdict}", notation::text(part))
-    };
-    parts.iter().map(told).collect()
+    // A formula without sense was refused with the verdict.
+    let _ = with_prepared(claim, statement, |prepared| {
+        for number in known.len()..parts.len() {
+            let decided = work::within(budget, || prepared.decide_part(number));
+            known.push(match decided {
+                Ok(Ok(Some(decision))) => word(&decision),
+                _ => "is not decided".to_owned(),
+            });
+        }
+        Ok(())
+    });
+    let told = parts.iter().zip(&known);
+    told.map(|(part, word)| format!("the part `{}` {word}", notation::text(part)))
+        .collect()
 }
 
 /// The statements that a conjunction joins.
@@ -39,7 +46,8 @@ pub fn conjuncts(expr: &Expr) -> Vec<&Expr> {
     }
 }
 
-fn word(decision: &Decision) -> String {
+/// What a part is found to be.
+pub(crate) fn word(decision: &Decision) -> String {
     match decision {
         Decision::Proven(proof) => {
             let by = match proof.evidence() {

@@ -13,7 +13,8 @@ use torse_algebra::work;
 use torse_language::core::Elaborator;
 use torse_language::derivation::{Claim, DerivationError, Finding, Written};
 use torse_language::words::{Kind, Verdict};
-use torse_prove::decide_statement;
+use torse_prove::decide::Decision;
+use torse_prove::with_prepared;
 
 /// A claim whose verdict is decided.
 #[derive(Debug)]
@@ -30,8 +31,8 @@ pub struct Stage<'c> {
 enum Left<'c> {
     /// Nothing.
     Nothing,
-    /// The search for a correction of what is refuted, and its net.
-    Correction(&'c Written),
+    /// The search for a correction of what is refuted, and its net; and what is known of the parts of a conjunction.
+    Correction(&'c Written, Vec<String>),
     /// What is left of each reading of a sentence, by name and words.
     Readings(Vec<(String, String, Stage<'c>)>),
 }
@@ -68,7 +69,7 @@ impl<'c> Stage<'c> {
     pub fn seeks_correction(&self) -> bool {
         match &self.left {
             Left::Nothing => false,
-            Left::Correction(_) => true,
+            Left::Correction(..) => true,
             Left::Readings(all) => all.iter().any(|(_, _, stage)| stage.seeks_correction()),
         }
     }
@@ -83,7 +84,9 @@ impl<'c> Stage<'c> {
             let mut outcome = self.outcome;
             match self.left {
                 Left::Nothing => {}
-                Left::Correction(statement) => {
+                Left::Correction(statement, parts) => {
+                    let parts = conjunction::part_by_part(claim, statement, parts, budget / 50);
+                    outcome.steps.extend(parts);
                     corrected(&mut outcome, claim, statement, budget);
                 }
                 Left::Readings(all) => {
@@ -112,8 +115,6 @@ impl<'c> Stage<'c> {
 
 /// Seeks what a refuted claim should have said, and nets both.
 fn corrected(outcome: &mut Outcome, claim: &Claim, statement: &Written, budget: u64) {
-    let parts = conjunction::part_by_part(claim, statement, budget / 50);
-    outcome.steps.extend(parts);
     // A correction that is not found within the budget is none; the verdict stands.
     let _ = work::within(budget / 5, || correct(outcome, claim, statement));
     correction_rests_on(outcome, claim, budget / 5);
@@ -161,7 +162,12 @@ fn decided<'c>(
         sought::decided(&mut outcome, claim, statement, budget)?;
         return Ok((outcome, Left::Nothing));
     }
-    match work::within(budget, || decide_statement(claim, statement)) {
+    let mut parts = vec![];
+    let decided = work::within(budget, || {
+        let mut tell = |part: &Decision| parts.push(conjunction::word(part));
+        with_prepared(claim, statement, |prepared| prepared.decide(&mut tell))
+    });
+    match decided {
         Ok(decision) => {
             let decision =
                 decision.map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
@@ -170,7 +176,7 @@ fn decided<'c>(
             provenance::record(&mut outcome, claim, &weighed.needed);
             rest_on(&mut outcome, provenance::conditions(claim, &weighed.needed));
             if outcome.verdict == Verdict::False {
-                return Ok((outcome, Left::Correction(statement)));
+                return Ok((outcome, Left::Correction(statement, parts)));
             }
         }
         Err(out) => outcome.steps = vec![out.to_string()],

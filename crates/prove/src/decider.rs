@@ -1,0 +1,496 @@
+//! Deciding one comparison, or another statement without structure, on a domain without alternatives: symbolically, or
+//! where a symbolic degree cannot be carried at small values of the integers.
+
+use crate::case::{Ground, RootsAre, Solving, written};
+use crate::combination::multipliers;
+use crate::decide::contradiction::contradiction;
+use crate::decide::domain::Domain;
+use crate::decide::value::{Proof, plain};
+use crate::decide::{self, Decision, conditions, equality, exponential, instances, sign, witness};
+use crate::evaluate::value::{Statement, Value};
+use crate::roots;
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use torse_algebra::planted::{Planted, planted};
+use torse_algebra::{Fraction, Polynomial};
+use torse_language::core::{self, Elaborator};
+use torse_language::derivation::declarations::SymbolKind;
+use torse_language::fault::{Fault, Problem};
+use torse_language::syntax::Relation;
+use torse_proof::Refuted;
+use torse_proof::identity::{Combination, Equations, Vanishing};
+use torse_proof::proof::Emptiness;
+use torse_proof::proof::ground::Sharpness;
+use torse_proof::sign::Sign;
+/// The values of some integers.
+type Instance = BTreeMap<String, i64>;
+
+/// A claim whose hypotheses are comparisons.
+pub(crate) struct Decider<'a> {
+    pub claim: core::Claim,
+    elaborator: Rc<Elaborator<'a>>,
+    /// The domain with no integer fixed and roots as symbols, once it was made: every part of a statement starts from it.
+    ground: OnceCell<Ground<'a>>,
+}
+
+impl<'a> Decider<'a> {
+    pub fn new(claim: core::Claim, elaborator: Rc<Elaborator<'a>>) -> Self {
+        Self {
+            claim,
+            elaborator,
+            ground: OnceCell::new(),
+        }
+    }
+
+    /// Whether no eliminated symbol brought in a divisor.
+    pub fn brings_no_divisors(&self) -> bool {
+        let ground = self.ground(&Instance::new());
+        ground.is_ok_and(|g| {
+            let mut solved = g.domain.solved.iter();
+            g.domain.pivots.is_empty() && solved.all(|(_, v)| v.conditions().is_empty())
+        })
+    }
+
+    /// A point of the domain at which both sides of the first comparison are defined.
+    pub fn anywhere(&self, statement: &core::Statement) -> Option<Refuted<Polynomial>> {
+        let at = |instance: &Instance| {
+            let ground = self.ground(instance).ok()?;
+            let value = ground.evaluator.truth(statement).ok()?;
+            let mut point = decide::sampled(&value, &ground.domain)?;
+            let own = point.counterexample_mut();
+            witness::complete(own, &self.claim, instance, &ground.domain);
+            Some(match instance.is_empty() {
+                true => point,
+                false => Refuted::Instance {
+                    integers: instance.clone(),
+                    refuted: Box::new(point),
+                },
+            })
+        };
+        at(&Instance::new()).or_else(|| {
+            let (assignments, _) = self.instances();
+            assignments.iter().take(8).find_map(at)
+        })
+    }
+
+    /// Small values of the integers of the claim, and whether they are all there are.
+    fn instances(&self) -> (Vec<Instance>, bool) {
+        let declarations = self.elaborator.declarations();
+        let integers = instances::ordered(
+            self.claim
+                .symbols
+                .iter()
+                .filter(|(_, set)| matches!(set, SymbolKind::Integer { .. }))
+                .map(|(name, _)| name.to_string())
+                .collect(),
+            declarations,
+        );
+        instances::assignments(&integers, declarations)
+    }
+
+    fn ground(&self, instance: &Instance) -> Result<Ground<'a>, Fault> {
+        if !instance.is_empty() {
+            return self.ground_where(instance, RootsAre::Symbols);
+        }
+        if let Some(known) = self.ground.get() {
+            return Ok(known.clone());
+        }
+        let made = self.ground_where(instance, RootsAre::Symbols)?;
+        Ok(self.ground.get_or_init(|| made).clone())
+    }
+
+    fn ground_where(&self, instance: &Instance, roots: RootsAre) -> Result<Ground<'a>, Fault> {
+        let fixed = instances::fixed(instance);
+        Ground::with_roots(&self.claim, Rc::clone(&self.elaborator), &fixed, roots)
+    }
+
+    /// A statement that is no conjunction and no negation.
+    pub fn single(&self, statement: &core::Statement) -> Result<Decision, Fault> {
+        let (reason, tried) = match self.symbolic(statement, &Instance::new()) {
+            Ok(Decision::Open { reason, tried }) => (reason, tried),
+            Ok(decision) => return Ok(decision),
+            Err(fault) if fault.is_limit() => (fault.problem.to_string(), vec![]),
+            Err(fault) => return Err(fault),
+        };
+        if let Some(decision) = self.by_finite_ranges(statement)? {
+            return Ok(decision);
+        }
+        let (assignments, complete) = self.instances();
+        if assignments.iter().all(Instance::is_empty) {
+            return Ok(Decision::Open { reason, tried });
+        }
+        let mut decided = vec![];
+        let far = instances::far(&assignments, self.elaborator.declarations());
+        for (number, assignment) in assignments.iter().chain(&far).enumerate() {
+            // Greater integers are for statements that say nothing about small ones.
+            let silent = |(_, d): &(Instance, Decision)| matches!(d, Decision::Vacuous(_));
+            if number >= assignments.len() && (complete || !decided.iter().all(silent)) {
+                break;
+            }
+            let decision = match self.symbolic(statement, assignment) {
+                Ok(decision) => decision,
+                // Some term is defined at no point of the instance, so the statement says nothing there.
+                Err(fault) if undefined(&fault) => {
+                    Decision::Vacuous(Emptiness::Undefined(fault.problem.to_string()))
+                }
+                Err(fault) if fault.is_limit() => Decision::Open {
+                    reason: fault.problem.to_string(),
+                    tried: vec![],
+                },
+                Err(fault) => return Err(fault),
+            };
+            let ends = matches!(decision, Decision::Refuted(_) | Decision::Open { .. });
+            decided.push((assignment.clone(), decision));
+            if ends {
+                break;
+            }
+        }
+        Ok(instances::combined(decided, complete, &reason))
+    }
+
+    /// A proof by cases over the integers with short ranges of numbers, the others kept symbolic; or a refutation.
+    fn by_finite_ranges(&self, statement: &core::Statement) -> Result<Option<Decision>, Fault> {
+        let finite = |set: &SymbolKind| {
+            matches!(set, SymbolKind::Integer { least: Some(a), most: Some(b) }
+                if a.as_number().is_some() && b.as_number().is_some())
+        };
+        let chosen: Vec<String> = self
+            .claim
+            .symbols
+            .iter()
+            .filter(|(_, set)| finite(set))
+            .map(|(name, _)| name.to_string())
+            .collect();
+        let (assignments, complete) =
+            instances::assignments(&chosen, self.elaborator.declarations());
+        if chosen.is_empty() || !complete {
+            return Ok(None);
+        }
+        let mut decided = vec![];
+        for assignment in assignments {
+            match self.symbolic(statement, &assignment) {
+                Ok(Decision::Open { .. }) => return Ok(None),
+                Ok(decision) => decided.push((assignment, decision)),
+                Err(fault) if undefined(&fault) => {
+                    let why = Emptiness::Undefined(fault.problem.to_string());
+                    decided.push((assignment, Decision::Vacuous(why)));
+                }
+                Err(fault) if fault.is_limit() => return Ok(None),
+                Err(fault) => return Err(fault),
+            }
+        }
+        Ok(Some(instances::combined(decided, true, "")))
+    }
+
+    /// An equation as a combination of the given ones, without solving these, if it is one, with the conditions that it
+    /// leaves.
+    fn unsolved(
+        &self,
+        statement: &core::Statement,
+        instance: &Instance,
+        by: Vanishing,
+    ) -> Option<(Ground<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
+        let core::Statement::Compare {
+            relation: Relation::Equal,
+            left,
+            right,
+        } = statement
+        else {
+            return None;
+        };
+        // Coefficients are those of what the solutions make of a form.
+        let reads_solutions = |term: &core::Term| term.applies(core::BuiltIn::Coefficients);
+        if self.claim.unknowns.is_empty() || reads_solutions(left) || reads_solutions(right) {
+            return None;
+        }
+        let fixed = instances::fixed(instance);
+        let elaborator = Rc::clone(&self.elaborator);
+        let ground = Ground::assumed(&self.claim, elaborator, &fixed, Solving::Always).ok()?;
+        let (forms, unknowns) = (
+            ground.given(&self.claim).ok()?,
+            ground.unknowns(&self.claim).ok()?,
+        );
+        let Ok(Statement::Compare { left, right, .. }) = ground.evaluator.truth(statement) else {
+            return None;
+        };
+        let pairs = left.entries().into_iter().zip(right.entries());
+        let differences: Option<Vec<Fraction>> = pairs
+            .map(|(x, y)| x.minus(y).as_fraction().cloned())
+            .collect();
+        let differences = differences?;
+        let multipliers = multipliers(&differences, &forms, &unknowns)?;
+        let sides = left.entries().into_iter().chain(right.entries());
+        let divisors = sides.flat_map(|side| side.conditions());
+        let of = |all: &[Fraction]| -> Vec<Polynomial> {
+            all.iter().flat_map(|f| f.conditions().to_vec()).collect()
+        };
+        let conditions: Vec<Polynomial> =
+            divisors.chain(of(&differences)).chain(of(&forms)).collect();
+        let open = open_conditions(unrooted(&conditions, &ground), &ground);
+        let combination = Combination {
+            of: Equations::Given,
+            equations: forms.iter().map(|f| f.numerator().clone()).collect(),
+            multipliers,
+            divisors: decide::witness::nonconstant(conditions),
+            by,
+        };
+        Some((ground, combination, open))
+    }
+
+    /// An equation as a combination of the assumed ones as they stand, where solving these would divide by what may vanish,
+    /// if it is one, with the conditions that it leaves.
+    fn uneliminated(
+        &self,
+        statement: &core::Statement,
+        instance: &Instance,
+    ) -> Option<(Ground<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
+        if !self.claim.unknowns.is_empty() {
+            return None;
+        }
+        let fixed = instances::fixed(instance);
+        let elaborator = Rc::clone(&self.elaborator);
+        let ground = Ground::assumed(&self.claim, elaborator, &fixed, Solving::Safely).ok()?;
+        let Ok(Statement::Compare {
+            relation: Relation::Equal,
+            left,
+            right,
+        }) = ground.evaluator.truth(statement)
+        else {
+            return None;
+        };
+        let (domain, evaluator) = (&ground.domain, &ground.evaluator);
+        let combination = equality::follows(&left, &right, domain, evaluator)
+            .or_else(|| equality::follows_from_several(&left, &right, domain, evaluator))?;
+        let open = open_conditions(unrooted(&combination.divisors, &ground), &ground);
+        Some((ground, combination, open))
+    }
+
+    /// The decision with some integers fixed. Where roots are left that settle nothing as symbols, what they are the roots of
+    /// is written by them.
+    fn symbolic(
+        &self,
+        statement: &core::Statement,
+        instance: &Instance,
+    ) -> Result<Decision, Fault> {
+        let ground = self.ground(instance)?;
+        let rooted = !ground.domain.roots.is_empty();
+        let decision = self.on_ground(statement, instance, ground)?;
+        if rooted && matches!(decision, Decision::Open { .. }) {
+            let ground = self.ground_where(instance, RootsAre::Solved);
+            let again = ground.and_then(|ground| self.on_ground(statement, instance, ground));
+            if let Ok(decided @ (Decision::Proven(_) | Decision::Refuted(_))) = again {
+                return Ok(decided);
+            }
+        }
+        Ok(decision)
+    }
+
+    fn on_ground(
+        &self,
+        statement: &core::Statement,
+        instance: &Instance,
+        mut ground: Ground<'_>,
+    ) -> Result<Decision, Fault> {
+        let names: Vec<String> = self
+            .claim
+            .symbols
+            .keys()
+            .map(ToString::to_string)
+            .filter(|name| !instance.contains_key(name))
+            .collect();
+        if let Some(emptiness) = contradiction(&ground.domain, &names) {
+            // Where a divisor of the elimination vanishes, the constraints may say something else.
+            return Ok(match ground.domain.pivots.is_empty() {
+                true => Decision::Vacuous(emptiness),
+                false => Decision::Open {
+                    reason: emptiness.map(&plain).reason(),
+                    tried: vec![],
+                },
+            });
+        }
+        let value = ground.evaluator.truth(statement)?;
+        ground
+            .domain
+            .order_exponentials(&exponential::symbols_of(&value));
+        let mut decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
+        if decision.is_refuted() {
+            // A point at which some other part of the claim is undefined refutes nothing.
+            match ground.evaluator.truth(&self.claim.statement) {
+                Ok(whole) => {
+                    let divisors = divisors(&whole);
+                    if !divisors.is_empty() {
+                        ground.domain.divisors = divisors;
+                        decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
+                    }
+                }
+                Err(fault) if undefined(&fault) => return Err(fault),
+                Err(fault) => {
+                    return Ok(Decision::Open {
+                        reason: fault.problem.to_string(),
+                        tried: vec![],
+                    });
+                }
+            }
+        }
+        let proof = match decision {
+            Decision::Proven(proof) => proof,
+            Decision::Refuted(mut refutation) => {
+                let point = refutation.refuted.counterexample_mut();
+                witness::complete(point, &self.claim, instance, &ground.domain);
+                return Ok(Decision::Refuted(refutation));
+            }
+            other => return Ok(other),
+        };
+        let mut met: Vec<Polynomial> = proof.conditions().into_iter().cloned().collect();
+        if !is_equality(&value) {
+            met.extend(ground.domain.pivots.iter().cloned());
+        }
+        let met = unrooted(&met, &ground);
+        let conditions = open_conditions(met.clone(), &ground);
+        if !conditions.is_empty()
+            && let Some((unsolved, combination, weaker)) =
+                self.unsolved(statement, instance, equality::vanishing(&ground.evaluator))
+            && weaker
+                .iter()
+                .all(|condition| conditions.contains(condition))
+            && weaker.len() < conditions.len()
+        {
+            let nonzero = nonzero(met, &weaker, &unsolved.domain);
+            let combination = Proof::Combination(combination);
+            return Ok(proved(unsolved, combination, (weaker, nonzero), vec![]));
+        }
+        if !conditions.is_empty()
+            && !ground.eliminated.is_empty()
+            && let Some((kept, combination, weaker)) = self.uneliminated(statement, instance)
+            && weaker
+                .iter()
+                .all(|condition| conditions.contains(condition))
+            && weaker.len() < conditions.len()
+        {
+            let met = unrooted(&combination.divisors, &kept);
+            let nonzero = nonzero(met, &weaker, &kept.domain);
+            let combination = Proof::Combination(combination);
+            return Ok(proved(kept, combination, (weaker, nonzero), vec![]));
+        }
+        let ranges = decide::ranges(&value, &ground.domain, &ground.evaluator)?;
+        let nonzero = nonzero(met, &conditions, &ground.domain);
+        Ok(proved(ground, proof, (conditions, nonzero), ranges))
+    }
+}
+
+/// A proof on its ground.
+fn proved(
+    ground: Ground<'_>,
+    proof: Proof,
+    (conditions, (nonzero, seen)): (Vec<Polynomial>, Nonzero),
+    ranges: Vec<Sharpness<Polynomial>>,
+) -> Decision {
+    Decision::Proven(Proof::On(Box::new(torse_proof::proof::ground::Ground {
+        constraints: written(&ground.domain.constraints),
+        eliminated: ground.eliminated,
+        proof,
+        conditions,
+        nonzero,
+        seen,
+        ranges,
+    })))
+}
+
+/// What never vanishes: on the declared sets by a sign, whatever else is assumed, so that eliminations may rest on it; or as
+/// far as was seen under all assumptions.
+type Nonzero = (Vec<Sign<Polynomial>>, Vec<Polynomial>);
+
+/// Those of the factors of divisors that were met, and are no conditions.
+fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
+    // Roots were taken for positive where their radicands are.
+    met.extend(domain.positive_radicands.iter().cloned());
+    for root in &domain.roots {
+        if domain.assumes_nonzero(&Polynomial::symbol(root.symbol.clone())) {
+            met.push(root.radicand.numerator().clone());
+        }
+    }
+    let met = conditions::separated(&met);
+    let declared = Domain::new(domain.declarations);
+    let (mut signs, mut seen) = (vec![], vec![]);
+    for divisor in met {
+        if conditions.contains(&divisor) {
+            continue;
+        }
+        match sign::positive(&divisor, &declared) {
+            Some(sign) => signs.push(sign),
+            None if domain.assumes_nonzero(&divisor) || sign::never_zero(&divisor, domain) => {
+                seen.push(divisor);
+            }
+            None => {}
+        }
+    }
+    (signs, seen)
+}
+
+/// Whether a fault says that a term is defined nowhere.
+fn undefined(fault: &Fault) -> bool {
+    matches!(
+        *fault.problem,
+        Problem::IndexOutside { .. } | Problem::ZeroDivisor { .. }
+    )
+}
+
+fn is_equality(statement: &Statement) -> bool {
+    matches!(
+        statement,
+        Statement::Compare {
+            relation: Relation::Equal,
+            ..
+        }
+    )
+}
+
+/// Everything that the terms of a statement were divided by.
+fn divisors(statement: &Statement) -> Vec<Polynomial> {
+    let of = |value: &Value| -> Vec<Polynomial> {
+        let entries = value.entries().into_iter();
+        entries.flat_map(|q| q.conditions()).collect()
+    };
+    let mut all = match statement {
+        Statement::Compare { left, right, .. } => [of(left), of(right)].concat(),
+        Statement::Agrees { values, .. } => {
+            let recorded = values.iter().flat_map(Fraction::conditions);
+            recorded.cloned().collect()
+        }
+        Statement::Family { .. } => vec![],
+        Statement::Join(_, a, b) => [divisors(a), divisors(b)].concat(),
+        Statement::Not(inner) => divisors(inner),
+    };
+    all.sort();
+    all.dedup();
+    all
+}
+
+/// Whether a condition is a factor of a divisor.
+fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
+    condition == divisor
+        || condition.len() < divisor.len() && divisor.exact_quotient(condition).is_some()
+}
+
+/// The divisors, factor by factor, with radicands for roots, which vanish where these do.
+fn unrooted(divisors: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
+    let roots = &ground.domain.roots;
+    let plain: Vec<Polynomial> = divisors.iter().map(|p| roots::unrooted(p, roots)).collect();
+    conditions::separated(&plain)
+}
+
+/// The conditions, factor by factor, that neither the hypotheses state nor the domain implies.
+fn open_conditions(mut conditions: Vec<Polynomial>, ground: &Ground<'_>) -> Vec<Polynomial> {
+    let domain = &ground.domain;
+    let by_declaration = |p: &Polynomial| {
+        let declared = Domain::new(domain.declarations);
+        sign::never_zero(p, &declared.with_ordered_exponentials(p.symbols()))
+    };
+    let settled = |p: &Polynomial| match domain.unsettled.iter().any(|u| divides(p, u)) {
+        true => by_declaration(p),
+        false => domain.assumes_nonzero(p) || sign::never_zero(p, domain),
+    };
+    conditions.retain(|p| !planted(Planted::ConditionDropped) && !settled(p));
+    conditions
+}

@@ -1,0 +1,221 @@
+//! Statements by their structure: conjunctions part by part, denials by one point, alternatives by one of them.
+
+use crate::alternatives;
+use crate::decide::value::Proof;
+use crate::decide::{self, Decision};
+use crate::decider::Decider;
+use std::rc::Rc;
+use torse_language::core::{self, Elaborator};
+use torse_language::derivation::Origin;
+use torse_language::fault::Fault;
+use torse_language::syntax::Connective;
+
+/// The domain of a claim, cut into parts without alternatives.
+pub(crate) struct Parts<'a> {
+    deciders: Vec<Decider<'a>>,
+    elaborator: Rc<Elaborator<'a>>,
+    /// Where the statement is written.
+    origin: &'a Origin,
+}
+
+impl<'a> Parts<'a> {
+    pub fn of(
+        claims: Vec<core::Claim>,
+        elaborator: &Rc<Elaborator<'a>>,
+        origin: &'a Origin,
+    ) -> Self {
+        let decider = |claim| Decider::new(claim, Rc::clone(elaborator));
+        Self {
+            deciders: claims.into_iter().map(decider).collect(),
+            elaborator: Rc::clone(elaborator),
+            origin,
+        }
+    }
+
+    pub fn decide(&self, statement: &core::Statement) -> Result<Decision, Fault> {
+        match statement {
+            core::Statement::Join(Connective::And, a, b) => {
+                let first = self.decide(a)?;
+                if first.is_refuted() {
+                    return Ok(first);
+                }
+                Ok(decide::both(first, self.decide(b)?))
+            }
+            core::Statement::Not(inner) => {
+                let decided = self.everywhere_defined(self.decide(inner)?);
+                let anywhere = || self.deciders.iter().find_map(|part| part.anywhere(inner));
+                Ok(decide::negated(decided, anywhere))
+            }
+            core::Statement::Join(Connective::Implies, premise, conclusion) => {
+                match self.under(&[premise], true, conclusion)? {
+                    Some(Decision::Proven(proof)) => {
+                        Ok(Decision::Proven(Proof::Conclusion(Box::new(proof))))
+                    }
+                    Some(decision) => Ok(decision),
+                    None => self.everywhere(statement),
+                }
+            }
+            core::Statement::Join(Connective::Or, ..) => match alternatives::clauses(statement) {
+                Some(clauses) => {
+                    let clauses = clauses.iter().map(|clause| self.alternative(clause));
+                    conjoined(clauses, Proof::Clauses)
+                }
+                None => self.everywhere(statement),
+            },
+            other => self.everywhere(other),
+        }
+    }
+
+    /// A proof without the conditions that only say where its own terms are defined: those that no eliminated symbol
+    /// brought in.
+    fn everywhere_defined(&self, decision: Decision) -> Decision {
+        match decision {
+            Decision::Proven(proof)
+                if !proof.conditions().is_empty()
+                    && self.deciders.iter().all(Decider::brings_no_divisors) =>
+            {
+                Decision::Proven(Proof::Defined(Box::new(proof)))
+            }
+            other => other,
+        }
+    }
+
+    /// Alternatives: proved if one is, or one is where all others fail. A denial among them is true or false of the whole
+    /// domain: a false one is no alternative.
+    fn alternative(&self, literals: &[&core::Statement]) -> Result<Decision, Fault> {
+        let (mut left, mut decisions, mut false_denial) = (vec![], vec![], None);
+        for (place, literal) in literals.iter().enumerate() {
+            match self.decide(literal)? {
+                Decision::Proven(proof) if proof.conditions().is_empty() => {
+                    return Ok(Decision::Proven(decide::alternative(place, false, proof)));
+                }
+                refuted @ Decision::Refuted(_) if denies(literal) => {
+                    false_denial = Some(refuted);
+                }
+                decision => {
+                    left.push((place, *literal));
+                    decisions.push((place, decision));
+                }
+            }
+        }
+        if left.len() <= 1 {
+            match (decisions.pop(), false_denial) {
+                (Some((place, Decision::Proven(proof))), _) => {
+                    return Ok(Decision::Proven(decide::alternative(place, false, proof)));
+                }
+                (Some((_, decision)), _) | (None, Some(decision)) => return Ok(decision),
+                (None, None) => {}
+            }
+        }
+        for (number, (place, conclusion)) in left.iter().enumerate().rev() {
+            let others = left
+                .iter()
+                .enumerate()
+                .filter(|(other, _)| *other != number);
+            let others: Vec<&core::Statement> = others.map(|(_, (_, literal))| *literal).collect();
+            match self.under(&others, false, conclusion)? {
+                Some(Decision::Proven(proof)) if proof.conditions().is_empty() => {
+                    return Ok(Decision::Proven(decide::alternative(*place, true, proof)));
+                }
+                Some(refuted @ Decision::Refuted(_)) => return Ok(refuted),
+                _ => {}
+            }
+        }
+        Ok(Decision::Open {
+            reason: "no alternative is proved on the whole domain".to_owned(),
+            tried: vec!["each alternative on its own, and where the others fail".to_owned()],
+        })
+    }
+
+    /// A statement that is decided as it is, on every part.
+    fn everywhere(&self, statement: &core::Statement) -> Result<Decision, Fault> {
+        conjoined(
+            self.deciders.iter().map(|part| part.single(statement)),
+            Proof::Parts,
+        )
+    }
+
+    /// The conclusion where all premises are true, or all are false: at every other point the statement is true. `None` if
+    /// a premise cannot be assumed, or one of them denies something of the whole domain.
+    fn under(
+        &self,
+        premises: &[&core::Statement],
+        truth: bool,
+        conclusion: &core::Statement,
+    ) -> Result<Option<Decision>, Fault> {
+        if premises.iter().any(|p| denies(p)) || denies(conclusion) {
+            return Ok(None);
+        }
+        let mut there = vec![];
+        for part in &self.deciders {
+            let Some(claims) = alternatives::under(&part.claim, premises, truth, self.origin)
+            else {
+                return Ok(None);
+            };
+            there.extend(claims);
+        }
+        let there = Parts::of(there, &self.elaborator, self.origin);
+        Ok(Some(match there.decide(conclusion) {
+            // No point, or none at which the premises are so: the second is a proof.
+            Ok(Decision::Vacuous(emptiness)) => match self.everywhere(conclusion)? {
+                vacuous @ Decision::Vacuous(_) => vacuous,
+                _ => Decision::Proven(Proof::Nowhere(emptiness)),
+            },
+            Ok(decision) => decision,
+            Err(fault) if fault.is_limit() => Decision::Open {
+                reason: fault.problem.to_string(),
+                tried: vec![],
+            },
+            Err(fault) => return Err(fault),
+        }))
+    }
+}
+
+/// Whether something is denied of the whole domain.
+fn denies(statement: &core::Statement) -> bool {
+    match statement {
+        core::Statement::Not(_) => true,
+        core::Statement::Join(_, a, b) => denies(a) || denies(b),
+        _ => false,
+    }
+}
+
+/// The decision from those on all parts of a domain, or of all parts of a statement. A part without points says nothing.
+fn conjoined(
+    parts: impl Iterator<Item = Result<Decision, Fault>>,
+    joined: impl FnOnce(Vec<Proof>) -> Proof,
+) -> Result<Decision, Fault> {
+    let (mut proofs, mut open, mut empty) = (vec![], None, None);
+    let mut proven = false;
+    for part in parts {
+        match part? {
+            refuted @ Decision::Refuted(_) => return Ok(refuted),
+            Decision::Proven(proof) => {
+                proven = true;
+                proofs.push(proof);
+            }
+            Decision::Vacuous(emptiness) => {
+                proofs.push(Proof::Nowhere(emptiness.clone()));
+                empty = Some(emptiness);
+            }
+            undecided @ Decision::Open { .. } => {
+                open.get_or_insert(undecided);
+            }
+        }
+    }
+    Ok(match (open, proven, empty) {
+        (Some(open), _, _) => open,
+        (None, true, _) => Decision::Proven(match proofs.pop() {
+            Some(only) if proofs.is_empty() => only,
+            last => {
+                proofs.extend(last);
+                joined(proofs)
+            }
+        }),
+        (None, false, Some(emptiness)) => Decision::Vacuous(emptiness),
+        (None, false, None) => Decision::Open {
+            reason: "no part of the domain".to_owned(),
+            tried: vec![],
+        },
+    })
+}
