@@ -19,6 +19,15 @@ use torse_language::syntax::{Connective, Relation};
 type Equations<'a> = Vec<(&'a Term, Option<&'a Term>)>;
 type Row<A> = Vec<Series<<A as Arithmetic>::Number>>;
 
+/// The rates of all entries by one number.
+fn rates<A: Arithmetic>(expanded: &Expanded<A::Number>, name: &Name, a: &A) -> Row<A> {
+    let rate = |slope: &Slope<A::Number>| match slope.rates.get(name) {
+        Some(rate) => Series::Number(rate.clone()),
+        None => Series::integer(0, a),
+    };
+    expanded.gaps.iter().map(rate).collect()
+}
+
 impl<A: Arithmetic> Evaluator<'_, A> {
     /// One row for each form, one column for each symbol.
     ///
@@ -35,6 +44,9 @@ impl<A: Arithmetic> Evaluator<'_, A> {
             Some((equations, unknowns)) => {
                 self.along(forms, &names, &equations, unknowns, scope)?
             }
+            None if self.arithmetic.work().known().is_linear(forms, symbols) => {
+                self.together(forms, &names, scope)?
+            }
             None => {
                 let columns = names.iter().map(|name| self.linear(forms, name, scope));
                 columns.collect::<Result<_, _>>()?
@@ -43,7 +55,51 @@ impl<A: Arithmetic> Evaluator<'_, A> {
         Ok(Value::matrix(transposed(&columns)))
     }
 
-    /// The derivatives of linear forms.
+    /// The coefficients of forms that are linear in all symbols together, which do not depend on what the symbols are worth.
+    fn together(
+        &self,
+        forms: &Term,
+        names: &[Name],
+        scope: &Sc<'_, A>,
+    ) -> Result<Vec<Row<A>>, Gap> {
+        let a = self.arithmetic;
+        let closed = a.work().known().is_closed(forms) && scope.innermost_symbol().is_none();
+        let moves = |name: &Name| names.contains(name);
+        let values = |name: &Name| match moves(name) {
+            true => Some(a.integer(0)),
+            false => (self.values)(name),
+        };
+        // One evaluation has all rates, where the arithmetic has any.
+        if closed && let Ok(expanded) = a.first_order(&[(forms, None)], &values, &moves) {
+            return Ok(names.iter().map(|name| rates(&expanded, name, a)).collect());
+        }
+        // Else each is what the forms are worth where its symbol is 1 and the others are 0, less what they are worth where all
+        // are 0.
+        let none = self.where_one_is_unit(forms, names, None, scope)?;
+        let column = |name| -> Result<Row<A>, Gap> {
+            let unit = self.where_one_is_unit(forms, names, Some(name), scope)?;
+            let pairs = unit.iter().zip(&none);
+            pairs.map(|(one, none)| one.minus(none, a)).collect()
+        };
+        names.iter().map(column).collect()
+    }
+
+    /// What forms are worth where one of these symbols is 1, and all others are 0.
+    fn where_one_is_unit(
+        &self,
+        forms: &Term,
+        names: &[Name],
+        unit: Option<&Name>,
+        scope: &Sc<'_, A>,
+    ) -> Result<Row<A>, Gap> {
+        let Some((name, others)) = names.split_first() else {
+            return self.entries(forms, scope);
+        };
+        let value = Series::integer(i64::from(unit == Some(name)), self.arithmetic);
+        self.where_one_is_unit(forms, others, unit, &scope.changed(name.clone(), value))
+    }
+
+    /// The derivatives of forms that are linear in each symbol.
     fn linear(&self, forms: &Term, name: &Name, scope: &Sc<'_, A>) -> Result<Row<A>, Gap> {
         let a = self.arithmetic;
         let own = self.symbol(name.clone(), scope)?;
@@ -113,21 +169,14 @@ impl<A: Arithmetic> Evaluator<'_, A> {
         if discrete.any(&moves) {
             return Err(Undefined::NotDifferentiable.into());
         }
-        let rates = |expanded: &Expanded<A::Number>, name: &Name| -> Row<A> {
-            let rate = |slope: &Slope<A::Number>| match slope.rates.get(name) {
-                Some(rate) => Series::Number(rate.clone()),
-                None => Series::integer(0, a),
-            };
-            expanded.gaps.iter().map(rate).collect()
-        };
-        let of_gaps = |names: &[Name]| names.iter().map(|name| rates(&gaps, name)).collect();
+        let of_gaps = |names: &[Name]| names.iter().map(|name| rates(&gaps, name, a)).collect();
         let (rows, right): (Vec<Row<A>>, Vec<Row<A>>) = (of_gaps(&free), of_gaps(names));
         let changes = self.eliminated(&rows, &right)?;
         let mut columns = vec![];
         for (name, changes) in names.iter().zip(changes) {
-            let mut column = rates(&forms, name);
+            let mut column = rates(&forms, name, a);
             for (unknown, change) in free.iter().zip(&changes) {
-                for (entry, rate) in column.iter_mut().zip(rates(&forms, unknown)) {
+                for (entry, rate) in column.iter_mut().zip(rates(&forms, unknown, a)) {
                     *entry = entry.plus(&rate.times(change, a)?, a)?;
                 }
             }

@@ -59,6 +59,7 @@
 
 mod arithmetic;
 mod coefficients;
+mod degree;
 mod domain;
 mod evaluate;
 mod expansion;

@@ -24,6 +24,35 @@ fn formula() -> impl Strategy<Value = String> {
     })
 }
 
+/// Formulas that are often linear in `a` and `b`, with `y` beside them.
+fn form() -> impl Strategy<Value = String> {
+    let leaf = prop_oneof![
+        3 => Just("A".to_owned()),
+        3 => Just("B".to_owned()),
+        2 => Just("y".to_owned()),
+        2 => (-3..4_i32).prop_map(|n| format!("({n})")),
+    ];
+    leaf.prop_recursive(4, 12, 2, |inner| {
+        let of_y = inner.clone().prop_map(|y| y.replace(['A', 'B'], "y"));
+        prop_oneof![
+            3 => (inner.clone(), inner.clone()).prop_map(|(x, y)| format!("({x} + {y})")),
+            1 => (inner.clone(), inner.clone()).prop_map(|(x, y)| format!("({x} - {y})")),
+            1 => (inner.clone(), inner.clone()).prop_map(|(x, y)| format!("({x}*{y})")),
+            3 => (inner.clone(), of_y.clone()).prop_map(|(x, y)| format!("({y}*{x})")),
+            1 => (inner.clone(), of_y.clone()).prop_map(|(x, y)| format!("({x}/(1 + {y}^2))")),
+            1 => (inner.clone(), inner.clone()).prop_map(|(x, y)| format!("({x}/(4 + {y}))")),
+            1 => inner.clone().prop_map(|x| format!("({x}^2)")),
+            1 => inner.clone().prop_map(|x| format!("D(y^3*{x}, y)")),
+            1 => (inner.clone(), of_y).prop_map(|(x, y)| format!("at({x}, y, {y})")),
+            1 => (inner.clone(), inner.clone()).prop_map(|(x, y)| format!("at({x}, y, {y})")),
+            1 => (inner.clone(), inner.clone()).prop_map(|(x, y)| format!("dot([{x}, 2], [y, {y}])")),
+            1 => (inner.clone(), inner.clone()).prop_map(|(x, y)| format!("[{x}, {y}][2]")),
+            1 => inner.prop_map(|x| format!("sum(j, 1, 3, y^j*{x})")),
+        ]
+    })
+    .prop_map(|form| form.replace('A', "a").replace('B', "b"))
+}
+
 fn point() -> impl Strategy<Value = (String, String)> {
     let number = || (-9..10_i32, 1..6_i32).prop_map(|(n, d)| format!("{n}/{d}"));
     (number(), number())
@@ -69,6 +98,18 @@ proptest! {
     fn the_order_of_derivatives_does_not_matter(f in formula(), at in point()) {
         let law = format!("D(D({f}, a), b) == D(D({f}, b), a) and D(D({f}, a), a) == D({f}, a, 2)");
         prop_assert_eq!(judged(&law, &at), Judgement::True);
+    }
+
+    #[test]
+    fn coefficients_are_derivatives(f in form(), g in form(), at in point()) {
+        let law = format!(
+            "coefficients([{f}, {g}], [a, b]) == [[D({f}, a), D({f}, b)], [D({g}, a), D({g}, b)]]"
+        );
+        let (claim, y) = (claim("", &format!("{law} and 0*a*b*y == 0")), "7/5");
+        let point = [("a", at.0.as_str()), ("b", at.1.as_str()), ("y", y)];
+        let judgement = judge(&claim, &claim.statement, &read(&claim, point).unwrap());
+        let allowed = matches!(judgement, Judgement::True | Judgement::Undefined(_));
+        prop_assert!(allowed, "{law} is {judgement}");
     }
 
     #[test]
