@@ -5,7 +5,7 @@
 //! unknowns that has a solution there has one as formulas, but for a chance of about one in 10^17; and
 //! what is found is proved afterwards.
 
-use num_traits::ToPrimitive;
+use num_traits::{One, ToPrimitive};
 use torse_algebra::rational::remainder;
 use torse_algebra::{Fraction, Integer, Polynomial, Rational, Symbol};
 
@@ -14,23 +14,32 @@ const PRIME: u64 = (1 << 61) - 1;
 /// The largest numerator and denominator that are read out of a residue.
 const MOST: u64 = 1 << 29;
 
-/// The residue of a product.
+/// The residue of a product: two to the 61 is 1, so that what stands above the bit 61 is added to what stands below.
 #[must_use]
 pub fn times(a: u64, b: u64) -> u64 {
-    let product = u128::from(a) * u128::from(b) % u128::from(PRIME);
-    u64::try_from(product).unwrap_or(0)
+    let product = u128::from(a) * u128::from(b);
+    let low = product & u128::from(PRIME);
+    plus(
+        u64::try_from(product >> 61).unwrap_or(0) % PRIME,
+        u64::try_from(low).unwrap_or(0),
+    )
 }
 
 /// The residue of a sum.
 #[must_use]
 pub fn plus(a: u64, b: u64) -> u64 {
-    (a + b) % PRIME
+    once_less(a + b)
+}
+
+/// The residue of a number below twice the prime.
+fn once_less(n: u64) -> u64 {
+    if n >= PRIME { n - PRIME } else { n }
 }
 
 /// The residue of a difference.
 #[must_use]
 pub fn minus(a: u64, b: u64) -> u64 {
-    (a + PRIME - b) % PRIME
+    once_less(a + PRIME - b)
 }
 
 /// The residue of a power; of a negative one where the base is not zero.
@@ -39,11 +48,7 @@ pub fn power(base: u64, exponent: i32) -> Option<u64> {
     if exponent < 0 {
         return power(inverse(base)?, exponent.checked_neg()?);
     }
-    let mut result = 1;
-    for _ in 0..exponent {
-        result = times(result, base);
-    }
-    Some(result)
+    Some((0..exponent).fold(1, |power, _| times(power, base)))
 }
 
 /// The inverse by Fermat's theorem.
@@ -63,11 +68,15 @@ fn inverse(a: u64) -> Option<u64> {
 #[must_use]
 pub fn of_rational(value: &Rational) -> Option<u64> {
     let modulus = Integer::from(PRIME);
-    let whole = |n: &Integer| remainder(n, &modulus).to_u64();
-    Some(times(
-        whole(value.numer())?,
-        inverse(whole(value.denom())?)?,
-    ))
+    let whole = |n: &Integer| match u64::try_from(n) {
+        Ok(small) if small < PRIME => Some(small),
+        _ => remainder(n, &modulus).to_u64(),
+    };
+    let above = whole(value.numer())?;
+    if value.is_integer() {
+        return Some(above);
+    }
+    Some(times(above, inverse(whole(value.denom())?)?))
 }
 
 /// The rational number of small numerator and denominator with this residue (Wang's algorithm: the
@@ -140,7 +149,10 @@ fn of_polynomial(polynomial: &Polynomial, point: u64) -> Option<u64> {
     let scale = Rational::from_integer(polynomial.denominator().clone());
     let mut sum = 0;
     for term in polynomial.terms() {
-        let mut product = of_rational(&(term.coefficient * &scale))?;
+        let mut product = match scale.is_one() {
+            true => of_rational(&term.coefficient)?,
+            false => of_rational(&(term.coefficient * &scale))?,
+        };
         for (symbol, exponent) in term.powers {
             let position = symbols.binary_search(symbol).ok()?;
             let value = values.get(position)?;
@@ -148,7 +160,10 @@ fn of_polynomial(polynomial: &Polynomial, point: u64) -> Option<u64> {
         }
         sum = plus(sum, product);
     }
-    Some(times(sum, inverse(of_rational(&scale)?)?))
+    match scale.is_one() {
+        true => Some(sum),
+        false => Some(times(sum, inverse(of_rational(&scale)?)?)),
+    }
 }
 
 /// Solves equations, the right side last in each row. A column that depends on earlier ones gets the

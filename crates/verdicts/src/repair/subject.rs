@@ -261,7 +261,12 @@ impl Unfolded {
             && arguments.len() == self.parameters.len()
         {
             let names = self.parameters.iter().map(String::as_str);
-            return substituted(body, &names.zip(arguments).collect());
+            let values: BTreeMap<&str, &Expr> = names.zip(arguments).collect();
+            let stay = |(name, value): (&&str, &&Expr)| matches!(&value.node, Node::Name(own) if own == name);
+            return match values.iter().all(stay) {
+                true => body.clone(),
+                false => substituted(body, &values),
+            };
         }
         expr.with_parts(|part| self.folded_out(part, body))
     }
