@@ -5,12 +5,23 @@ use super::value::{Value, Vector};
 use super::wrong_type;
 use std::collections::BTreeMap;
 use torse_algebra::matrix::{Matrix, MatrixError};
-use torse_algebra::{Fraction, Polynomial, Symbol};
+use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
 use torse_language::fault::{Fault, Problem};
 use torse_language::syntax::Place;
 
-fn matrix(rows: &[Vec<Fraction>], place: Place) -> Result<Matrix<Fraction>, Fault> {
-    Matrix::from_rows(rows.to_vec()).map_err(|e| fault(&e, place))
+fn matrix<T>(rows: Vec<Vec<T>>, place: Place) -> Result<Matrix<T>, Fault> {
+    Matrix::from_rows(rows).map_err(|e| fault(&e, place))
+}
+
+/// The entries as rational numbers, if all are, and nothing was divided by that may vanish.
+fn rational(rows: &[Vec<Fraction>]) -> Option<Vec<Vec<Rational>>> {
+    let number = |entry: &Fraction| match entry.conditions() {
+        [] => entry.as_rational(),
+        _ => None,
+    };
+    rows.iter()
+        .map(|row| row.iter().map(number).collect())
+        .collect()
 }
 
 fn fault(error: &MatrixError, place: Place) -> Fault {
@@ -41,9 +52,11 @@ fn quantities(matrix: &Matrix<Fraction>) -> Vec<Vec<Quantity>> {
 
 /// The determinant.
 pub(super) fn determinant(rows: &[Vec<Fraction>], place: Place) -> Result<Fraction, Fault> {
-    matrix(rows, place)?
-        .determinant()
-        .map_err(|e| fault(&e, place))
+    let determinant = match rational(rows) {
+        Some(rows) => matrix(rows, place)?.determinant().map(Fraction::from),
+        None => matrix(rows.to_vec(), place)?.determinant(),
+    };
+    determinant.map_err(|e| fault(&e, place))
 }
 
 /// The inverse, by the adjugate: the determinant is the only divisor.
@@ -55,8 +68,7 @@ pub(super) fn inverse(rows: &[Vec<Fraction>], place: Place) -> Result<Value, Fau
 const MAX_INVERSE: usize = 100_000;
 
 fn inverted(rows: &[Vec<Fraction>], place: Place) -> Result<Matrix<Fraction>, Fault> {
-    let matrix = matrix(rows, place)?;
-    let determinant = matrix.determinant().map_err(|e| fault(&e, place))?;
+    let determinant = determinant(rows, place)?;
     let terms = determinant.numerator().len();
     if terms.saturating_mul(rows.len() * rows.len()) > MAX_INVERSE {
         return Err(Fault::limit(
@@ -67,8 +79,15 @@ fn inverted(rows: &[Vec<Fraction>], place: Place) -> Result<Matrix<Fraction>, Fa
     let inverse = Fraction::integer(1)
         .over(&determinant)
         .map_err(|e| Fault::exact(place, e))?;
-    let adjugate = matrix.adjugate().map_err(|e| fault(&e, place))?;
-    Ok(adjugate.map(|entry| entry.clone() * inverse.clone()))
+    let adjugate = match rational(rows) {
+        Some(rows) => {
+            let adjugate = matrix(rows, place)?.adjugate();
+            adjugate.map(|adjugate| adjugate.map(|entry| entry.clone().into()))
+        }
+        None => matrix(rows.to_vec(), place)?.adjugate(),
+    };
+    let adjugate = adjugate.map_err(|e| fault(&e, place))?;
+    Ok(adjugate.map(|entry: &Fraction| entry.clone() * inverse.clone()))
 }
 
 /// The solution x of `A x = right`, for a vector or a matrix of right sides.
