@@ -25,18 +25,23 @@ impl Fraction {
                 divisor: divisor.to_string(),
             });
         }
-        let mut result = self.clone();
-        result.conditions = merged(&self.conditions, &divisor.conditions);
-        result.numerator = &result.numerator * &divisor.denominator();
+        Ok(self.clone().divided(divisor, 1).cancelled())
+    }
+
+    /// `self / divisor^exponent`, recording the divisor, which is not zero; nothing is cancelled yet.
+    pub(super) fn divided(mut self, divisor: &Self, exponent: u32) -> Self {
+        self.conditions = merged(&self.conditions, &divisor.conditions);
+        self.numerator = &self.numerator * &divisor.denominator().power(exponent);
         let (content, factors) = self.factors_of(&divisor.numerator);
-        result.numerator = result.numerator.scaled(&content.recip());
-        for (factor, exponent) in factors {
+        let content = num_traits::pow(content.recip(), exponent as usize);
+        self.numerator = self.numerator.scaled(&content);
+        for (factor, times) in factors {
             if !factor.is_exponential() {
-                result.conditions = merged(&result.conditions, std::slice::from_ref(&factor));
+                self.conditions = merged(&self.conditions, std::slice::from_ref(&factor));
             }
-            *result.denominator.entry(factor).or_insert(0) += exponent;
+            *self.denominator.entry(factor).or_insert(0) += times * exponent;
         }
-        Ok(result.cancelled())
+        self
     }
 
     /// Splits a nonzero polynomial into its content and primitive factors, by single symbols and by the

@@ -24,9 +24,15 @@ impl Fraction {
         let mut result = replace(&self.numerator);
         for (factor, exponent) in &self.denominator {
             let divisor = replace(factor);
-            for _ in 0..*exponent {
-                result = result.over(&divisor)?;
+            if divisor.is_zero() {
+                return Err(ExactError::DivisionByZero {
+                    divisor: divisor.to_string(),
+                });
             }
+            result = result.divided(&divisor, *exponent);
+        }
+        if !self.denominator.is_empty() {
+            result = result.cancelled();
         }
         for condition in &self.conditions {
             let replaced = replace(condition);

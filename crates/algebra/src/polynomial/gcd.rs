@@ -72,13 +72,17 @@ impl Polynomial {
     }
 
     fn remainder_sequence(&self, other: &Self, main: &Symbol) -> Self {
-        let (content_a, part_a) = self.split_content(main);
-        let (content_b, part_b) = other.split_content(main);
-        let content = content_a.gcd(&content_b);
-        let (mut a, mut b) = if part_a.degree_in(main) >= part_b.degree_in(main) {
-            (part_a, part_b)
+        let (short, long) = match self.len() <= other.len() {
+            true => (self, other),
+            false => (other, self),
+        };
+        let (content, part) = short.split_content(main);
+        // What divides every coefficient of the long one need not be known: what it shares with the short one is enough.
+        let content = long.content_with(content, main);
+        let (mut a, mut b) = if long.degree_in(main) >= part.degree_in(main) {
+            (long.clone(), part)
         } else {
-            (part_b, part_a)
+            (part, long.clone())
         };
         while !b.is_zero() {
             if b.degree_in(main) == 0 {
@@ -90,7 +94,8 @@ impl Polynomial {
             a = b;
             b = remainder.split_content(main).1;
         }
-        (&content * &a).primitive().1
+        let (_, common) = a.split_content(main);
+        (&content * &common).primitive().1
     }
 
     /// The gcd of the coefficients with respect to `main`, and the cofactor.
@@ -98,23 +103,28 @@ impl Polynomial {
         if self.is_zero() {
             return (Self::zero(), Self::zero());
         }
-        let content = self
-            .coefficients_in(main)
-            .iter()
-            .filter(|c| !c.is_zero())
-            .fold(Self::zero(), |g, c| {
-                if g.as_constant().is_some_and(|v| !v.is_zero()) {
-                    g
-                } else {
-                    g.gcd(c)
-                }
-            });
+        let content = self.content_with(Self::zero(), main);
         let part = self
             .exact_quotient(&content)
             .unwrap_or_else(|| self.clone())
             .primitive()
             .1;
         (content, part)
+    }
+
+    /// The gcd of a polynomial and the coefficients with respect to `main`.
+    fn content_with(&self, first: Self, main: &Symbol) -> Self {
+        let coefficients = self.coefficients_in(main);
+        let mut coefficients: Vec<&Self> = coefficients.iter().filter(|c| !c.is_zero()).collect();
+        // Short ones first: their divisors are found soonest, and mostly there is none.
+        coefficients.sort_by_key(|c| c.len());
+        coefficients.into_iter().fold(first, |g, c| {
+            if g.as_constant().is_some_and(|v| !v.is_zero()) {
+                g
+            } else {
+                g.gcd(c)
+            }
+        })
     }
 
     /// The remainder of `lead^n * self` divided by `divisor`; `None` when it grows past the limit.
