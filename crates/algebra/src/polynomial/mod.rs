@@ -54,6 +54,14 @@ pub struct Term<'a> {
     pub powers: Vec<(&'a Symbol, u16)>,
 }
 
+/// The symbols of a constant. Each thread has a list of its own: all would wait for each other to count the copies of one.
+fn no_symbols() -> Arc<[Symbol]> {
+    thread_local! {
+        static NONE: Arc<[Symbol]> = Arc::new([]);
+    }
+    NONE.with(Arc::clone)
+}
+
 impl Polynomial {
     /// The polynomial of these parts, which are in normal form.
     fn new(
@@ -73,13 +81,13 @@ impl Polynomial {
 
     /// A constant in lowest terms that is not zero.
     fn number(numerator: Integer, denominator: Integer) -> Self {
-        Self::new(Arc::default(), vec![], vec![numerator], denominator)
+        Self::new(no_symbols(), vec![], vec![numerator], denominator)
     }
 
     /// The zero polynomial.
     #[must_use]
     pub fn zero() -> Self {
-        Self::new(Arc::default(), vec![], vec![], Integer::one())
+        Self::new(no_symbols(), vec![], vec![], Integer::one())
     }
 
     /// A constant.
