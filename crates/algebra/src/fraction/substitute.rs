@@ -20,7 +20,7 @@ impl Fraction {
         if !self.symbols().iter().any(|s| value(s).is_some()) && self.conditions.is_empty() {
             return Ok(self.clone());
         }
-        let replace = |p: &Polynomial| -> Self { p.replaced(&Self::zero(), &value) };
+        let replace = |p: &Polynomial| Self::replaced(p, &value);
         let mut result = replace(&self.numerator);
         for (factor, exponent) in &self.denominator {
             let divisor = replace(factor);
@@ -31,9 +31,7 @@ impl Fraction {
             }
             result = result.divided(&divisor, *exponent);
         }
-        if !self.denominator.is_empty() {
-            result = result.cancelled();
-        }
+        result = result.cancelled();
         for condition in &self.conditions {
             let replaced = replace(condition);
             let divisor = replaced.numerator.primitive().1;
@@ -47,6 +45,47 @@ impl Fraction {
             }
         }
         Ok(result)
+    }
+
+    /// A polynomial with symbols replaced, over the least common multiple of the divisors of all terms; nothing is cancelled
+    /// yet.
+    fn replaced(p: &Polynomial, value: &impl Fn(&Symbol) -> Option<Self>) -> Self {
+        let values: Vec<Option<Self>> = p.symbols().iter().map(value).collect();
+        let groups = p.grouped(|symbol| values.get(symbol).is_some_and(Option::is_some));
+        let mut terms: Vec<(Polynomial, BTreeMap<&Polynomial, u32>)> = vec![];
+        for (powers, kept) in groups {
+            let (mut numerator, mut divisors) = (kept, BTreeMap::new());
+            for (exponent, value) in powers.iter().zip(&values) {
+                let (Some(value), 1..) = (value, *exponent) else {
+                    continue;
+                };
+                numerator = &numerator * &value.numerator.power(u32::from(*exponent));
+                for (factor, times) in &value.denominator {
+                    *divisors.entry(factor).or_insert(0) += times * u32::from(*exponent);
+                }
+            }
+            terms.push((numerator, divisors));
+        }
+        let mut all: BTreeMap<&Polynomial, u32> = BTreeMap::new();
+        for (factor, exponent) in terms.iter().flat_map(|(_, divisors)| divisors) {
+            let most = all.entry(factor).or_insert(0);
+            *most = (*most).max(*exponent);
+        }
+        let mut numerator = Polynomial::zero();
+        for (term, divisors) in terms {
+            let missing = all.iter().map(|(factor, exponent)| {
+                factor.power(exponent - divisors.get(factor).copied().unwrap_or(0))
+            });
+            numerator = &numerator + &missing.fold(term, |product, power| &product * &power);
+        }
+        let conditions = values.iter().flatten();
+        let conditions = conditions.fold(vec![], |all, value| merged(&all, &value.conditions));
+        let owned = |(factor, exponent): (&Polynomial, u32)| (factor.clone(), exponent);
+        Self {
+            numerator,
+            denominator: all.into_iter().map(owned).collect(),
+            conditions,
+        }
     }
 
     /// The integer-affine form that the fraction is, such as `m - 2`: what can stand in an index.

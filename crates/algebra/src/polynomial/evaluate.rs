@@ -56,51 +56,43 @@ impl Polynomial {
     /// The polynomial with each symbol for which `value` answers replaced by that polynomial.
     #[must_use]
     pub fn substituted(&self, value: impl Fn(&Symbol) -> Option<Polynomial>) -> Self {
-        self.replaced(&Self::zero(), value)
-    }
-
-    /// The polynomial with each symbol for which `value` answers replaced, in the ring of `like` (a ring
-    /// that contains polynomials). Terms are grouped by the powers of the replaced symbols, so what is
-    /// kept is never multiplied out again.
-    pub(crate) fn replaced<S: Scalar + From<Polynomial>>(
-        &self,
-        like: &S,
-        value: impl Fn(&Symbol) -> Option<S>,
-    ) -> S {
-        let values: Vec<Option<S>> = self.body.symbols.iter().map(&value).collect();
+        let values: Vec<Option<Self>> = self.body.symbols.iter().map(&value).collect();
         if values.iter().all(Option::is_none) {
-            return self.clone().into();
+            return self.clone();
         }
-        let mut groups: BTreeMap<Vec<u16>, Vec<(Vec<u16>, crate::Integer)>> = BTreeMap::new();
-        for (row, coefficient) in self.rows().zip(&self.body.coefficients) {
-            let part = |replaced: bool| {
-                row.iter()
-                    .zip(&values)
-                    .map(|(e, v)| if v.is_some() == replaced { *e } else { 0 })
-                    .collect::<Vec<u16>>()
-            };
-            groups
-                .entry(part(true))
-                .or_default()
-                .push((part(false), coefficient.clone()));
-        }
-        let mut total = like.zero_like();
-        for (powers, kept) in groups {
-            let kept = Self::collected(
-                std::sync::Arc::clone(&self.body.symbols),
-                kept,
-                self.body.denominator.clone(),
-            );
-            let mut term = S::from(kept);
+        let mut total = Self::zero();
+        for (powers, kept) in self.grouped(|place| values.get(place).is_some_and(Option::is_some)) {
+            let mut term = kept;
             for (exponent, value) in powers.iter().zip(&values) {
                 if let Some(value) = value {
                     for _ in 0..*exponent {
-                        term = term * value.clone();
+                        term = &term * value;
                     }
                 }
             }
-            total = total + term;
+            total = &total + &term;
         }
         total
+    }
+
+    /// The terms by the powers of some symbols, chosen by their places: the exponents of these, and what stands beside them,
+    /// which is never multiplied out again.
+    pub(crate) fn grouped(&self, chosen: impl Fn(usize) -> bool) -> Vec<(Vec<u16>, Self)> {
+        let mut groups: BTreeMap<Vec<u16>, Vec<(Vec<u16>, crate::Integer)>> = BTreeMap::new();
+        for (row, coefficient) in self.rows().zip(&self.body.coefficients) {
+            let part = |of_chosen: bool| {
+                let each = row.iter().enumerate();
+                each.map(|(place, e)| if chosen(place) == of_chosen { *e } else { 0 })
+                    .collect::<Vec<u16>>()
+            };
+            let kept = groups.entry(part(true)).or_default();
+            kept.push((part(false), coefficient.clone()));
+        }
+        let collected = |(powers, kept)| {
+            let symbols = std::sync::Arc::clone(&self.body.symbols);
+            let kept = Self::collected(symbols, kept, self.body.denominator.clone());
+            (powers, kept)
+        };
+        groups.into_iter().map(collected).collect()
     }
 }
