@@ -162,16 +162,12 @@ fn an_import_against_the_direction_is_seen() {
 
 /// Whether a source names what makes a fault.
 fn plants(text: &str) -> bool {
-    let imports = text.match_indices("planted::").map(|(at, _)| {
+    text.match_indices("planted::").any(|(at, _)| {
         let rest = text.get(at..).unwrap_or("");
-        rest.split([';', '(']).next().unwrap_or("")
-    });
-    let names = |import: &str| {
-        tokens(import)
-            .iter()
-            .any(|name| name == "with" || name == "*")
-    };
-    imports.into_iter().any(names)
+        let import = rest.split([';', '(']).next().unwrap_or("");
+        let mut names = tokens(import).into_iter();
+        names.any(|name| name == "with" || name == "*")
+    })
 }
 
 #[test]

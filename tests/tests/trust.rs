@@ -67,3 +67,39 @@ fn what_the_net_uses_is_among_the_trusted_code() {
         .collect();
     assert_eq!(ours, ["numbers", "language"]);
 }
+
+/// The cells of a row of a table; bars in code do not part cells where they are escaped.
+fn cells(line: &str) -> usize {
+    line.replace("\\|", "").matches('|').count()
+}
+
+/// The rows of tables that have more or fewer cells than the row before.
+fn broken_rows(page: &str) -> Vec<&str> {
+    let rows: Vec<&str> = page.lines().collect();
+    let is_row = |line: &str| line.starts_with('|');
+    rows.windows(2)
+        .filter(|pair| is_row(pair[0]) && is_row(pair[1]) && cells(pair[0]) != cells(pair[1]))
+        .map(|pair| pair[1])
+        .collect()
+}
+
+#[test]
+fn every_row_of_a_table_has_as_many_cells_as_the_others() {
+    assert_eq!(broken_rows("| a | b |\n|---|---|\n| c |\n"), ["| c |"]);
+    let pages = [
+        "README.md",
+        "TRUST.md",
+        "proofs/README.md",
+        "derivations/SEMANTICS.md",
+    ];
+    let more = [
+        "derivations/README.md",
+        "derivations/COVERAGE.md",
+        "reports/README.md",
+        "designs/README.md",
+    ];
+    for page in pages.into_iter().chain(more) {
+        let text = fs::read_to_string(root().join(page)).unwrap();
+        assert_eq!(broken_rows(&text), Vec::<&str>::new(), "{page}");
+    }
+}

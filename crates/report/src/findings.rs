@@ -59,12 +59,15 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
 #[must_use]
 pub fn findings_in_words(claims: &[Outcome]) -> BTreeMap<String, String> {
     let told = claims.iter().filter(|claim| TOLD.contains(&claim.verdict));
-    let found = told.map(|claim| (visible(&claim.id), in_words(&in_full(claim))));
+    let found = told.map(|claim| {
+        let told = in_full(claim, &Names::of(claim));
+        (visible(&claim.id), in_words(&told))
+    });
     found.collect()
 }
 
-fn in_full(claim: &Outcome) -> Prose {
-    spans(&visible(&sentence::of(claim)), &Names::of(claim))
+fn in_full(claim: &Outcome, names: &Names) -> Prose {
+    spans(&visible(&sentence::of(claim)), names)
 }
 
 /// The finding about a claim.
@@ -80,6 +83,6 @@ pub(crate) fn about(claim: &Outcome, anchor: &str) -> Finding {
             &visible(&beginning(&claim.printed, LONGEST_QUOTATION)),
             &names,
         ),
-        text: in_full(claim),
+        text: in_full(claim, &names),
     }
 }
