@@ -13,6 +13,8 @@ use torse_language::syntax::Operator;
 
 /// How deep terms may be nested, not counting chains of one operator.
 const MAX_DEPTH: usize = 300;
+/// The most parts that are looked at: what takes more is not linear at sight.
+const MAX_PARTS: usize = 20_000;
 
 /// Whether forms are linear in symbols, all together, by their form: these are the names under which the symbols are declared.
 pub(crate) fn is_linear(forms: &Term, symbols: &BTreeSet<Arc<str>>) -> bool {
@@ -20,6 +22,7 @@ pub(crate) fn is_linear(forms: &Term, symbols: &BTreeSet<Arc<str>>) -> bool {
         symbols,
         bound: BTreeMap::new(),
         known: BTreeMap::new(),
+        parts: 0,
     };
     walk.degree(forms, MAX_DEPTH)
         .is_some_and(|degree| degree <= 1)
@@ -30,10 +33,13 @@ type Degree = Option<u32>;
 
 struct Walk<'a> {
     symbols: &'a BTreeSet<Arc<str>>,
-    /// Degrees of the values of variables: no two binders have the same variable.
+    /// Degrees of the values of variables, as the innermost binders of each have them.
     bound: BTreeMap<u32, Degree>,
-    /// Degrees of terms, by their addresses: formulas share the definitions that they use.
+    /// Degrees of terms while the variables have these degrees, by their addresses: formulas share the definitions that they
+    /// use.
     known: BTreeMap<usize, Degree>,
+    /// The parts looked at.
+    parts: usize,
 }
 
 /// The degree of a product.
@@ -53,8 +59,28 @@ impl Walk<'_> {
         if let Some(known) = self.known.get(&key) {
             return *known;
         }
+        self.parts += 1;
+        if self.parts > MAX_PARTS {
+            return None;
+        }
         let degree = self.node(term, depth);
         self.known.insert(key, degree);
+        degree
+    }
+
+    /// The degree of a body in which a variable has a value of this degree. The calls of a function share its body, with other
+    /// values of its parameters: what was found for one of them does not serve the next.
+    fn under(&mut self, variable: u32, value: Degree, body: &Term, depth: usize) -> Degree {
+        let before = self.bound.insert(variable, value);
+        let other = before.filter(|before| *before != value);
+        if other.is_some() {
+            self.known.clear();
+        }
+        let degree = self.degree(body, depth);
+        if let Some(other) = other {
+            self.bound.insert(variable, other);
+            self.known.clear();
+        }
         degree
     }
 
@@ -107,8 +133,7 @@ impl Walk<'_> {
                 term,
             } => {
                 self.free([low, high], depth)?;
-                self.bound.insert(index.number(), Some(0));
-                self.degree(term, depth)
+                self.under(index.number(), Some(0), term, depth)
             }
             Node::Product {
                 index,
@@ -116,8 +141,9 @@ impl Walk<'_> {
                 high,
                 term,
             } => {
-                self.bound.insert(index.number(), Some(0));
-                self.free([low, high, term], depth)
+                self.free([low, high], depth)?;
+                let factor = self.under(index.number(), Some(0), term, depth);
+                factor.filter(|degree| *degree == 0)
             }
             Node::Integral {
                 variable,
@@ -126,8 +152,7 @@ impl Walk<'_> {
                 body,
             } => {
                 self.free([low, high], depth)?;
-                self.bound.insert(variable.number(), Some(0));
-                self.degree(body, depth)
+                self.under(variable.number(), Some(0), body, depth)
             }
             Node::Let {
                 variable,
@@ -135,8 +160,7 @@ impl Walk<'_> {
                 body,
             } => {
                 let value = self.degree(value, depth);
-                self.bound.insert(variable.number(), value);
-                self.degree(body, depth)
+                self.under(variable.number(), value, body, depth)
             }
             Node::Derivative {
                 variable,
@@ -146,8 +170,7 @@ impl Walk<'_> {
                 ..
             } => {
                 self.free([order, at], depth)?;
-                self.bound.insert(variable.number(), Some(0));
-                self.degree(body, depth)
+                self.under(variable.number(), Some(0), body, depth)
             }
             Node::Apply(BuiltIn::Dot | BuiltIn::Cross, arguments) => {
                 let mut arguments = arguments.iter();

@@ -223,6 +223,17 @@ fn coefficients_of_linear_forms() {
         "coefficients([a*b + a^2], [a]) == [[1]]",
         &[("a", "2"), ("b", "7")],
     );
+    // Both calls share the body of the function, and the second is linear in a.
+    let twice = |states| {
+        at(
+            &claim("let = { 'F(t)' = '2*t' }", states),
+            &[("a", "2"), ("y", "7")],
+        )
+    };
+    let square = twice("coefficients([F(3) + F(a)*a + 0*y], [a]) == [[0]]");
+    assert!(matches!(square, Judgement::Undefined(_)), "{square}");
+    let linear = twice("coefficients([F(F(a)) + F(3)*a + F(y)*a], [a]) == [[10 + 2*y]]");
+    assert_eq!(linear, Judgement::True);
 }
 
 #[test]

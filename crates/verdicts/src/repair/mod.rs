@@ -101,12 +101,11 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     let second_alphabet = alphabet.without_names();
     let mut twice = vec![];
     let mut budget = MAX_DOUBLE;
-    let firsts = singles.iter().take(MAX_FIRST);
-    for (_, first) in firsts.take_while(|_| target.within_budget()) {
+    'firsts: for (_, first) in singles.iter().take(MAX_FIRST) {
         for second in edits::single(&first.expr, &second_alphabet) {
             budget = budget.saturating_sub(1);
-            if budget == 0 || twice.len() >= MAX_PROOFS {
-                break;
+            if budget == 0 || twice.len() >= MAX_PROOFS || !target.within_budget() {
+                break 'firsts;
             }
             if second.expr != *printed && target.agrees(&subject.side(&second.expr)) {
                 let changes = [&first.change, &second.change];
