@@ -11,6 +11,7 @@ pub mod branch;
 pub mod fraction;
 pub mod jet;
 pub mod matrix;
+pub mod mersenne;
 pub mod polynomial;
 pub mod positivity;
 pub mod sturm;

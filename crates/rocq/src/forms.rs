@@ -8,10 +8,11 @@
 use crate::code::{Code, Level};
 use crate::context::{Context, Used, Value};
 use crate::defined::{Premises, mentions};
-use crate::degree::is_linear;
 use crate::gap::Gap;
 use crate::place::declared;
 use crate::shape::Shape;
+use std::sync::Arc;
+use torse_language::core::degree::is_linear;
 use torse_language::core::{Node, Set, Term};
 
 const NO_LIST: Gap = Gap::Construct("`coefficients` of what is no list");
@@ -46,7 +47,7 @@ impl Context<'_> {
         if self.has_unknowns(form) {
             return self.coefficient_along(form, symbol);
         }
-        if !is_linear(form, declared) {
+        if !is_linear(form, &[Arc::clone(declared)].into()) {
             self.unclear_forms(true);
         }
         let place = self.place(symbol)?;

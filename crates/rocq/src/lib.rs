@@ -23,7 +23,6 @@ pub mod context;
 pub mod coqc;
 pub mod counted;
 pub mod defined;
-pub mod degree;
 pub mod digest;
 pub mod domain;
 pub mod folder;

@@ -216,22 +216,35 @@ fn agrees(
     printed: &[Printed],
     at: &Evaluator<'_, Reals<'_>>,
 ) -> Result<Judgement, Gap> {
+    // An integer among decimals is read with as many digits as the decimal that has the fewest.
+    let decimals = printed.iter().filter_map(|p| p.decimals);
+    let fewest = decimals.filter(|d| *d > 0).min().unwrap_or(0);
+    let mut all = Some(true);
+    for (number, printed) in with_printed(value, printed, at)? {
+        all = both(all, agrees_with(&number, printed, fewest, at.arithmetic)?);
+    }
+    Ok(Judgement::of(all))
+}
+
+/// The entries of a value, each with the number that is printed for it.
+pub(crate) fn with_printed<'p, A: Arithmetic>(
+    value: &Term,
+    printed: &'p [Printed],
+    at: &Evaluator<'_, A>,
+) -> Result<Vec<(A::Number, &'p Printed)>, Gap> {
     let value = at.value(value)?;
     let numbers = value.numbers();
     if numbers.len() != printed.len() {
         return Err(Gap::shape("the printed numbers to the value"));
     }
-    // An integer among decimals is read with as many digits as the decimal that has the fewest.
-    let decimals = printed.iter().filter_map(|p| p.decimals);
-    let fewest = decimals.filter(|d| *d > 0).min().unwrap_or(0);
-    let mut all = Some(true);
-    for (number, printed) in numbers.into_iter().zip(printed) {
-        let number = number
-            .as_number()
-            .ok_or_else(|| Gap::shape("an infinitesimal"))?;
-        all = both(all, agrees_with(number, printed, fewest, at.arithmetic)?);
-    }
-    Ok(Judgement::of(all))
+    let pairs = numbers.into_iter().zip(printed);
+    pairs
+        .map(|(number, printed)| {
+            let number = number.as_number().cloned();
+            let number = number.ok_or_else(|| Gap::shape("an infinitesimal"))?;
+            Ok((number, printed))
+        })
+        .collect()
 }
 
 /// Whether no printed number has decimals: each says exactly what it is.

@@ -1,11 +1,10 @@
 //! What is known of terms whatever the point: found out once, it serves all points at which a statement is judged.
 
-use crate::degree;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
-use torse_language::core::Term;
+use torse_language::core::{Term, degree};
 
 /// The names of declared symbols.
 pub(crate) type Names = Rc<BTreeSet<Arc<str>>>;

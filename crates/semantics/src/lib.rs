@@ -59,7 +59,6 @@
 
 mod arithmetic;
 mod coefficients;
-mod degree;
 mod domain;
 mod evaluate;
 mod expansion;

@@ -21,17 +21,21 @@ pub fn part_by_part(
     if parts.len() < 2 {
         return vec![];
     }
-    // A formula without sense was refused with the verdict.
-    let _ = with_prepared(claim, statement, |prepared| {
-        for number in known.len()..parts.len() {
-            let decided = work::within(budget, || prepared.decide_part(number));
-            known.push(match decided {
-                Ok(Ok(Some(decision))) => word(&decision),
-                _ => "is not decided".to_owned(),
-            });
-        }
-        Ok(())
-    });
+    let undecided = || "is not decided".to_owned();
+    if known.len() < parts.len() {
+        // A formula without sense was refused with the verdict.
+        let _ = with_prepared(claim, statement, |prepared| {
+            for number in known.len()..parts.len() {
+                let decided = work::within(budget, || prepared.decide_part(number));
+                known.push(match decided {
+                    Ok(Ok(Some(decision))) => word(&decision),
+                    _ => undecided(),
+                });
+            }
+            Ok(())
+        });
+    }
+    known.resize_with(parts.len(), undecided);
     let told = parts.iter().zip(&known);
     told.map(|(part, word)| format!("the part `{}` {word}", notation::text(part)))
         .collect()

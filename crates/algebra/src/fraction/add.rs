@@ -6,40 +6,39 @@ use std::collections::BTreeMap;
 use std::ops::{Add, Neg, Sub};
 
 fn sum(a: &Fraction, b: &Fraction) -> Fraction {
-    let conditions = merged(&a.conditions, &b.conditions);
-    if a.denominator == b.denominator {
-        let numerator = &a.numerator + &b.numerator;
-        let result = Fraction {
-            numerator,
-            denominator: a.denominator.clone(),
+    a.beside(b).cancelled()
+}
+
+impl Fraction {
+    /// The sum over the least common multiple of the denominators; nothing is cancelled yet.
+    pub(super) fn beside(&self, other: &Self) -> Self {
+        let conditions = merged(&self.conditions, &other.conditions);
+        if self.denominator == other.denominator {
+            return Self {
+                numerator: &self.numerator + &other.numerator,
+                denominator: self.denominator.clone(),
+                conditions,
+            };
+        }
+        let mut denominator = self.denominator.clone();
+        for (factor, exponent) in &other.denominator {
+            let entry = denominator.entry(factor.clone()).or_insert(0);
+            *entry = (*entry).max(*exponent);
+        }
+        let missing = |own: &BTreeMap<Polynomial, u32>| {
+            denominator
+                .iter()
+                .fold(Polynomial::integer(1), |p, (factor, exponent)| {
+                    &p * &factor.power(exponent - own.get(factor).copied().unwrap_or(0))
+                })
+        };
+        let lifted = |of: &Self| &of.numerator * &missing(&of.denominator);
+        Self {
+            numerator: &lifted(self) + &lifted(other),
+            denominator,
             conditions,
-        };
-        return if result.denominator.is_empty() {
-            result
-        } else {
-            result.cancelled()
-        };
+        }
     }
-    let mut denominator = a.denominator.clone();
-    for (factor, exponent) in &b.denominator {
-        let entry = denominator.entry(factor.clone()).or_insert(0);
-        *entry = (*entry).max(*exponent);
-    }
-    let missing = |own: &BTreeMap<Polynomial, u32>| {
-        denominator
-            .iter()
-            .fold(Polynomial::integer(1), |p, (factor, exponent)| {
-                &p * &factor.power(exponent - own.get(factor).copied().unwrap_or(0))
-            })
-    };
-    let numerator =
-        &(&a.numerator * &missing(&a.denominator)) + &(&b.numerator * &missing(&b.denominator));
-    Fraction {
-        numerator,
-        denominator,
-        conditions,
-    }
-    .cancelled()
 }
 
 impl Add for Fraction {

@@ -20,16 +20,16 @@ impl Fraction {
     /// assert_eq!(quotient.conditions()[0].to_string(), "y"); // cancelled, not forgotten
     /// ```
     pub fn over(&self, divisor: &Self) -> Result<Self, ExactError> {
+        Ok(self.clone().divided(divisor, 1)?.cancelled())
+    }
+
+    /// `self / divisor^exponent`, recording the divisor; nothing is cancelled yet.
+    pub(super) fn divided(mut self, divisor: &Self, exponent: u32) -> Result<Self, ExactError> {
         if divisor.is_zero() {
             return Err(ExactError::DivisionByZero {
                 divisor: divisor.to_string(),
             });
         }
-        Ok(self.clone().divided(divisor, 1).cancelled())
-    }
-
-    /// `self / divisor^exponent`, recording the divisor, which is not zero; nothing is cancelled yet.
-    pub(super) fn divided(mut self, divisor: &Self, exponent: u32) -> Self {
         self.conditions = merged(&self.conditions, &divisor.conditions);
         self.numerator = &self.numerator * &divisor.denominator().power(exponent);
         let (content, factors) = self.factors_of(&divisor.numerator);
@@ -41,7 +41,7 @@ impl Fraction {
             }
             *self.denominator.entry(factor).or_insert(0) += times * exponent;
         }
-        self
+        Ok(self)
     }
 
     /// Splits a nonzero polynomial into its content and primitive factors, by single symbols and by the

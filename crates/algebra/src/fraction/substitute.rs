@@ -23,13 +23,7 @@ impl Fraction {
         let replace = |p: &Polynomial| Self::replaced(p, &value);
         let mut result = replace(&self.numerator);
         for (factor, exponent) in &self.denominator {
-            let divisor = replace(factor);
-            if divisor.is_zero() {
-                return Err(ExactError::DivisionByZero {
-                    divisor: divisor.to_string(),
-                });
-            }
-            result = result.divided(&divisor, *exponent);
+            result = result.divided(&replace(factor), *exponent)?;
         }
         result = result.cancelled();
         for condition in &self.conditions {
@@ -52,40 +46,22 @@ impl Fraction {
     fn replaced(p: &Polynomial, value: &impl Fn(&Symbol) -> Option<Self>) -> Self {
         let values: Vec<Option<Self>> = p.symbols().iter().map(value).collect();
         let groups = p.grouped(|symbol| values.get(symbol).is_some_and(Option::is_some));
-        let mut terms: Vec<(Polynomial, BTreeMap<&Polynomial, u32>)> = vec![];
-        for (powers, kept) in groups {
-            let (mut numerator, mut divisors) = (kept, BTreeMap::new());
+        let term = |(powers, kept): (Vec<u16>, Polynomial)| {
+            let mut term = Self::from(kept);
             for (exponent, value) in powers.iter().zip(&values) {
-                let (Some(value), 1..) = (value, *exponent) else {
+                let (Some(value), exponent @ 1..) = (value, u32::from(*exponent)) else {
                     continue;
                 };
-                numerator = &numerator * &value.numerator.power(u32::from(*exponent));
+                term.numerator = &term.numerator * &value.numerator.power(exponent);
                 for (factor, times) in &value.denominator {
-                    *divisors.entry(factor).or_insert(0) += times * u32::from(*exponent);
+                    *term.denominator.entry(factor.clone()).or_insert(0) += times * exponent;
                 }
+                term.conditions = merged(&term.conditions, &value.conditions);
             }
-            terms.push((numerator, divisors));
-        }
-        let mut all: BTreeMap<&Polynomial, u32> = BTreeMap::new();
-        for (factor, exponent) in terms.iter().flat_map(|(_, divisors)| divisors) {
-            let most = all.entry(factor).or_insert(0);
-            *most = (*most).max(*exponent);
-        }
-        let mut numerator = Polynomial::zero();
-        for (term, divisors) in terms {
-            let missing = all.iter().map(|(factor, exponent)| {
-                factor.power(exponent - divisors.get(factor).copied().unwrap_or(0))
-            });
-            numerator = &numerator + &missing.fold(term, |product, power| &product * &power);
-        }
-        let conditions = values.iter().flatten();
-        let conditions = conditions.fold(vec![], |all, value| merged(&all, &value.conditions));
-        let owned = |(factor, exponent): (&Polynomial, u32)| (factor.clone(), exponent);
-        Self {
-            numerator,
-            denominator: all.into_iter().map(owned).collect(),
-            conditions,
-        }
+            term
+        };
+        let terms = groups.into_iter().map(term);
+        terms.fold(Self::zero(), |sum, term| sum.beside(&term))
     }
 
     /// The integer-affine form that the fraction is, such as `m - 2`: what can stand in an index.

@@ -1,50 +1,8 @@
 //! Images of polynomials modulo a prime: fast upper bounds for degrees of common divisors.
 
 use super::Polynomial;
-use crate::rational::{Integer, remainder};
+use crate::mersenne::{PRIME, minus, plus, power, residue, times};
 use crate::symbol::Symbol;
-
-/// The Mersenne prime 2^61 - 1.
-const PRIME: u64 = (1 << 61) - 1;
-
-/// The residue of a number below 2^64: as 2^61 is 1, the high bits are added to the low ones.
-fn folded(n: u64) -> u64 {
-    let sum = (n & PRIME) + (n >> 61);
-    if sum >= PRIME { sum - PRIME } else { sum }
-}
-
-/// The product of two residues.
-#[allow(clippy::cast_possible_truncation)]
-fn times(a: u64, b: u64) -> u64 {
-    let product = u128::from(a) * u128::from(b);
-    // Below 2^122: both parts are below 2^61.
-    folded((product as u64 & PRIME) + (product >> 61) as u64)
-}
-
-fn minus(a: u64, b: u64) -> u64 {
-    if a >= b { a - b } else { a + PRIME - b }
-}
-
-fn power(base: u64, mut exponent: u64) -> u64 {
-    let (mut result, mut base) = (1, base);
-    while exponent > 0 {
-        if exponent % 2 == 1 {
-            result = times(result, base);
-        }
-        base = times(base, base);
-        exponent /= 2;
-    }
-    result
-}
-
-fn residue(n: &Integer) -> u64 {
-    if let Ok(small) = i64::try_from(n) {
-        let size = folded(small.unsigned_abs());
-        return if small < 0 { minus(0, size) } else { size };
-    }
-    let modulus = Integer::from(PRIME);
-    u64::try_from(remainder(n, &modulus)).unwrap_or(0)
-}
 
 /// A fixed pseudo-random residue for the n-th symbol (a splitmix step).
 fn number(n: usize) -> u64 {
@@ -91,7 +49,7 @@ fn images(p: &Polynomial, mains: &[&Symbol], all: &[Symbol]) -> Vec<Vec<u64>> {
             let exponent = column.and_then(|c| row.get(c)).copied().unwrap_or(0);
             let exponent = usize::from(exponent);
             if let (Some(power), Some(slot)) = (back.get(exponent), image.get_mut(exponent)) {
-                *slot = folded(*slot + times(term, *power));
+                *slot = plus(*slot, times(term, *power));
             }
         }
     }
@@ -163,18 +121,10 @@ pub(super) fn gcd_degree_bounds(a: &Polynomial, b: &Polynomial, mains: &[&Symbol
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rational::Integer;
     use proptest::prelude::*;
 
     proptest! {
-        #[test]
-        fn folding_gives_the_remainder(a in 0..PRIME, b in 0..PRIME, n in any::<u64>(), z in any::<i64>()) {
-            let remainder_of = |n: u128| n % u128::from(PRIME);
-            prop_assert_eq!(u128::from(folded(n)), remainder_of(n.into()));
-            prop_assert_eq!(u128::from(times(a, b)), remainder_of(u128::from(a) * u128::from(b)));
-            let far = Integer::from(z) + Integer::from(PRIME) * Integer::from(PRIME);
-            prop_assert_eq!(residue(&Integer::from(z)), residue(&far));
-        }
-
         #[test]
         fn an_image_is_the_value_at_the_numbers_of_all_other_symbols(
             terms in proptest::collection::vec((-9..10_i64, 0..4_u32, 0..4_u32, 0..4_u32), 1..6),
@@ -197,7 +147,7 @@ mod tests {
                     let term = values.fold(residue(&Integer::from(c)), times);
                     // A power that cancels leaves no term of its degree.
                     match naive.get_mut(exponents[place] as usize) {
-                        Some(slot) => *slot = folded(*slot + term),
+                        Some(slot) => *slot = plus(*slot, term),
                         None => prop_assert!(terms.len() > 1),
                     }
                 }

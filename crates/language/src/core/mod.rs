@@ -10,6 +10,7 @@
 //! `derivations/SEMANTICS.md` gives the meaning of each construct; the room `semantics` executes it.
 
 mod claim;
+pub mod degree;
 mod elaborate;
 mod roots;
 mod sought;

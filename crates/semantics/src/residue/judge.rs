@@ -8,7 +8,7 @@ use super::{Residue, Residues};
 use crate::arithmetic::Arithmetic;
 use crate::evaluate::Evaluator;
 use crate::gap::{Gap, Work};
-use crate::judge::{self, are_integers, joined};
+use crate::judge::{self, are_integers, joined, with_printed};
 use crate::judgement::Judgement;
 use crate::name::Name;
 use std::collections::BTreeMap;
@@ -94,17 +94,9 @@ fn agrees(
     printed: &[Printed],
     at: &Evaluator<'_, Residues<'_>>,
 ) -> Result<bool, Gap> {
-    let value = at.value(value)?;
-    let numbers = value.numbers();
-    if numbers.len() != printed.len() {
-        return Err(Gap::shape("the printed numbers to the value"));
-    }
     let mut all = true;
-    for (number, printed) in numbers.into_iter().zip(printed) {
-        let number = number
-            .as_number()
-            .ok_or_else(|| Gap::shape("an infinitesimal"))?;
-        all &= same(number, &at.arithmetic.rational(&printed.value))?;
+    for (number, printed) in with_printed(value, printed, at)? {
+        all &= same(&number, &at.arithmetic.rational(&printed.value))?;
     }
     Ok(all)
 }

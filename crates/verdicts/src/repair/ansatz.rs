@@ -7,7 +7,7 @@
 //! whole, then each definition in it alone.
 
 use super::alphabet::alphabet;
-use super::residue::{of_fraction, of_rational, plus, power, solved, times, to_rational};
+use super::residue::{of_fraction, of_rational, power, solved, to_rational};
 use super::subject::Subject;
 use super::target::other_side;
 use super::terms::{Atoms, Powers, Terms, product};
@@ -16,6 +16,7 @@ use crate::outcome::Correction;
 use num_traits::Zero;
 use std::collections::BTreeMap;
 use torse_algebra::Fraction;
+use torse_algebra::mersenne::{minus, plus, times};
 use torse_algebra::rational::integer;
 use torse_language::derivation::{Claim, Written};
 use torse_language::notation;
@@ -230,7 +231,7 @@ fn solution(shape: &Shape, columns: &[Powers], points: &[Point]) -> Option<Terms
             .iter()
             .map(|powers| Some(times(factor, point.monomial(powers)?)))
             .collect::<Option<Vec<u64>>>()?;
-        row.push(super::residue::minus(point.wanted, point.sum(&shape.rest)?));
+        row.push(minus(point.wanted, point.sum(&shape.rest)?));
         Some(row)
     };
     let points = points.iter().take(columns.len() + SURPLUS);

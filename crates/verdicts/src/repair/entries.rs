@@ -8,10 +8,11 @@
 use super::ansatz::single;
 use super::data::with;
 use super::edit::placed;
-use super::residue::{minus, of_fraction, power, times};
+use super::residue::{of_fraction, power};
 use crate::outcome::{DataChange, DataCorrection};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+use torse_algebra::mersenne::{minus, times};
 use torse_algebra::rational::integer;
 use torse_language::derivation::{Claim, Written};
 use torse_language::notation;

@@ -5,78 +5,32 @@
 //! unknowns that has a solution there has one as formulas, but for a chance of about one in 10^17; and
 //! what is found is proved afterwards.
 
-use num_traits::{One, ToPrimitive};
-use torse_algebra::rational::remainder;
+use num_traits::One;
+use torse_algebra::mersenne::{self, PRIME, inverse, minus, plus, times};
 use torse_algebra::{Fraction, Integer, Polynomial, Rational, Symbol};
 
-/// A Mersenne prime.
-const PRIME: u64 = (1 << 61) - 1;
 /// The largest numerator and denominator that are read out of a residue.
 const MOST: u64 = 1 << 29;
-
-/// The residue of a product: two to the 61 is 1, so that what stands above the bit 61 is added to what stands below.
-#[must_use]
-pub fn times(a: u64, b: u64) -> u64 {
-    let product = u128::from(a) * u128::from(b);
-    let low = product & u128::from(PRIME);
-    plus(
-        u64::try_from(product >> 61).unwrap_or(0) % PRIME,
-        u64::try_from(low).unwrap_or(0),
-    )
-}
-
-/// The residue of a sum.
-#[must_use]
-pub fn plus(a: u64, b: u64) -> u64 {
-    once_less(a + b)
-}
-
-/// The residue of a number below twice the prime.
-fn once_less(n: u64) -> u64 {
-    if n >= PRIME { n - PRIME } else { n }
-}
-
-/// The residue of a difference.
-#[must_use]
-pub fn minus(a: u64, b: u64) -> u64 {
-    once_less(a + PRIME - b)
-}
 
 /// The residue of a power; of a negative one where the base is not zero.
 #[must_use]
 pub fn power(base: u64, exponent: i32) -> Option<u64> {
-    if exponent < 0 {
-        return power(inverse(base)?, exponent.checked_neg()?);
-    }
-    Some((0..exponent).fold(1, |power, _| times(power, base)))
-}
-
-/// The inverse by Fermat's theorem.
-fn inverse(a: u64) -> Option<u64> {
-    let (mut result, mut square, mut exponent) = (1, a, PRIME - 2);
-    while exponent > 0 {
-        if exponent % 2 == 1 {
-            result = times(result, square);
-        }
-        square = times(square, square);
-        exponent /= 2;
-    }
-    (a != 0).then_some(result)
+    let base = match exponent < 0 {
+        true => inverse(base)?,
+        false => base,
+    };
+    Some(mersenne::power(base, exponent.unsigned_abs().into()))
 }
 
 /// The residue of a rational number.
 #[must_use]
 pub fn of_rational(value: &Rational) -> Option<u64> {
-    let modulus = Integer::from(PRIME);
-    let whole = |n: &Integer| match u64::try_from(n) {
-        Ok(small) if small < PRIME => Some(small),
-        _ => remainder(n, &modulus).to_u64(),
-    };
-    let above = whole(value.numer())?;
+    let above = mersenne::residue(value.numer());
     if value.is_integer() {
         return Some(above);
     }
-    Some(times(above, inverse(whole(value.denom())?)?))
+    let below = mersenne::residue(value.denom());
+    Some(times(above, inverse(below)?))
 }
 
 /// The rational number of small numerator and denominator with this residue (Wang's algorithm: the

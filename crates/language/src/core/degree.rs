@@ -1,63 +1,75 @@
-//! Which forms are linear in a symbol by the way they are written.
+//! Which forms are linear in symbols by the way they are written.
 //!
 //! `coefficients` has a value where its forms are linear in the symbols. Most are by their form: sums of products in
-//! which the symbol stands once. Nothing has to be assumed of these, and a statement about their coefficients can be
+//! which a symbol stands once. Nothing has to be assumed of these, and a statement about their coefficients can be
 //! denied. Of all others nothing is said here.
+//!
+//! A form that is linear in several symbols together is a polynomial in them whatever its other parts are worth: each
+//! coefficient is what the form is worth where one symbol is 1 and the others are 0, less what it is worth where all are 0. It
+//! divides by nothing that depends on the symbols, so that it is defined there where it is defined anywhere else.
 
-use std::collections::BTreeMap;
+use super::{BuiltIn, Node, Term};
+use crate::syntax::Operator;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_language::core::{BuiltIn, Node, Term};
-use torse_language::syntax::Operator;
 
 /// The most parts that are looked at.
 const MAX_PARTS: usize = 50_000;
+/// How deep terms may be nested, not counting chains of one operator.
+const MAX_DEPTH: usize = 300;
 
-/// Whether a form is a sum of products with at most one factor that has the symbol, whose other factors, divisors
-/// included, have it not.
+/// Whether a form is a sum of products with at most one factor that has one of the symbols, whose other factors, divisors
+/// included, have none. The symbols are named as they are declared.
 #[must_use]
-pub fn is_linear(form: &Term, symbol: &Arc<str>) -> bool {
+pub fn is_linear(form: &Term, symbols: &BTreeSet<Arc<str>>) -> bool {
     let mut degrees = Degrees {
-        symbol,
+        symbols,
         variables: BTreeMap::new(),
         seen: 0,
+        depth: 0,
     };
     degrees.of(form).is_some_and(|degree| degree <= 1)
 }
 
-/// Bounds of the degree in one symbol.
+/// Bounds of the degree in some symbols together.
 struct Degrees<'a> {
-    symbol: &'a Arc<str>,
-    /// What is known of the variables in scope.
+    symbols: &'a BTreeSet<Arc<str>>,
+    /// What is known of the variables in scope. The calls of a function share its body and its parameters, which have the
+    /// degrees of one call after the other: nothing is remembered of a body.
     variables: BTreeMap<u32, u32>,
     seen: usize,
+    depth: usize,
 }
 
 impl Degrees<'_> {
     /// A bound of the degree of every entry; none where the term is not seen to be a polynomial.
     fn of(&mut self, term: &Term) -> Option<u32> {
         self.seen += 1;
-        if self.seen > MAX_PARTS {
+        if self.seen > MAX_PARTS || self.depth >= MAX_DEPTH {
             return None;
         }
+        self.depth += 1;
+        let degree = self.node(term);
+        self.depth -= 1;
+        degree
+    }
+
+    fn of_name(&self, name: &Arc<str>) -> u32 {
+        u32::from(self.symbols.contains(name))
+    }
+
+    fn node(&mut self, term: &Term) -> Option<u32> {
         match &*term.node {
             Node::Number(_) | Node::Pi => Some(0),
-            Node::Symbol(name) | Node::Vector(name, _) => Some(u32::from(name == self.symbol)),
+            Node::Symbol(name) | Node::Vector(name, _) => Some(self.of_name(name)),
             Node::Variable(variable) => self.variables.get(&variable.number()).copied(),
             Node::Member(points, indices) => {
-                // Members are free of each other: another one has degree zero, and this bound is no less.
+                // Members are free of each other: one that is not meant has degree zero, and this bound is no less.
                 self.without(indices)?;
-                Some(u32::from(points.name == *self.symbol))
+                Some(self.of_name(&points.name))
             }
             Node::Negative(inner) | Node::Opened { body: inner, .. } => self.of(inner),
-            Node::Binary(operator, a, b) => match operator {
-                Operator::Add | Operator::Subtract => Some(self.of(a)?.max(self.of(b)?)),
-                Operator::Multiply => self.of(a)?.checked_add(self.of(b)?),
-                Operator::Divide => {
-                    self.without([b])?;
-                    self.of(a)
-                }
-                Operator::Power => self.without([a, b]),
-            },
+            Node::Binary(..) => self.chain(term),
             Node::List(items) => self.most(items),
             Node::Entry(of, indices) => {
                 self.without(indices)?;
@@ -110,6 +122,27 @@ impl Degrees<'_> {
             }
             Node::Apply(function, arguments) => self.applied(*function, arguments),
         }
+    }
+
+    /// A chain of operators, whose left operands are walked without recursion.
+    fn chain(&mut self, term: &Term) -> Option<u32> {
+        let (mut rights, mut left) = (vec![], term);
+        while let Node::Binary(operator, a, b) = &*left.node {
+            rights.push((*operator, b));
+            left = a;
+        }
+        let mut degree = self.of(left)?;
+        while let Some((operator, right)) = rights.pop() {
+            let other = self.of(right)?;
+            degree = match operator {
+                Operator::Add | Operator::Subtract => degree.max(other),
+                Operator::Multiply => degree.checked_add(other)?,
+                Operator::Divide if other == 0 => degree,
+                Operator::Power if degree == 0 && other == 0 => 0,
+                Operator::Divide | Operator::Power => return None,
+            };
+        }
+        Some(degree)
     }
 
     fn applied(&mut self, function: BuiltIn, arguments: &[Term]) -> Option<u32> {
