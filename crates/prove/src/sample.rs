@@ -5,18 +5,27 @@
 //! is an identity in a variable). A candidate that differs there is no correction; one that agrees is
 //! only a candidate and still has to be proved.
 
+use std::fmt::{self, Write};
 use torse_algebra::rational::integer;
 use torse_algebra::{Angle, Fraction, Rational, Symbol};
 
-/// The number that stands for a symbol (Fowler-Noll-Vo hash of its text).
+/// Fowler and Noll and Vo's hash of the text that is written to it.
+struct Hash(u64);
+
+impl Write for Hash {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        self.0 = text.bytes().fold(self.0, step);
+        Ok(())
+    }
+}
+
+/// The number that stands for a symbol: it depends on its text alone.
 fn number(symbol: &Symbol) -> Rational {
-    let hash = symbol
-        .to_string()
-        .bytes()
-        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-        });
-    integer(i64::try_from(hash % 9_973).unwrap_or(0) + 11)
+    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
+    // A hash takes every text.
+    let _ = write!(hash, "{symbol}");
+    integer(i64::try_from(hash.0 % 9_973).unwrap_or(0) + 11)
 }
 
 /// The value of a symbol at the sample point.

@@ -1,6 +1,7 @@
 //! What is written into the outcome of a claim: what its file says, a decision, a correction.
 
 use crate::condition::{self, nonzero};
+use crate::meant::Meant;
 use crate::outcome::{Outcome, SaidBy};
 use crate::repair::subject::Subject;
 use crate::{provenance, repair, replay, table};
@@ -16,8 +17,8 @@ use torse_prove::{decide_statement, formula};
 /// Formulas with more terms than this are not shown.
 const MAX_SHOWN_TERMS: usize = 120;
 
-/// What the file says of a claim.
-pub(crate) fn undecided(paper: &str, claim: &Claim) -> Outcome {
+/// What the file says of a claim, and what its statement rests on, if it states something that makes sense.
+pub(crate) fn undecided(paper: &str, claim: &Claim, meant: Option<&Meant<'_>>) -> Outcome {
     let entry = &claim.entry;
     Outcome {
         id: entry.id.get_ref().clone(),
@@ -32,7 +33,7 @@ pub(crate) fn undecided(paper: &str, claim: &Claim) -> Outcome {
         garbled: entry.garbled.as_ref().map(|text| text.get_ref().clone()),
         parsed: claim.statement.as_ref().map(|s| notation::formula(&s.expr)),
         assumed: provenance::assumed(claim),
-        table: table::of(claim),
+        table: meant.map(table::of).unwrap_or_default(),
         readings: vec![],
         correction: None,
         data: None,

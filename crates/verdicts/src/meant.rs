@@ -1,21 +1,42 @@
-//! What a verdict is about: net and checker look at the same claim, which is brought to core terms once for both.
+//! What a verdict is about: the table, the net and the checker look at the same claim, which is brought to core terms once
+//! for all of them.
 
 use crate::outcome::Outcome;
 use crate::provenance;
+use std::borrow::Cow;
 use torse_language::core;
 use torse_language::derivation::{Claim, Written};
 
-/// What a verdict is about: the claim without what the proof was found not to need, and the same in core terms.
-pub(crate) struct Meant<'s> {
-    pub claim: Claim,
-    pub statement: &'s Written,
+/// What a verdict is about: a claim, a statement on its domain, and both in core terms.
+#[derive(Debug, Clone)]
+pub(crate) struct Meant<'c> {
+    pub claim: Cow<'c, Claim>,
+    pub statement: &'c Written,
     pub core: core::Claim,
 }
 
-impl<'s> Meant<'s> {
-    /// Nothing for a claim that makes no sense.
-    pub fn new(outcome: &Outcome, claim: &Claim, statement: &'s Written) -> Option<Self> {
-        let claim = provenance::without(claim, &provenance::unneeded(claim, outcome));
+impl<'c> Meant<'c> {
+    /// A claim with its own statement; nothing where it states nothing, or what makes no sense.
+    pub fn own(claim: &'c Claim) -> Option<Self> {
+        Self::new(claim, claim.statement.as_ref()?)
+    }
+
+    /// A statement on the domain of a claim; nothing where it makes no sense.
+    pub fn new(claim: &'c Claim, statement: &'c Written) -> Option<Self> {
+        Self::of(Cow::Borrowed(claim), statement)
+    }
+
+    /// The same without the hypotheses that the proof of the verdict was found not to need.
+    pub fn needed(&self, outcome: &Outcome) -> Option<Cow<'_, Self>> {
+        let unneeded = provenance::unneeded(&self.claim, outcome);
+        if unneeded.is_empty() {
+            return Some(Cow::Borrowed(self));
+        }
+        let fewer = provenance::without(&self.claim, &unneeded);
+        Self::of(Cow::Owned(fewer), self.statement).map(Cow::Owned)
+    }
+
+    fn of(claim: Cow<'c, Claim>, statement: &'c Written) -> Option<Self> {
         let core = core::Claim::new(&claim, statement).ok()?;
         Some(Self {
             claim,

@@ -52,8 +52,8 @@ pub const ALWAYS: Effort = Effort {
 
 /// Judges the verdict of a claim that has a statement, and has its proof gone through by the checker. What contradicts it
 /// makes the claim undecided.
-pub fn secure(outcome: &mut Outcome, claim: &Claim, statement: &Written, budget: u64) {
-    if let Some(meant) = Meant::new(outcome, claim, statement) {
+pub(crate) fn secure(outcome: &mut Outcome, meant: &Meant<'_>, budget: u64) {
+    if let Some(meant) = meant.needed(outcome) {
         cast(outcome, &meant);
         replay(outcome, &meant, budget);
     }
@@ -116,7 +116,8 @@ pub fn judged(
     statement: &Written,
     effort: &Effort,
 ) -> Option<Result<Net, String>> {
-    verdict(outcome, &Meant::new(outcome, claim, statement)?, effort)
+    let meant = Meant::new(claim, statement)?;
+    verdict(outcome, &*meant.needed(outcome)?, effort)
 }
 
 /// The same of what a verdict is about.

@@ -5,6 +5,7 @@
 //! is false of every number of the declared intervals, which is a claim of its own, about that point, and proved.
 
 use crate::concluded::{conclude, rest_on};
+use crate::meant::Meant;
 use crate::outcome::{Outcome, Replay};
 use crate::{condition, net, provenance};
 use std::sync::Arc;
@@ -59,7 +60,9 @@ pub(crate) fn decided(
     } else {
         outcome.steps.splice(0..0, steps);
     }
-    net::secure(outcome, own, statement, budget / 5);
+    if let Some(meant) = Meant::new(own, statement) {
+        net::secure(outcome, &meant, budget / 5);
+    }
     Ok(())
 }
 

@@ -6,12 +6,13 @@
 use crate::concluded::{
     conclude, correct, correction_rests_on, drawn, panicked, rest_on, undecided,
 };
+use crate::meant::Meant;
 use crate::outcome::{Outcome, ReadingOutcome};
 use crate::{conjunction, finding, net, provenance, readings, sought};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use torse_algebra::work;
 use torse_language::core::Elaborator;
-use torse_language::derivation::{Claim, DerivationError, Finding, Written};
+use torse_language::derivation::{Claim, DerivationError, Finding};
 use torse_language::words::{Kind, Verdict};
 use torse_prove::decide::Decision;
 use torse_prove::with_prepared;
@@ -32,7 +33,7 @@ enum Left<'c> {
     /// Nothing.
     Nothing,
     /// The search for a correction of what is refuted, and its net; and what is known of the parts of a conjunction.
-    Correction(&'c Written, Vec<String>),
+    Correction(Box<Meant<'c>>, Vec<String>),
     /// What is left of each reading of a sentence, by name and words.
     Readings(Vec<(String, String, Stage<'c>)>),
 }
@@ -48,9 +49,12 @@ impl<'c> Stage<'c> {
         paper: &str,
         claim: &'c Claim,
     ) -> Result<Self, Box<DerivationError>> {
-        let outcome = undecided(paper, claim);
+        let meant = Meant::own(claim);
+        let outcome = undecided(paper, claim, meant.as_ref());
         // What the closure could leave half done are values of its own and memory of formulas already evaluated.
-        let found = catch_unwind(AssertUnwindSafe(|| decided(outcome.clone(), claim, budget)));
+        let found = catch_unwind(AssertUnwindSafe(|| {
+            decided(outcome.clone(), claim, meant, budget)
+        }));
         let (outcome, left) = match found {
             Ok(found) => found?,
             Err(panic) => (panicked(outcome, &*panic), Left::Nothing),
@@ -84,10 +88,11 @@ impl<'c> Stage<'c> {
             let mut outcome = self.outcome;
             match self.left {
                 Left::Nothing => {}
-                Left::Correction(statement, parts) => {
+                Left::Correction(meant, parts) => {
+                    let statement = meant.statement;
                     let parts = conjunction::part_by_part(claim, statement, parts, budget / 50);
                     outcome.steps.extend(parts);
-                    corrected(&mut outcome, claim, statement, budget);
+                    corrected(&mut outcome, claim, &meant, budget);
                 }
                 Left::Readings(all) => {
                     let mut found = vec![];
@@ -109,22 +114,26 @@ impl<'c> Stage<'c> {
             }
             Ok(outcome)
         }));
-        told.unwrap_or_else(|panic| Ok(panicked(undecided(&paper, claim), &*panic)))
+        told.unwrap_or_else(|panic| {
+            let outcome = undecided(&paper, claim, Meant::own(claim).as_ref());
+            Ok(panicked(outcome, &*panic))
+        })
     }
 }
 
 /// Seeks what a refuted claim should have said, and nets both.
-fn corrected(outcome: &mut Outcome, claim: &Claim, statement: &Written, budget: u64) {
+fn corrected(outcome: &mut Outcome, claim: &Claim, meant: &Meant<'_>, budget: u64) {
     // A correction that is not found within the budget is none; the verdict stands.
-    let _ = work::within(budget / 5, || correct(outcome, claim, statement));
+    let _ = work::within(budget / 5, || correct(outcome, claim, meant.statement));
     correction_rests_on(outcome, claim, budget / 5);
-    net::secure(outcome, claim, statement, budget / 5);
+    net::secure(outcome, meant, budget / 5);
 }
 
 /// The verdict of a claim, netted unless it is refuted, and what is left to do.
 fn decided<'c>(
     mut outcome: Outcome,
     claim: &'c Claim,
+    meant: Option<Meant<'c>>,
     budget: u64,
 ) -> Result<(Outcome, Left<'c>), Box<DerivationError>> {
     let entry = &claim.entry;
@@ -176,12 +185,15 @@ fn decided<'c>(
             provenance::record(&mut outcome, claim, &weighed.needed);
             rest_on(&mut outcome, provenance::conditions(claim, &weighed.needed));
             if outcome.verdict == Verdict::False {
-                return Ok((outcome, Left::Correction(statement, parts)));
+                let left = |meant| Left::Correction(Box::new(meant), parts);
+                return Ok((outcome, meant.map_or(Left::Nothing, left)));
             }
         }
         Err(out) => outcome.steps = vec![out.to_string()],
     }
-    net::secure(&mut outcome, claim, statement, budget / 5);
+    if let Some(meant) = &meant {
+        net::secure(&mut outcome, meant, budget / 5);
+    }
     Ok((outcome, Left::Nothing))
 }
 
@@ -260,7 +272,7 @@ mod tests {
             Box::new("why") as Box<dyn Any + Send>,
             Box::new("why".to_owned()),
         ] {
-            let outcome = panicked(undecided("p", claim), &*panic);
+            let outcome = panicked(undecided("p", claim, None), &*panic);
             assert_eq!(outcome.verdict, Verdict::Undecided);
             assert_eq!(outcome.steps, ["the engine failed on this claim: why"]);
         }

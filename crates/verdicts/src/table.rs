@@ -3,11 +3,11 @@
 //! The declared set of every symbol that occurs, the definitions and bases that are used, be it through others, each once
 //! and in the order of use, and the unknowns of given equations.
 
+use crate::meant::Meant;
 use serde::Serialize;
 use std::collections::BTreeSet;
-use torse_language::core;
 use torse_language::derivation::declarations::{Basis, Declarations, Definition};
-use torse_language::derivation::{Claim, Hypothesis, Written};
+use torse_language::derivation::{Hypothesis, Written};
 use torse_language::notation::{self, Formula, domain};
 use torse_language::syntax::{Expr, Node};
 
@@ -71,15 +71,14 @@ impl Family {
     }
 }
 
-/// What a claim rests on; nothing where it states nothing, or what makes no sense.
+/// What a claim rests on with its statement.
 #[must_use]
-pub fn of(claim: &Claim) -> Table {
-    let Some(statement) = &claim.statement else {
-        return Table::default();
-    };
-    let Ok(core) = core::Claim::new(claim, statement) else {
-        return Table::default();
-    };
+pub(crate) fn of(meant: &Meant<'_>) -> Table {
+    let Meant {
+        claim,
+        statement,
+        core,
+    } = meant;
     let mut walk = Walk {
         declarations: &claim.declarations,
         own: claim.entry.local.keys().map(|head| name_of(head)).collect(),

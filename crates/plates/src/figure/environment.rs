@@ -11,7 +11,6 @@ use torse_algebra::{Affine, Fraction, Symbol};
 use torse_language::derivation::declarations::{Declarations, SymbolKind};
 use torse_language::derivation::schema::Text;
 use torse_language::derivation::{DerivationError, Origin, Source, Written, parsed};
-use torse_language::syntax;
 use torse_language::syntax::Place;
 use torse_prove::case::solve_given;
 use torse_prove::evaluate::Evaluator;
@@ -46,19 +45,12 @@ impl<'a> Environment<'a> {
     }
 
     /// The value of a formula of the file.
-    pub fn value(&self, text: &Text) -> Faulty<Value> {
-        let formula = parsed(self.source, text)?;
-        self.evaluated(&formula)
+    fn value(&self, text: &Text) -> Faulty<Value> {
+        evaluated(&self.evaluator(), &parsed(self.source, text)?)
     }
 
-    /// The value of a parsed formula.
-    pub fn evaluated(&self, formula: &Written) -> Faulty<Value> {
-        self.evaluator()
-            .evaluate(&formula.expr)
-            .map_err(|fault| Box::new(fault.into_error(&formula.origin)))
-    }
-
-    fn evaluator(&self) -> Evaluator<'_> {
+    /// What evaluates formulas here.
+    pub fn evaluator(&self) -> Evaluator<'_> {
         let mut evaluator = Evaluator::new(&self.declarations).fixing(&self.fixed);
         evaluator.determine(self.solved.clone());
         evaluator
@@ -78,43 +70,9 @@ impl<'a> Environment<'a> {
         Ok(())
     }
 
-    /// The number that a formula of the file means.
-    pub fn number(&self, text: &Text) -> Faulty<Fraction> {
-        match self.value(text)? {
-            Value::Scalar(quantity) => fraction(self.source, text, &quantity),
-            other => Err(wrong(self.source, text, other.kind(), "a number")),
-        }
-    }
-
-    /// The value of `formula`, a part of a text of the file.
-    pub fn part(&self, text: &Text, formula: &str) -> Faulty<Value> {
-        let offset = text.get_ref().find(formula).unwrap_or(0);
-        let origin = Origin::of(self.source, text).after(offset);
-        let expr = syntax::parse(formula)
-            .map_err(|error| Box::new(DerivationError::syntax(&origin, &error)))?;
-        self.evaluated(&Written { expr, origin })
-    }
-
-    /// The ends of `range`, a part of a text of the file such as `0..k`; none if it is not written like that,
-    /// is empty, or longer than a list may be.
-    pub fn integers(&self, text: &Text, range: &str) -> Faulty<Option<[i64; 2]>> {
-        let Some((low, high)) = range.split_once("..") else {
-            return Ok(None);
-        };
-        let integer = |formula: &str| -> Faulty<Option<i64>> {
-            let Value::Scalar(quantity) = self.part(text, formula)? else {
-                return Ok(None);
-            };
-            let value = fraction(self.source, text, &quantity)?.as_rational();
-            let whole = value.filter(torse_algebra::Rational::is_integer);
-            Ok(whole.and_then(|n| i64::try_from(n.to_integer()).ok()))
-        };
-        Ok(match (integer(low)?, integer(high)?) {
-            (Some(low), Some(high)) if low <= high && high.saturating_sub(low) < MAX_POINTS => {
-                Some([low, high])
-            }
-            _ => None,
-        })
+    /// The numbers and integers with a value.
+    pub fn fixed(&self) -> &BTreeMap<String, Fraction> {
+        &self.fixed
     }
 
     /// Fixes a number or an integer.
@@ -247,6 +205,13 @@ impl<'a> Environment<'a> {
             Box::new(error.with_help("declare it under [symbols] or in the figure's `symbols`"))
         })
     }
+}
+
+/// The value of a parsed formula.
+pub(super) fn evaluated(evaluator: &Evaluator<'_>, formula: &Written) -> Faulty<Value> {
+    evaluator
+        .evaluate(&formula.expr)
+        .map_err(|fault| Box::new(fault.into_error(&formula.origin)))
 }
 
 /// The first index of a family.

@@ -1,9 +1,10 @@
 //! Layers: what runs, and where the points are.
 
 use super::drawing::{Interval, Layer, Running};
-use super::environment::{Environment, MAX_POINTS, complaint, fraction, wrong};
+use super::environment::{MAX_POINTS, complaint, fraction, wrong};
 use super::loops::Round;
 use super::panel::{Context, ends};
+use super::reader::Reader;
 use super::{Faulty, drawing};
 use torse_algebra::{Fraction, Symbol};
 use torse_language::derivation::Written;
@@ -25,11 +26,11 @@ impl Context<'_> {
         &self,
         entry: &LayerEntry,
         round: &Round<'_>,
-        environment: &Environment<'_>,
+        reader: &Reader<'_>,
     ) -> Faulty<Layer> {
         let (mut indices, mut running) = (vec![], vec![]);
         for text in &entry.over {
-            match range(environment, text)? {
+            match range(reader, text)? {
                 Over::Index(index) => indices.push(index),
                 Over::Running(variable) => running.push(*variable),
             }
@@ -61,30 +62,29 @@ impl Context<'_> {
         if (indices.len(), running.len()) != lists {
             let text = entry.over.first().unwrap_or(&entry.at);
             let message = format!("{} variables and indices: {wanted}", entry.over.len());
-            return Err(Box::new(complaint(environment.source, text, message)));
+            return Err(Box::new(complaint(reader.source, text, message)));
         }
         let count: i64 = indices.iter().map(|i| i.high - i.low + 1).product();
         if count > MAX_POINTS {
             let message = format!("more than {MAX_POINTS} points");
-            return Err(Box::new(complaint(environment.source, &entry.at, message)));
+            return Err(Box::new(complaint(reader.source, &entry.at, message)));
         }
-        let formula = torse_language::derivation::parsed(environment.source, &entry.at)?;
+        let formula = torse_language::derivation::parsed(reader.source, &entry.at)?;
         let names: Vec<&str> = running.iter().map(|r: &Running| r.name.as_str()).collect();
         let mut points = vec![];
         for assignment in assignments(&indices) {
-            let mut here = environment.clone();
-            for (index, value) in indices.iter().zip(assignment) {
-                here.fix(&index.name, Fraction::integer(value));
-            }
+            let values = assignment.into_iter().map(Fraction::integer);
+            let named = indices.iter().map(|index| index.name.clone()).zip(values);
+            let here = reader.fixing(&named.collect());
             points.extend(self.positions(&here, &entry.at, &formula, &names)?);
         }
         let shape = *entry.draw.get_ref();
-        check_dimension(environment, entry, shape, &points)?;
+        check_dimension(reader, entry, shape, &points)?;
         let shade = match &entry.shade {
             None => None,
             Some(text) => {
-                let value = environment.number(text)?;
-                self.check_symbols(environment, text, &value, &names)?;
+                let value = reader.number(text)?;
+                self.check_symbols(reader, text, &value, &names)?;
                 Some(value)
             }
         };
@@ -107,16 +107,16 @@ impl Context<'_> {
     /// The points of a value: one for a vector, one for each row of a matrix.
     pub(super) fn positions(
         &self,
-        environment: &Environment<'_>,
+        reader: &Reader<'_>,
         text: &Text,
         formula: &Written,
         running: &[&str],
     ) -> Faulty<Vec<Vec<Fraction>>> {
-        let value = environment.evaluated(formula)?;
+        let value = reader.evaluated(formula)?;
         let rows = match &value {
             Value::Vector(v) if v.generic => {
                 let message = "a generic vector where coordinates are needed";
-                let error = complaint(environment.source, text, message);
+                let error = complaint(reader.source, text, message);
                 return Err(Box::new(error.with_help(
                     "give its points with `set`, for instance `set = { P = '[[0, 0], [1, 2]]' }`",
                 )));
@@ -125,7 +125,7 @@ impl Context<'_> {
             Value::Matrix(rows) => rows.iter().map(Vec::as_slice).collect(),
             other => {
                 return Err(wrong(
-                    environment.source,
+                    reader.source,
                     text,
                     other.kind(),
                     "a point or a list of points",
@@ -136,10 +136,10 @@ impl Context<'_> {
         for row in rows {
             let point = row
                 .iter()
-                .map(|q| fraction(environment.source, text, q))
+                .map(|q| fraction(reader.source, text, q))
                 .collect::<Faulty<Vec<_>>>()?;
             for coordinate in &point {
-                self.check_symbols(environment, text, coordinate, running)?;
+                self.check_symbols(reader, text, coordinate, running)?;
             }
             points.push(point);
         }
@@ -149,7 +149,7 @@ impl Context<'_> {
     /// Refuses symbols that neither run nor are sliders.
     fn check_symbols(
         &self,
-        environment: &Environment<'_>,
+        reader: &Reader<'_>,
         text: &Text,
         value: &Fraction,
         running: &[&str],
@@ -164,7 +164,7 @@ impl Context<'_> {
             None => Ok(()),
             Some(symbol) => {
                 let message = format!("`{symbol}` has no value here");
-                let error = complaint(environment.source, text, message);
+                let error = complaint(reader.source, text, message);
                 Err(Box::new(error.with_help(
                     "let it run with `over`, or give it a value with `set`, `for` or `sliders`",
                 )))
@@ -175,7 +175,7 @@ impl Context<'_> {
 
 /// Positions have two or three coordinates, those of some shapes just three; a plane has four.
 fn check_dimension(
-    environment: &Environment<'_>,
+    reader: &Reader<'_>,
     entry: &LayerEntry,
     shape: Shape,
     points: &[Vec<Fraction>],
@@ -193,7 +193,7 @@ fn check_dimension(
             "points of {length} coordinates where {} are needed",
             wanted.join(" or ")
         );
-        return Err(Box::new(complaint(environment.source, &entry.at, message)));
+        return Err(Box::new(complaint(reader.source, &entry.at, message)));
     }
     let single = matches!(
         shape,
@@ -201,7 +201,7 @@ fn check_dimension(
     );
     if single && points.len() != 1 {
         return Err(wrong(
-            environment.source,
+            reader.source,
             &entry.at,
             "a list of points",
             "one point",
@@ -209,7 +209,7 @@ fn check_dimension(
     }
     if matches!(shape, Shape::Segments | Shape::Arrows) && !points.len().is_multiple_of(2) {
         return Err(wrong(
-            environment.source,
+            reader.source,
             &entry.at,
             "an odd number of points",
             "a list of pairs",
@@ -235,13 +235,13 @@ pub(super) enum Over {
 }
 
 /// `x`, `x in [0, 1/2]` or `i in 0..3`.
-pub(super) fn range(environment: &Environment<'_>, text: &Text) -> Faulty<Over> {
-    let source = environment.source;
+pub(super) fn range(reader: &Reader<'_>, text: &Text) -> Faulty<Over> {
+    let source = reader.source;
     let (name, rest) = match text.get_ref().split_once(" in ") {
         Some((name, rest)) => (name.trim(), Some(rest)),
         None => (text.get_ref().trim(), None),
     };
-    let kind = environment.declared(name, text)?;
+    let kind = reader.declared(name, text)?;
     let unusable = || {
         Box::new(complaint(
             source,
@@ -254,7 +254,7 @@ pub(super) fn range(environment: &Environment<'_>, text: &Text) -> Faulty<Over> 
     };
     match (kind, rest) {
         (SymbolKind::Real(_), Some(rest)) => {
-            let range = ends(environment, text, &environment.part(text, rest)?)?;
+            let range = ends(reader, text, &reader.part(text, rest)?)?;
             Ok(Over::Running(Box::new(Running {
                 name: name.to_owned(),
                 range,
@@ -273,7 +273,7 @@ pub(super) fn range(environment: &Environment<'_>, text: &Text) -> Faulty<Over> 
             _ => Err(unusable()),
         },
         (SymbolKind::Integer { .. }, Some(rest)) => {
-            let [low, high] = environment.integers(text, rest)?.ok_or_else(unusable)?;
+            let [low, high] = reader.integers(text, rest)?.ok_or_else(unusable)?;
             Ok(Over::Index(Index {
                 name: name.to_owned(),
                 low,

@@ -5,6 +5,7 @@
 
 use super::Faulty;
 use super::environment::{Environment, complaint};
+use super::reader::Reader;
 use std::collections::BTreeMap;
 use toml::Spanned;
 use torse_algebra::Fraction;
@@ -89,18 +90,19 @@ impl<'a> Round<'a> {
     /// The values of a name, each with its text: numbers, and ranges of integers such as `0..k`.
     fn values_of(&self, name: &str, list: &Spanned<Vec<Text>>) -> Faulty<Vec<(Fraction, String)>> {
         let environment = &self.environment;
+        let reader = Reader::new(environment);
         let mut values = vec![];
         for text in list.get_ref() {
             environment.declared(name, text)?;
             if text.get_ref().contains("..") {
-                let [low, high] = environment.integers(text, text.get_ref())?.ok_or_else(|| {
+                let [low, high] = reader.integers(text, text.get_ref())?.ok_or_else(|| {
                     let message =
                         format!("`{}` is no range of integers with values", text.get_ref());
                     Box::new(complaint(environment.source, text, message))
                 })?;
                 values.extend((low..=high).map(|n| (Fraction::integer(n), n.to_string())));
             } else {
-                values.push((environment.number(text)?, text.get_ref().clone()));
+                values.push((reader.number(text)?, text.get_ref().clone()));
             }
             if values.len() > MAX_ROUNDS {
                 return Err(self.fault(list, format!("more than {MAX_ROUNDS} rounds")));
@@ -113,6 +115,11 @@ impl<'a> Round<'a> {
         let range = list.span();
         let origin = Origin::range(self.environment.source, range.start, range.end);
         Box::new(DerivationError::at(&origin, Place::default(), message))
+    }
+
+    /// Whether the loops of both, inside of the same round, have come to the same values.
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.environment.fixed() == other.environment.fixed()
     }
 
     /// A text with `{name}` replaced by the values of this round.

@@ -9,6 +9,7 @@ mod environment;
 mod layer;
 mod loops;
 mod panel;
+mod reader;
 #[cfg(test)]
 mod tests;
 mod torse;
@@ -18,6 +19,7 @@ pub use torse::torse;
 
 use environment::{Environment, complaint};
 use loops::Round;
+use reader::Reader;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_language::derivation::declarations::SymbolKind;
@@ -52,7 +54,7 @@ fn elaborated(figure: &Figure, free: &[String]) -> Faulty<Drawing> {
     let mut environment = Environment::new(&figure.source, &figure.declarations);
     let mut sliders = vec![];
     for (name, text) in in_file_order(&figure.entry.sliders) {
-        let start = environment.number(text)?;
+        let start = Reader::new(&environment).number(text)?;
         let range = match environment.declared(name, text)? {
             SymbolKind::Real(interval) => match (&interval.lower, &interval.upper) {
                 (Some(low), Some(high)) => Interval {

@@ -3,6 +3,7 @@
 use super::drawing::{Interval, Layer, Panel, Scale};
 use super::environment::{Environment, complaint, fraction, wrong};
 use super::loops::Round;
+use super::reader::Reader;
 use super::{Faulty, in_file_order};
 use torse_algebra::Fraction;
 use torse_language::derivation::schema::Text;
@@ -33,21 +34,40 @@ impl<'a> Context<'a> {
     }
 
     fn panel(&self, number: usize, entry: &PanelEntry, round: &Round<'a>) -> Faulty<Panel> {
-        let mut layers = vec![];
-        let environment = self.with_values(entry, round)?;
+        let mut rounds = vec![];
         for layer in &entry.layer {
             if layer.loops.is_empty() {
-                let only = Round {
-                    number: None,
-                    ..round.clone()
-                };
-                layers.push((layer, self.layer(layer, &only, &environment)?));
+                let number = None;
+                rounds.push((
+                    layer,
+                    Round {
+                        number,
+                        ..round.clone()
+                    },
+                ));
                 continue;
             }
-            for inner in round.rounds(&layer.loops, self.free)? {
-                let environment = self.with_values(entry, &inner)?;
-                layers.push((layer, self.layer(layer, &inner, &environment)?));
+            let inner = round.rounds(&layer.loops, self.free)?;
+            rounds.extend(inner.into_iter().map(|inner| (layer, inner)));
+        }
+        let own = self.with_values(entry, round)?;
+        let reader = Reader::new(&own);
+        // Layers often run through the same rounds.
+        let mut others: Vec<&Round<'a>> = vec![];
+        for (_, inner) in &rounds {
+            if !inner.is_like(round) && !others.iter().any(|other| inner.is_like(other)) {
+                others.push(inner);
             }
+        }
+        let environments = others.iter().map(|other| self.with_values(entry, other));
+        let environments = environments.collect::<Faulty<Vec<_>>>()?;
+        let readers: Vec<Reader<'_>> = environments.iter().map(Reader::new).collect();
+        let mut layers = vec![];
+        for (layer, inner) in &rounds {
+            let mut others = others.iter().zip(&readers);
+            let other = others.find(|(other, _)| inner.is_like(other));
+            let reader = other.map_or(&reader, |(_, reader)| reader);
+            layers.push((*layer, self.layer(layer, inner, reader)?));
         }
         let dimension = layers.first().map_or(2, |(_, layer)| layer.dimension());
         for (text, layer) in &layers {
@@ -62,18 +82,15 @@ impl<'a> Context<'a> {
                         "a point in space, as in the first layer,",
                     ),
                 };
-                return Err(wrong(environment.source, &text.at, what, wanted));
+                return Err(wrong(reader.source, &text.at, what, wanted));
             }
         }
         if let Some(axes) = &entry.axes
             && axes.get_ref().len() != dimension
         {
             let range = axes.span();
-            let origin = torse_language::derivation::Origin::range(
-                environment.source,
-                range.start,
-                range.end,
-            );
+            let origin =
+                torse_language::derivation::Origin::range(reader.source, range.start, range.end);
             let message = format!("{} titles for {dimension} axes", axes.get_ref().len());
             return Err(Box::new(DerivationError::at(
                 &origin,
@@ -81,9 +98,8 @@ impl<'a> Context<'a> {
                 message,
             )));
         }
-        check_ranges(entry, &environment, dimension, &layers)?;
-        let side =
-            |text: &Option<Text>| text.as_ref().map(|t| interval(&environment, t)).transpose();
+        check_ranges(entry, &reader, dimension, &layers)?;
+        let side = |text: &Option<Text>| text.as_ref().map(|t| interval(&reader, t)).transpose();
         Ok(Panel {
             entry: number,
             caption: round.filled(&entry.caption),
@@ -129,7 +145,7 @@ impl<'a> Context<'a> {
 /// A box in space has three sides, and a plane needs one.
 fn check_ranges(
     entry: &PanelEntry,
-    environment: &Environment<'_>,
+    reader: &Reader<'_>,
     dimension: usize,
     layers: &[(&LayerEntry, Layer)],
 ) -> Faulty<()> {
@@ -149,21 +165,21 @@ fn check_ranges(
     };
     match message {
         None => Ok(()),
-        Some((text, message)) => Err(Box::new(complaint(environment.source, text, message))),
+        Some((text, message)) => Err(Box::new(complaint(reader.source, text, message))),
     }
 }
 
 /// The two ends of an interval, written as a vector `[low, high]`.
-pub(super) fn interval(environment: &Environment<'_>, text: &Text) -> Faulty<Interval> {
-    let value = environment.value(text)?;
-    ends(environment, text, &value)
+pub(super) fn interval(reader: &Reader<'_>, text: &Text) -> Faulty<Interval> {
+    let value = reader.value(text)?;
+    ends(reader, text, &value)
 }
 
 /// The two ends of an interval from its value.
-pub(super) fn ends(environment: &Environment<'_>, text: &Text, value: &Value) -> Faulty<Interval> {
+pub(super) fn ends(reader: &Reader<'_>, text: &Text, value: &Value) -> Faulty<Interval> {
     let Value::Vector(vector) = value else {
         return Err(wrong(
-            environment.source,
+            reader.source,
             text,
             value.kind(),
             "an interval `[low, high]`",
@@ -172,12 +188,12 @@ pub(super) fn ends(environment: &Environment<'_>, text: &Text, value: &Value) ->
     let numbers = vector
         .entries
         .iter()
-        .map(|q| fraction(environment.source, text, q))
+        .map(|q| fraction(reader.source, text, q))
         .collect::<Faulty<Vec<Fraction>>>()?;
     match <[Fraction; 2]>::try_from(numbers) {
         Ok([low, high]) => Ok(Interval { low, high }),
         Err(_) => Err(wrong(
-            environment.source,
+            reader.source,
             text,
             "a longer vector",
             "an interval `[low, high]`",

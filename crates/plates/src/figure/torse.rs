@@ -5,6 +5,7 @@ use super::environment::{Environment, complaint, fraction};
 use super::layer::{Over, range};
 use super::loops::Round;
 use super::panel::{Context, ends};
+use super::reader::Reader;
 use super::{Faulty, in_file_order};
 use torse_language::derivation::schema::Text;
 use torse_language::derivation::schema::figure::{PieceEntry, Rulings, TorseEntry};
@@ -21,17 +22,21 @@ pub fn torse(figure: &Figure) -> Faulty<Option<Torse>> {
         return Ok(None);
     };
     let environment = values(figure, entry)?;
+    let reader = Reader::new(&environment);
     let sliders = in_file_order(&entry.sliders)
         .into_iter()
-        .map(|(name, text)| slider(&environment, name, text))
+        .map(|(name, text)| slider(&reader, name, text))
         .collect::<Faulty<_>>()?;
     let free: Vec<String> = entry.sliders.keys().cloned().collect();
     let context = Context {
         figure,
-        round: Round::only(environment),
+        round: Round::only(environment.clone()),
         free: &free,
     };
-    let pieces = entry.piece.iter().map(|piece| context.piece(piece));
+    let pieces = entry
+        .piece
+        .iter()
+        .map(|piece| context.piece(piece, &reader));
     Ok(Some(Torse {
         sliders,
         view: entry.view,
@@ -58,19 +63,19 @@ fn values<'a>(figure: &'a Figure, entry: &TorseEntry) -> Faulty<Environment<'a>>
 }
 
 /// `[least, at first, greatest]`.
-fn slider(environment: &Environment<'_>, name: &str, text: &Text) -> Faulty<Slider> {
-    environment.declared(name, text)?;
+fn slider(reader: &Reader<'_>, name: &str, text: &Text) -> Faulty<Slider> {
+    reader.declared(name, text)?;
     let unusable = || {
         let message = format!("`{name}` needs three numbers: least, at first, greatest");
-        Box::new(complaint(environment.source, text, message))
+        Box::new(complaint(reader.source, text, message))
     };
-    let Value::Vector(vector) = environment.value(text)? else {
+    let Value::Vector(vector) = reader.value(text)? else {
         return Err(unusable());
     };
     let numbers = vector
         .entries
         .iter()
-        .map(|q| fraction(environment.source, text, q));
+        .map(|q| fraction(reader.source, text, q));
     let numbers = numbers.collect::<Faulty<Vec<_>>>()?;
     let [low, start, high] = <[_; 3]>::try_from(numbers).map_err(|_| unusable())?;
     Ok(Slider {
@@ -81,17 +86,12 @@ fn slider(environment: &Environment<'_>, name: &str, text: &Text) -> Faulty<Slid
 }
 
 impl Context<'_> {
-    fn piece(&self, entry: &PieceEntry) -> Faulty<Piece> {
-        let environment = &self.round.environment;
-        let over = match range(environment, &entry.over)? {
+    fn piece(&self, entry: &PieceEntry, reader: &Reader<'_>) -> Faulty<Piece> {
+        let over = match range(reader, &entry.over)? {
             Over::Running(running) => *running,
             Over::Index(_) => {
                 let message = "a number runs along a developable, not an index";
-                return Err(Box::new(complaint(
-                    environment.source,
-                    &entry.over,
-                    message,
-                )));
+                return Err(Box::new(complaint(reader.source, &entry.over, message)));
             }
         };
         let (count, dimension, wanted) = match entry.draw {
@@ -100,17 +100,17 @@ impl Context<'_> {
         };
         let mut curves = vec![];
         for text in &entry.at {
-            let formula = parsed(environment.source, text)?;
+            let formula = parsed(reader.source, text)?;
             let running: &Running = &over;
-            curves.extend(self.positions(environment, text, &formula, &[&running.name])?);
+            curves.extend(self.positions(reader, text, &formula, &[&running.name])?);
         }
         if curves.len() != count || curves.iter().any(|curve| curve.len() != dimension) {
             let message = format!("{wanted} wanted");
             let at = entry.at.first().unwrap_or(&entry.over);
-            return Err(Box::new(complaint(environment.source, at, message)));
+            return Err(Box::new(complaint(reader.source, at, message)));
         }
-        let along = ends(environment, &entry.along, &environment.value(&entry.along)?)?;
-        let limit = entry.limit.as_ref().map(|text| environment.number(text));
+        let along = ends(reader, &entry.along, &reader.value(&entry.along)?)?;
+        let limit = entry.limit.as_ref().map(|text| reader.number(text));
         Ok(Piece {
             rulings: entry.draw,
             curves,
