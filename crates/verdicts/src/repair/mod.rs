@@ -80,12 +80,11 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
         .take(MAX_SINGLE)
         .take_while(|_| target.within_budget())
     {
-        let side = subject.side(&edit.expr);
-        let entries = target.entries_agreeing(&side);
-        if entries > 0 && target.agrees(&side) || planted(Planted::CorrectionUnproved) {
+        let agreement = target.agreement(&subject.side(&edit.expr));
+        if agreement.everywhere || planted(Planted::CorrectionUnproved) {
             once.push((edit.clone(), vec![edit.change.to_string()]));
         }
-        singles.push((entries, edit));
+        singles.push((agreement.entries, edit));
     }
     if let Some(found) = proved(claim, statement, &subject, once) {
         return Some(found);

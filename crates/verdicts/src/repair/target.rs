@@ -29,6 +29,15 @@ pub struct Target<'a> {
     budget: Cell<u64>,
 }
 
+/// How far a candidate agrees with the other side.
+#[derive(Debug, Clone, Copy)]
+pub struct Agreement {
+    /// The number of entries that agree at the first instance.
+    pub entries: usize,
+    /// Whether all entries agree at every instance.
+    pub everywhere: bool,
+}
+
 impl<'a> Target<'a> {
     /// The other side of the comparison that is corrected; none where it is no plain formula.
     #[must_use]
@@ -84,22 +93,26 @@ impl<'a> Target<'a> {
         })
     }
 
+    /// How far a candidate agrees with the other side; not at all once the work is used up.
+    #[must_use]
+    pub fn agreement(&self, candidate: &Expr) -> Agreement {
+        let entries = |(evaluator, other): &(Evaluator<'a>, Vec<Fraction>)| {
+            let agreeing = self.agreeing(evaluator, other, candidate);
+            (agreeing.unwrap_or(0), agreeing == Some(other.len()))
+        };
+        let mut instances = self.instances.iter();
+        let first = instances.next().filter(|_| self.within_budget());
+        let (agreeing, all) = first.map_or((0, false), entries);
+        Agreement {
+            entries: agreeing,
+            everywhere: all && instances.all(|instance| entries(instance).1),
+        }
+    }
+
     /// Whether a candidate agrees with the other side at every instance; never once the work is used up.
     #[must_use]
     pub fn agrees(&self, candidate: &Expr) -> bool {
-        self.within_budget()
-            && self.instances.iter().all(|(evaluator, other)| {
-                self.agreeing(evaluator, other, candidate) == Some(other.len())
-            })
-    }
-
-    /// How many entries of a candidate agree with the other side at the first instance.
-    #[must_use]
-    pub fn entries_agreeing(&self, candidate: &Expr) -> usize {
-        let first = self.instances.first().filter(|_| self.within_budget());
-        first
-            .and_then(|(evaluator, other)| self.agreeing(evaluator, other, candidate))
-            .unwrap_or(0)
+        self.agreement(candidate).everywhere
     }
 
     /// A search of its own with so much work: what it spends is not missing afterwards.
