@@ -9,7 +9,7 @@ use std::fmt::{self, Write};
 use torse_algebra::rational::integer;
 use torse_algebra::{Angle, Fraction, Rational, Symbol};
 
-/// Fowler and Noll and Vo's hash of the text that is written to it.
+/// The hash of Fowler, Noll and Vo of the text that is written to it.
 struct Hash(u64);
 
 impl Write for Hash {

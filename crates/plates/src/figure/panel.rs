@@ -34,41 +34,9 @@ impl<'a> Context<'a> {
     }
 
     fn panel(&self, number: usize, entry: &PanelEntry, round: &Round<'a>) -> Faulty<Panel> {
-        let mut rounds = vec![];
-        for layer in &entry.layer {
-            if layer.loops.is_empty() {
-                let number = None;
-                rounds.push((
-                    layer,
-                    Round {
-                        number,
-                        ..round.clone()
-                    },
-                ));
-                continue;
-            }
-            let inner = round.rounds(&layer.loops, self.free)?;
-            rounds.extend(inner.into_iter().map(|inner| (layer, inner)));
-        }
-        let own = self.with_values(entry, round)?;
-        let reader = Reader::new(&own);
-        // Layers often run through the same rounds.
-        let mut others: Vec<&Round<'a>> = vec![];
-        for (_, inner) in &rounds {
-            if !inner.is_like(round) && !others.iter().any(|other| inner.is_like(other)) {
-                others.push(inner);
-            }
-        }
-        let environments = others.iter().map(|other| self.with_values(entry, other));
-        let environments = environments.collect::<Faulty<Vec<_>>>()?;
-        let readers: Vec<Reader<'_>> = environments.iter().map(Reader::new).collect();
-        let mut layers = vec![];
-        for (layer, inner) in &rounds {
-            let mut others = others.iter().zip(&readers);
-            let other = others.find(|(other, _)| inner.is_like(other));
-            let reader = other.map_or(&reader, |(_, reader)| reader);
-            layers.push((*layer, self.layer(layer, inner, reader)?));
-        }
+        let environment = self.with_values(entry, round)?;
+        let reader = Reader::new(&environment);
+        let layers = self.layers(entry, round, &reader)?;
         let dimension = layers.first().map_or(2, |(_, layer)| layer.dimension());
         for (text, layer) in &layers {
             if layer.dimension() != dimension {
@@ -122,6 +90,38 @@ impl<'a> Context<'a> {
             },
             layers: layers.into_iter().map(|(_, layer)| layer).collect(),
         })
+    }
+
+    /// The layers of a panel, one for each round of their loops. Layers often run through the same rounds: these have one
+    /// reader, and what their loops leave as it is has that of the panel.
+    fn layers<'e>(
+        &self,
+        entry: &'e PanelEntry,
+        round: &Round<'a>,
+        own: &Reader<'_>,
+    ) -> Faulty<Vec<(&'e LayerEntry, Layer)>> {
+        let mut rounds = vec![];
+        for layer in &entry.layer {
+            let inner = round.rounds(&layer.loops, self.free)?;
+            rounds.extend(inner.into_iter().map(|inner| (layer, inner)));
+        }
+        let mut others: Vec<&Round<'a>> = vec![];
+        for (_, inner) in &rounds {
+            if !inner.is_like(round) && !others.iter().any(|other| inner.is_like(other)) {
+                others.push(inner);
+            }
+        }
+        let environments = others.iter().map(|other| self.with_values(entry, other));
+        let environments = environments.collect::<Faulty<Vec<_>>>()?;
+        let readers: Vec<Reader<'_>> = environments.iter().map(Reader::new).collect();
+        let layer = |(layer, inner): (&'e LayerEntry, &Round<'a>)| {
+            let mut known = others.iter().zip(&readers);
+            let other = known.find(|(other, _)| inner.is_like(other));
+            let reader = other.map_or(own, |(_, reader)| reader);
+            Ok((layer, self.layer(layer, inner, reader)?))
+        };
+        let placed = rounds.iter().map(|(layer, inner)| (*layer, inner));
+        placed.map(layer).collect()
     }
 
     /// The environment of a round with the values that figure and panel set. All but integers, to which loops may

@@ -138,6 +138,22 @@ fn loops_nest_and_names_of_one_loop_run_in_step() {
 }
 
 #[test]
+fn layers_through_the_same_rounds_and_through_none_have_each_their_own_values() {
+    let point = "draw = 'points', at = 'G(1/2)'";
+    let figure = figure(&format!(
+        "[[claim.figure.panel]]\nlayer = [\n\
+         {{ {point}, for = [{{ mu = ['1', '0'] }}] }},\n\
+         {{ {point} }},\n\
+         {{ {point}, for = [{{ mu = ['0', '1'] }}] }},\n]"
+    ));
+    let drawn = super::drawing(&figure).unwrap();
+    // (P_1 + P_2/2)/2 with P_1 = (mu, 2), where mu is 1/2 but for the loops.
+    let first = |n: usize| coordinates(&drawn, n).swap_remove(0);
+    let all: Vec<String> = (0..5).map(first).collect();
+    assert_eq!(all, ["1", "1/2", "3/4", "1/2", "1"]);
+}
+
+#[test]
 fn indices_make_polygons_and_nets() {
     let drawn = drawing("draw = 'polygon', at = 'P[i]', over = ['i in 0..k']");
     assert_eq!(coordinates(&drawn, 0), ["0", "0", "1/2", "2", "2", "0"]);
