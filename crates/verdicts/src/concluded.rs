@@ -33,7 +33,9 @@ pub(crate) fn undecided(paper: &str, claim: &Claim, meant: Option<&Meant<'_>>) -
         garbled: entry.garbled.as_ref().map(|text| text.get_ref().clone()),
         parsed: claim.statement.as_ref().map(|s| notation::formula(&s.expr)),
         assumed: provenance::assumed(claim),
-        table: meant.map(table::of).unwrap_or_default(),
+        table: meant
+            .map(|meant| table::of(&meant.claim, meant.statement, &meant.core))
+            .unwrap_or_default(),
         readings: vec![],
         correction: None,
         data: None,

@@ -1,4 +1,4 @@
-//! What a verdict is about: the table, the net and the checker look at the same claim, which is brought to core terms once
+//! What a verdict is about: its table, its net and the checker look at the same claim, which is brought to core terms once
 //! for all of them.
 
 use crate::outcome::Outcome;

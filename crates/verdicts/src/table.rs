@@ -3,11 +3,11 @@
 //! The declared set of every symbol that occurs, the definitions and bases that are used, be it through others, each once
 //! and in the order of use, and the unknowns of given equations.
 
-use crate::meant::Meant;
 use serde::Serialize;
 use std::collections::BTreeSet;
+use torse_language::core;
 use torse_language::derivation::declarations::{Basis, Declarations, Definition};
-use torse_language::derivation::{Hypothesis, Written};
+use torse_language::derivation::{Claim, Hypothesis, Written};
 use torse_language::notation::{self, Formula, domain};
 use torse_language::syntax::{Expr, Node};
 
@@ -71,14 +71,9 @@ impl Family {
     }
 }
 
-/// What a claim rests on with its statement.
+/// What a statement on the domain of a claim rests on; `core` is both in core terms.
 #[must_use]
-pub(crate) fn of(meant: &Meant<'_>) -> Table {
-    let Meant {
-        claim,
-        statement,
-        core,
-    } = meant;
+pub fn of(claim: &Claim, statement: &Written, core: &core::Claim) -> Table {
     let mut walk = Walk {
         declarations: &claim.declarations,
         own: claim.entry.local.keys().map(|head| name_of(head)).collect(),
