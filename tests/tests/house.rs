@@ -193,9 +193,6 @@ fn only_tests_can_plant_faults() {
     assert!(!release.contains("debug-assertions"), "{release}");
 }
 
-/// Circles of files that are known and not yet mended: each is the list of the modules that reach one another.
-const CIRCLES: [&str; 1] = ["prove: formula::expression, formula::points"];
-
 /// The names of Rust source without comments, strings and tests, and what stands between them.
 fn tokens(text: &str) -> Vec<String> {
     let text = text.split("#[cfg(test)]").next().unwrap_or("");
@@ -426,7 +423,7 @@ fn no_files_of_a_room_import_one_another_in_a_circle() {
                 .map(move |circle| format!("{name}: {circle}"))
         })
         .collect();
-    assert_eq!(circles, CIRCLES);
+    assert!(circles.is_empty(), "{circles:?}");
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod build;
 mod expression;
 mod factor;
 mod points;
+mod shape;
 #[cfg(test)]
 mod tests;
 

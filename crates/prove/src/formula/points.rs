@@ -5,8 +5,8 @@
 //! `sum c_j P_j = sum d_j (P_j - P_(j+1))` with `d_j = c_0 + ... + c_j`.
 
 use super::build::{Summand, positive_first, sum, symbol};
-use super::expression::ratio;
 use super::factor::Factored;
+use super::shape::ratio;
 use num_traits::{One, Signed};
 use std::collections::BTreeMap;
 use torse_algebra::{Polynomial, Rational, Symbol, rational};
