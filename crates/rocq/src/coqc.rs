@@ -4,8 +4,8 @@ use crate::check::{self, PROOFS};
 use crate::closed::CLOSED;
 use crate::digest::Digest;
 use crate::folder::{ACCEPTED, CHECK, Folder, Theorem};
-use crate::library::LIBRARY;
-use crate::modules;
+use crate::library::{self, LIBRARY};
+use crate::{modules, queue};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{self, Read};
@@ -240,17 +240,22 @@ impl Coqc {
         &self,
         scratch: &Path,
         limits: Limits,
-        done: &dyn Fn(),
+        done: &(dyn Fn() + Sync),
     ) -> Result<(), CheckError> {
         for (path, text) in LIBRARY {
             write(&scratch.join(path), text)?;
+        }
+        let compile = |path: &str| {
             let run = self.run(scratch, path, limits)?;
             done();
-            if !run.status.success() {
-                return Err(CheckError::Library(first_lines(&run.text)));
+            match run.status.success() {
+                true => Ok(()),
+                false => Err(CheckError::Library(first_lines(&run.text))),
             }
-        }
-        Ok(())
+        };
+        queue::worked(&library::needs(), limits.at_once, &|place| {
+            LIBRARY.get(place).map_or(Ok(()), |(path, _)| compile(path))
+        })
     }
 
     /// The answers about one section: its statements, then its proofs.

@@ -37,6 +37,7 @@ pub mod name;
 mod place;
 pub mod point;
 pub mod proposition;
+mod queue;
 pub mod said;
 pub mod script;
 pub mod shape;

@@ -90,3 +90,42 @@ pub const LIBRARY: [(&str, &str); 24] = [
         include_str!("../../../proofs/Torse/Positive.v"),
     ),
 ];
+
+/// For each file of the library those that it requires, by position.
+pub(crate) fn needs() -> Vec<Vec<usize>> {
+    let place = |name: &str| {
+        let path = format!("Torse/{name}.v");
+        LIBRARY.iter().position(|(own, _)| *own == path)
+    };
+    let needed = |text| required(text).filter_map(place).collect();
+    LIBRARY.iter().map(|(_, text)| needed(text)).collect()
+}
+
+/// The names behind `From Torse Require Import`.
+fn required(text: &str) -> impl Iterator<Item = &str> {
+    let commands = text.split("From Torse Require Import ").skip(1);
+    let names = commands.filter_map(|rest| rest.split_once('.'));
+    names.flat_map(|(names, _)| names.split_whitespace())
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+    use super::*;
+
+    #[test]
+    fn a_file_requires_files_before_it_and_all_require_the_definitions() {
+        for (place, needed) in needs().iter().enumerate() {
+            let (path, text) = LIBRARY[place];
+            assert!(needed.iter().all(|other| *other < place), "{path}");
+            assert_eq!(needed.contains(&0), place > 0, "{path}");
+            // Every name is one of the library, and there is no other way to require one.
+            assert_eq!(required(text).count(), needed.len(), "{path}");
+            let others = text.matches("From Torse").count() + text.matches("Torse.").count();
+            assert_eq!(others, usize::from(place > 0), "{path}");
+        }
+        let named = required("From Torse Require Import Defs Sums.\nFrom Coq Require Import Lra.");
+        assert_eq!(named.collect::<Vec<_>>(), ["Defs", "Sums"]);
+    }
+}

@@ -30,7 +30,11 @@ pub fn with_library(coqc: &Coqc) -> TempDir {
         // What an earlier run left may be another library.
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).unwrap();
-        coqc.library(&folder, LIMITS, &|| ()).unwrap();
+        let limits = Limits {
+            at_once: 2,
+            ..LIMITS
+        };
+        coqc.library(&folder, limits, &|| ()).unwrap();
         folder
     });
     let scratch = tempfile::tempdir().unwrap();
