@@ -81,10 +81,10 @@ fn read<K: Coefficients>(
     for run in table.rchunks_mut(usize::from(*last) + 1) {
         for (digit, cell) in run.iter_mut().enumerate().rev() {
             if !kind.is_zero(cell) {
-                exponents.extend(row.iter().copied());
+                coefficients.push(kind.value(std::mem::replace(cell, kind.zero())));
+                exponents.extend_from_slice(&row);
                 // At most `last`, so nothing is lost.
                 exponents.push(digit as u16);
-                coefficients.push(kind.value(std::mem::replace(cell, kind.zero())));
             }
         }
         for (digit, top) in row.iter_mut().zip(leading).rev() {
