@@ -11,8 +11,6 @@ use std::collections::BTreeMap;
 use std::io::{self, Read};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use thiserror::Error;
 
@@ -253,9 +251,10 @@ impl Coqc {
                 false => Err(CheckError::Library(first_lines(&run.text))),
             }
         };
-        queue::worked(&library::needs(), limits.at_once, &|place| {
-            LIBRARY.get(place).map_or(Ok(()), |(path, _)| compile(path))
-        })
+        let files = LIBRARY.map(|(path, _)| path).into_iter();
+        let jobs: Vec<_> = files.zip(library::needs()).collect();
+        queue::worked(&jobs, limits.at_once, &|path| compile(path))?;
+        Ok(())
     }
 
     /// The answers about one section: its statements, then its proofs.
@@ -357,28 +356,13 @@ pub(crate) fn each_section<T: Send>(
     done: &(dyn Fn() + Sync),
     work: &(dyn Fn(&str) -> Result<T, CheckError> + Sync),
 ) -> Result<Vec<T>, CheckError> {
-    let sections = folder.sections();
-    let found: Mutex<BTreeMap<usize, Result<T, CheckError>>> = Mutex::default();
-    let next = AtomicUsize::new(0);
-    std::thread::scope(|scope| {
-        for _ in 0..at_once.max(1) {
-            scope.spawn(|| {
-                loop {
-                    let place = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(section) = sections.get(place) else {
-                        break;
-                    };
-                    let result = work(section);
-                    let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
-                    found.insert(place, result);
-                    drop(found);
-                    done();
-                }
-            });
-        }
-    });
-    let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
-    found.into_values().collect()
+    let sections = folder.sections().into_iter();
+    let jobs: Vec<_> = sections.map(|section| (section, vec![])).collect();
+    queue::worked(&jobs, at_once, &|section| {
+        let result = work(section);
+        done();
+        result
+    })
 }
 
 /// What a run left.

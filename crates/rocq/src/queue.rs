@@ -1,53 +1,53 @@
-//! Work on things that need one another: each is begun as soon as what it needs is done, several at once.
+//! Work on things that may need one another: each is begun as soon as what it needs is done, several at once.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 
-/// What is left, what is done, and what went wrong.
-struct State<E> {
+/// A thing to work on, and which of those before it it needs, by position.
+pub(crate) type Job<I> = (I, Vec<usize>);
+
+/// What is left, and what was found of the others.
+struct State<T> {
     left: Vec<usize>,
-    done: BTreeSet<usize>,
-    failed: BTreeMap<usize, E>,
+    found: BTreeMap<usize, T>,
 }
 
 /// A queue that several threads work on.
-struct Queue<'a, E> {
-    /// What each thing needs, by position.
-    needs: &'a [Vec<usize>],
-    state: Mutex<State<E>>,
+struct Queue<'a, I, T> {
+    jobs: &'a [Job<I>],
+    state: Mutex<State<T>>,
     changed: Condvar,
 }
 
-impl<E> Queue<'_, E> {
-    fn state(&self) -> MutexGuard<'_, State<E>> {
+impl<'a, I, T> Queue<'a, I, T> {
+    fn state(&self) -> MutexGuard<'_, State<T>> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Takes the first thing that can be begun; waits where all that is left needs what is being worked on. Nothing at the end.
-    fn next(&self) -> Option<usize> {
+    fn next(&self) -> Option<(usize, &'a I)> {
         let mut state = self.state();
-        loop {
-            if state.left.is_empty() {
-                return None;
-            }
+        while !state.left.is_empty() {
             let is_ready = |place: &usize| {
-                let mut needs = self.needs.get(*place).into_iter().flatten();
-                needs.all(|needed| needed >= place || state.done.contains(needed))
+                let mut needs = self.jobs.get(*place).into_iter().flat_map(|(_, n)| n);
+                needs.all(|needed| needed >= place || state.found.contains_key(needed))
             };
             if let Some(at) = state.left.iter().position(is_ready) {
-                return Some(state.left.remove(at));
+                let place = state.left.remove(at);
+                return self.jobs.get(place).map(|(item, _)| (place, item));
             }
             let waiting = self.changed.wait(state);
             state = waiting.unwrap_or_else(PoisonError::into_inner);
         }
+        None
     }
 }
 
 /// Work that is going on; its end is told to those who wait, and one that panics is the end of all.
-struct Going<'a, 'b, E>(&'a Queue<'b, E>);
+struct Going<'a, 'b, I, T>(&'a Queue<'b, I, T>);
 
-impl<E> Drop for Going<'_, '_, E> {
+impl<I, T> Drop for Going<'_, '_, I, T> {
     fn drop(&mut self) {
         if thread::panicking() {
             self.0.state().left.clear();
@@ -56,52 +56,43 @@ impl<E> Drop for Going<'_, '_, E> {
     }
 }
 
-/// Works on all things in so many threads. Each needs some of those before it, by position; of those that can be begun the
-/// first is. After a failure nothing more is begun.
+/// What `work` says of all things, in their order, in so many threads; of those that can be begun the first is. After a failure
+/// nothing more is begun.
 ///
 /// # Errors
 /// The error of the first thing that has one.
-pub(crate) fn worked<E: Send>(
-    needs: &[Vec<usize>],
+pub(crate) fn worked<I: Sync, T: Send, E: Send>(
+    jobs: &[Job<I>],
     at_once: usize,
-    work: &(dyn Fn(usize) -> Result<(), E> + Sync),
-) -> Result<(), E> {
+    work: &(dyn Fn(&I) -> Result<T, E> + Sync),
+) -> Result<Vec<T>, E> {
     let queue = Queue {
-        needs,
+        jobs,
         state: Mutex::new(State {
-            left: (0..needs.len()).collect(),
-            done: BTreeSet::new(),
-            failed: BTreeMap::new(),
+            left: (0..jobs.len()).collect(),
+            found: BTreeMap::new(),
         }),
         changed: Condvar::new(),
     };
     let worker = || {
-        while let Some(place) = queue.next() {
+        while let Some((place, item)) = queue.next() {
             let _going = Going(&queue);
-            let result = work(place);
+            let result = work(item);
             let mut state = queue.state();
-            match result {
-                Ok(()) => {
-                    state.done.insert(place);
-                }
-                Err(error) => {
-                    state.left.clear();
-                    state.failed.insert(place, error);
-                }
+            if result.is_err() {
+                state.left.clear();
             }
+            state.found.insert(place, result);
         }
     };
     thread::scope(|scope| {
-        for _ in 0..at_once.clamp(1, needs.len().max(1)) {
+        for _ in 0..at_once.clamp(1, jobs.len().max(1)) {
             scope.spawn(worker);
         }
     });
     let state = queue.state.into_inner();
-    let mut failed = state.unwrap_or_else(PoisonError::into_inner).failed;
-    match failed.pop_first() {
-        Some((_, error)) => Err(error),
-        None => Ok(()),
-    }
+    let found = state.unwrap_or_else(PoisonError::into_inner).found;
+    found.into_values().collect()
 }
 
 #[cfg(test)]
@@ -112,8 +103,8 @@ mod tests {
     use std::time::Duration;
 
     /// Both ends of a diamond, something that needs nothing, and a chain behind.
-    fn needs() -> Vec<Vec<usize>> {
-        vec![
+    fn jobs() -> Vec<Job<usize>> {
+        let needs = [
             vec![],
             vec![0],
             vec![0],
@@ -121,26 +112,30 @@ mod tests {
             vec![],
             vec![3],
             vec![5, 4],
-        ]
+        ];
+        (0..).zip(needs).collect()
     }
 
     #[test]
     fn nothing_is_begun_before_what_it_needs_is_done_and_all_is_done_once() {
         for at_once in 0..9 {
             let events = Mutex::new(vec![]);
-            let work = |place: usize| -> Result<(), ()> {
-                events.lock().unwrap().push((place, "begun"));
+            let work = |place: &usize| -> Result<usize, ()> {
+                events.lock().unwrap().push((*place, "begun"));
                 thread::sleep(Duration::from_millis(1));
-                events.lock().unwrap().push((place, "done"));
-                Ok(())
+                events.lock().unwrap().push((*place, "done"));
+                Ok(*place)
             };
-            worked(&needs(), at_once, &work).unwrap();
+            assert_eq!(
+                worked(&jobs(), at_once, &work).unwrap(),
+                [0, 1, 2, 3, 4, 5, 6]
+            );
             let events = events.into_inner().unwrap();
             let at = |event| events.iter().position(|own| *own == event).unwrap();
-            assert_eq!(events.len(), 2 * needs().len());
-            for (place, needed) in needs().iter().enumerate() {
+            assert_eq!(events.len(), 2 * jobs().len());
+            for (place, needed) in jobs() {
                 for needed in needed {
-                    assert!(at((*needed, "done")) < at((place, "begun")), "{events:?}");
+                    assert!(at((needed, "done")) < at((place, "begun")), "{events:?}");
                 }
             }
         }
@@ -149,28 +144,29 @@ mod tests {
     #[test]
     fn one_thread_keeps_the_order_and_a_failure_ends_the_work() {
         let seen = Mutex::new(vec![]);
-        let work = |place: usize| {
-            seen.lock().unwrap().push(place);
-            if place == 3 { Err(place) } else { Ok(()) }
+        let work = |place: &usize| {
+            seen.lock().unwrap().push(*place);
+            if *place == 3 { Err(*place) } else { Ok(()) }
         };
-        assert_eq!(worked(&needs(), 1, &work), Err(3));
+        assert_eq!(worked(&jobs(), 1, &work), Err(3));
         assert_eq!(seen.into_inner().unwrap(), [0, 1, 2, 3]);
     }
 
     #[test]
     fn two_things_that_need_each_other_or_themselves_are_no_reason_to_wait() {
-        let work = |_: usize| -> Result<(), ()> { Ok(()) };
-        assert_eq!(worked(&[vec![1], vec![0], vec![2]], 2, &work), Ok(()));
-        assert_eq!(worked(&[], 2, &work), Ok(()));
+        let work = |n: &usize| -> Result<usize, ()> { Ok(*n) };
+        let jobs = [(7, vec![1]), (8, vec![0]), (9, vec![2])];
+        assert_eq!(worked(&jobs, 2, &work), Ok(vec![7, 8, 9]));
+        assert_eq!(worked(&[], 2, &work), Ok(vec![]));
     }
 
     #[test]
     #[should_panic(expected = "a scoped thread panicked")]
     fn work_that_panics_leaves_nobody_waiting() {
-        let work = |place: usize| -> Result<(), ()> {
-            assert!(place != 3);
+        let work = |place: &usize| -> Result<(), ()> {
+            assert!(*place != 3);
             Ok(())
         };
-        let _ = worked(&needs(), 3, &work);
+        let _ = worked(&jobs(), 3, &work);
     }
 }
